@@ -1,0 +1,53 @@
+//! The algebra of plm: exact, deterministic, hash-consed expressions of real numbers.
+//!
+//! A [`Graph`] holds expressions in canonical form; its constructors are the simplifier ([`RULES`] lists what they
+//! do and under which condition each step is true). On top stand derivatives ([`Graph::diff`],
+//! [`Graph::gradient`], [`Graph::directional`]), substitution, printing ([`Graph::display`]), the search for what
+//! several expressions have in common ([`share`]), and the [`Tape`]: the list of single operations that is both
+//! emitted as code and evaluated here as its oracle.
+//!
+//! It runs inside a procedural macro, unoptimised, for every user. So the data are flat, nothing recurses over the
+//! graph, no unordered collection is iterated, and the same calls give the same bytes on every host.
+//!
+//! ```
+//! use plm_cas::{Graph, Number, Tape, share};
+//!
+//! let mut g = Graph::new();
+//! let (x, angle, t) = (g.symbol("x"), g.symbol("angle"), g.symbol("t"));
+//! let length = g.number(Number::parse_decimal("0.15").ok_or("not a number")?);
+//! let c = g.cos(angle);
+//! let reach = g.mul(length, c);
+//! let phi = g.sub(x, reach);
+//! assert_eq!(g.display(phi).to_string(), "x - 0.15*cos(angle)");
+//!
+//! let slope = g.diff(phi, angle);
+//! assert_eq!(g.display(slope).to_string(), "0.15*sin(angle)");
+//! assert!(g.gradient(phi, &[x, t]).iter().map(|entry| entry.0).eq([0]));
+//!
+//! let roots = share(&mut g, &[phi, slope]);
+//! let tape = Tape::new(&g, &roots);
+//! assert_eq!(tape.count().to_string(), "1 add, 2 mul, 1 sin_cos");
+//! # Ok::<(), &str>(())
+//! ```
+
+mod build;
+mod diff;
+mod graph;
+mod hash;
+mod math;
+mod node;
+mod number;
+mod print;
+mod rules;
+mod sexpr;
+mod share;
+mod substitute;
+mod tape;
+
+pub use graph::Graph;
+pub use node::{Expr, Function, Node};
+pub use number::Number;
+pub use rules::{Condition, RULES, Rule};
+pub use sexpr::ParseError;
+pub use share::share;
+pub use tape::{Count, Instr, Machine, Op, Ref, Tape};

@@ -1,0 +1,64 @@
+//! What several expressions have in common, computed once.
+//!
+//! Hash-consing shares equal nodes; flat sums and products hide what they share inside: `x + a - b` and `a - b`.
+//! The pass works on flat rows of items (see `rows`) in four steps, each of which lowers the count of operations:
+//! common factors leave the terms of a sum; pairs of factors, then pairs of terms, that occur in several rows
+//! become rows of their own, the most frequent first (M. A. Breuer, "Generation of optimal code for expressions
+//! via factorization", Comm. ACM 12 (1969), 333-340); a divisor of several quotients is inverted once.
+//!
+//! The result is in shared form: sums may stand in sums and products in products. Its values differ from those of
+//! the input by rounding only. It is meant for a [`Tape`](crate::Tape); constructors that take it flatten it again.
+
+mod factor;
+mod pairs;
+mod rebuild;
+mod rows;
+
+use crate::graph::Graph;
+use crate::node::Expr;
+use rows::{Item, Kind, Rows, base, divides, literal};
+
+/// Rewrites `roots` so that they compute less: the same values, in the same order.
+pub fn share(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
+    let mut rows = Rows::load(graph, roots);
+    factor::factor_sums(&mut rows);
+    pairs::extract(&mut rows, Kind::Product);
+    pairs::extract(&mut rows, Kind::Sum);
+    invert_divisors(&mut rows);
+    rows.inline_single_uses();
+    rebuild::rebuild(graph, &rows)
+}
+
+/// A divisor of two or more quotients becomes a factor: one division and n products cost less than n divisions.
+fn invert_divisors(rows: &mut Rows) {
+    const WORTH_IT: u32 = 2;
+    let mut quotients = vec![0_u32; rows.len()];
+    let mut inverse_of: Vec<Option<usize>> = vec![None; rows.len()];
+    let products: Vec<usize> = (0..rows.len()).filter(|&row| rows.kind(row) == Kind::Product).collect();
+    for &row in &products {
+        let items = rows.items(row);
+        for i in 0..items.len() {
+            if divides(items[i].id) && (i == 0 || items[i - 1].id != items[i].id) {
+                quotients[base(items[i].id)] += 1;
+                if items.len() == 1 {
+                    inverse_of[base(items[i].id)] = Some(row);
+                }
+            }
+        }
+    }
+    for &row in &products {
+        for i in 0..rows.items(row).len() {
+            let id = rows.items(row)[i].id;
+            let divisor = base(id);
+            if !divides(id) || quotients[divisor] < WORTH_IT || inverse_of[divisor] == Some(row) {
+                continue;
+            }
+            let inverse = match inverse_of[divisor] {
+                Some(known) => known,
+                None => rows.push(Kind::Product, &[Item { id, coefficient: 0 }]),
+            };
+            inverse_of[divisor] = Some(inverse);
+            rows.items_mut(row)[i].id = literal(inverse as u32, false);
+        }
+    }
+}

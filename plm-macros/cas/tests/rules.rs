@@ -1,0 +1,86 @@
+//! The table of rules, applied: each pattern becomes its result, and both have the same value wherever the
+//! condition of the rule holds, 0, -0, infinities and NaN included.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod support;
+
+use plm_cas::{Condition, Graph, RULES};
+use support::{close, direct};
+
+const POINTS: [f64; 11] =
+    [0.0, -0.0, 1.0, -1.0, 0.5, -0.75, 2.0, -3.25, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+
+fn xyz() -> Graph {
+    let mut graph = Graph::new();
+    for name in ["x", "y", "z"] {
+        graph.symbol(name);
+    }
+    graph
+}
+
+#[test]
+fn every_pattern_becomes_its_result() {
+    for rule in RULES {
+        let mut g = xyz();
+        let result = g.parse_sexpr(rule.result).unwrap();
+        let pattern = g.parse_sexpr(rule.pattern).unwrap();
+        assert_eq!(g.sexpr(pattern), g.sexpr(result), "{}", rule.name);
+        assert_eq!(pattern, result, "{}", rule.name);
+    }
+}
+
+#[test]
+fn every_rule_keeps_the_value_where_its_condition_holds() {
+    for rule in RULES {
+        let mut tried = 0;
+        for x in POINTS {
+            for y in POINTS {
+                for z in [POINTS[4], POINTS[0], POINTS[7], POINTS[8], POINTS[10]] {
+                    if !rule.condition.holds(&[x, y, z]) {
+                        continue;
+                    }
+                    tried += 1;
+                    let (before, after) =
+                        (direct::text(rule.pattern, [x, y, z]), direct::text(rule.result, [x, y, z]));
+                    // Some ten roundings each.
+                    assert!(close(before, after, 1e-14), "{} at {x}, {y}, {z}: {before} {after}", rule.name);
+                }
+            }
+        }
+        assert!(tried > 0, "{}", rule.name);
+    }
+}
+
+/// A condition stands there because the rule fails without it.
+#[test]
+fn every_condition_is_needed() {
+    let exceptions = ["inverse of an inverse"]; // 1/(1/0) happens to be 0
+    for rule in RULES.iter().filter(|rule| rule.condition != Condition::Always) {
+        let fails = |x: f64, y: f64, z: f64| {
+            !rule.condition.holds(&[x, y, z])
+                && !close(direct::text(rule.pattern, [x, y, z]), direct::text(rule.result, [x, y, z]), 1e-14)
+        };
+        let found = POINTS.iter().any(|&x| POINTS.iter().any(|&y| POINTS.iter().any(|&z| fails(x, y, z))));
+        assert!(found || exceptions.contains(&rule.name), "{}", rule.name);
+    }
+}
+
+#[test]
+fn what_is_printed_reads_back() {
+    for rule in RULES {
+        let mut g = xyz();
+        for text in [rule.pattern, rule.result] {
+            let e = g.parse_sexpr(text).unwrap();
+            let printed = g.sexpr(e);
+            assert_eq!(g.parse_sexpr(&printed).unwrap(), e, "{text} {printed}");
+        }
+    }
+}
+
+#[test]
+fn rules_have_different_names() {
+    let mut names: Vec<_> = RULES.iter().map(|rule| rule.name).collect();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), RULES.len());
+}

@@ -1,0 +1,32 @@
+//! Shows what the compiler makes of a declaration: its report and the Rust source that it emits.
+//!
+//! `cargo run -p plm-compiler --example dump` takes the manual's double pendulum; a file with the inside of a
+//! `mechanism!` call as argument takes that.
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use plm_compiler::compile;
+use plm_compiler::token::Sources;
+
+const DOUBLE_PENDULUM: &str = include_str!("double_pendulum.plm");
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let (name, text) = match std::env::args().nth(1) {
+        Some(path) => (path.clone(), std::fs::read_to_string(path)?),
+        None => ("double_pendulum.plm".to_owned(), DOUBLE_PENDULUM.to_owned()),
+    };
+    let mut sources = Sources::new();
+    sources.add_text(&name, &text);
+    let expansion = compile(&mut sources);
+    for diagnostic in expansion.diagnostics.sorted() {
+        eprintln!("{}", diagnostic.render(&sources));
+    }
+    if let Some(report) = &expansion.report {
+        eprintln!("{report}");
+    }
+    if let Some(code) = &expansion.code {
+        println!("{}", code.text());
+    }
+    Ok(if expansion.diagnostics.has_errors() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}

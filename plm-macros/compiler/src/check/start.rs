@@ -1,0 +1,64 @@
+//! The first evaluation: every force, rate and output must be a number at the assembled start.
+
+use plm_cas::{Expr, Graph, Node};
+
+use super::Assembly;
+use crate::derive::Equations;
+use crate::diag::{Code, Diagnostics};
+use crate::model::Model;
+use crate::span::Span;
+
+/// Evaluates loads and rates at the start; what is not finite is reported where it was declared.
+pub(crate) fn check_start(
+    model: &Model,
+    equations: &Equations,
+    graph: &Graph,
+    values: &[(Expr, f64)],
+    found: &Assembly,
+    diagnostics: &mut Diagnostics,
+) {
+    let mut values = values.to_vec();
+    values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
+    values.extend(equations.v.iter().copied().zip(found.v.iter().copied()));
+    let loads = model.loads.iter().flat_map(|load| {
+        let name = &model.parts[load.part].name;
+        load.force.map(|force| (name.text.as_str(), name.span, force))
+    });
+    let rates = model.states.iter().map(|state| (state.name.text.as_str(), state.name.span, state.rate));
+    for (name, span, expr) in loads.chain(rates) {
+        if !super::value(graph, expr, &values).is_finite() {
+            report(graph, &values, name, span, expr, diagnostics);
+        }
+    }
+}
+
+fn report(graph: &Graph, values: &[(Expr, f64)], name: &str, span: Span, expr: Expr, diagnostics: &mut Diagnostics) {
+    match zero_denominator(graph, values, expr) {
+        Some(denominator) => {
+            let text = graph.display(denominator).to_string();
+            diagnostics
+                .error(Code::DivisionByZero, span, format!("`{name}` divides by zero at the start"))
+                .note(format!("`{text}` is 0 there"))
+                .help("start elsewhere, or keep the denominator away from zero, as in `max(d, 1e-6 m)`");
+        }
+        None => {
+            diagnostics
+                .error(Code::OutOfDomain, span, format!("`{name}` is not a number at the start"))
+                .note(format!("it is `{}`", shortened(&graph.display(expr).to_string())));
+        }
+    }
+}
+
+/// A factor with a negative exponent that is zero.
+fn zero_denominator(graph: &Graph, values: &[(Expr, f64)], root: Expr) -> Option<Expr> {
+    graph.reachable(&[root]).into_iter().find_map(|expr| {
+        let Node::Product(factors) = graph.node(expr) else { return None };
+        let denominators = factors.iter().filter(|(_, exponent)| *exponent < 0);
+        denominators.map(|&(factor, _)| factor).find(|&factor| super::value(graph, factor, values) == 0.0)
+    })
+}
+
+/// At most a line of text.
+fn shortened(text: &str) -> String {
+    if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
+}

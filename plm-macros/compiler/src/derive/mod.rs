@@ -1,0 +1,124 @@
+//! From the model to its equations of motion in absolute coordinates.
+//!
+//! With `q = (x, y, theta)` of G per body, constraints `phi(q, t) = 0` and multipliers `lambda` the motion obeys
+//!
+//! ```text
+//! M a + phi_q^T lambda = Q
+//! phi_q a              = gamma,   gamma = -(phi_q v)_q v - 2 phi_qt v - phi_tt
+//! ```
+//!
+//! (E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, 1989, sections 3.6 and 6.3). `M` is diagonal
+//! because the coordinates stand at G.
+
+use plm_cas::{Expr, Graph};
+
+use crate::model::Model;
+
+/// One row of a sparse matrix: (column, entry), columns ascending.
+pub(crate) type SparseRow = Vec<(usize, Expr)>;
+
+/// The equations of motion, all in one graph.
+#[derive(Debug)]
+pub(crate) struct Equations {
+    /// Symbols of the coordinates, `NQ`.
+    pub(crate) q: Vec<Expr>,
+    /// Symbols of the velocities, `NQ`.
+    pub(crate) v: Vec<Expr>,
+    /// Symbols of the accelerations, `NQ`; they stand in outputs only.
+    pub(crate) a: Vec<Expr>,
+    /// Symbols of the multipliers, `NC`; they stand in outputs only.
+    pub(crate) lambda: Vec<Expr>,
+    /// Symbols of the first-order states, `NX`.
+    pub(crate) x: Vec<Expr>,
+    /// Diagonal of the mass matrix, `NQ`: kg, kg, kg m^2 per body.
+    pub(crate) mass: Vec<Expr>,
+    /// Applied force `Q`, gravity included, `NQ`: N, N, N m per body.
+    pub(crate) force: Vec<Expr>,
+    /// Constraint residuals, `NC`.
+    pub(crate) phi: Vec<Expr>,
+    /// Jacobian of the constraints, `NC` sparse rows.
+    pub(crate) phi_q: Vec<SparseRow>,
+    /// `phi_q v - nu`, `NC`.
+    pub(crate) phi_dot: Vec<Expr>,
+    /// Right-hand side of `phi_q a = gamma`, `NC`.
+    pub(crate) gamma: Vec<Expr>,
+    /// Rates of the first-order states, `NX`.
+    pub(crate) x_dot: Vec<Expr>,
+}
+
+/// Derives the equations of motion of a model.
+pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
+    let q: Vec<Expr> = model.bodies.iter().flat_map(|body| body.q).collect();
+    let v: Vec<Expr> = model.bodies.iter().flat_map(|body| body.v).collect();
+    let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let mut phi_q = Vec::with_capacity(phi.len());
+    let mut phi_dot = Vec::with_capacity(phi.len());
+    let mut gamma = Vec::with_capacity(phi.len());
+    let columns = Columns::new(model);
+    for &row in &phi {
+        let touched = columns.of(graph, row);
+        let wrt: Vec<Expr> = touched.iter().map(|&column| q[column]).collect();
+        let entries: SparseRow =
+            graph.gradient(row, &wrt).into_iter().map(|(k, entry)| (touched[k], entry)).collect();
+        let mut flow: Vec<(Expr, Expr)> = touched.iter().map(|&column| (q[column], v[column])).collect();
+        flow.push((model.time, graph.one()));
+        let rate = graph.directional(row, &flow);
+        let curvature = graph.directional(rate, &flow);
+        gamma.push(graph.neg(curvature));
+        phi_dot.push(rate);
+        phi_q.push(entries);
+    }
+    Equations {
+        a: model.bodies.iter().flat_map(|body| body.a).collect(),
+        lambda: model.rows.iter().map(|row| row.lambda).collect(),
+        x: model.states.iter().map(|state| state.symbol).collect(),
+        mass: model.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia]).collect(),
+        force: applied_force(model, graph),
+        x_dot: model.states.iter().map(|state| state.rate).collect(),
+        q,
+        v,
+        phi,
+        phi_q,
+        phi_dot,
+        gamma,
+    }
+}
+
+/// Gravity and the loads of all parts, summed per coordinate.
+fn applied_force(model: &Model, graph: &mut Graph) -> Vec<Expr> {
+    let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); 3 * model.bodies.len()];
+    for (i, body) in model.bodies.iter().enumerate() {
+        let weight = graph.mul(body.mass, model.gravity);
+        terms[3 * i + 1].push(graph.neg(weight));
+    }
+    for load in &model.loads {
+        for (k, &component) in load.force.iter().enumerate() {
+            terms[3 * load.body + k].push(component);
+        }
+    }
+    terms.iter().map(|sum| graph.sum(sum)).collect()
+}
+
+/// Finds the coordinates that an expression holds.
+struct Columns {
+    /// (symbol, column), ascending by symbol.
+    sorted: Vec<(Expr, usize)>,
+}
+
+impl Columns {
+    fn new(model: &Model) -> Columns {
+        let coordinates = model.bodies.iter().flat_map(|body| body.q);
+        let mut sorted: Vec<(Expr, usize)> = coordinates.enumerate().map(|(column, symbol)| (symbol, column)).collect();
+        sorted.sort_unstable();
+        Columns { sorted }
+    }
+
+    /// Columns of the coordinates in `expr`, ascending.
+    fn of(&self, graph: &Graph, expr: Expr) -> Vec<usize> {
+        let held = graph.symbols(&[expr]);
+        let column = |symbol: &Expr| self.sorted.binary_search_by_key(symbol, |&(s, _)| s).ok().map(|k| self.sorted[k].1);
+        let mut columns: Vec<usize> = held.iter().filter_map(column).collect();
+        columns.sort_unstable();
+        columns
+    }
+}

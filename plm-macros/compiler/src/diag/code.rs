@@ -1,0 +1,112 @@
+//! The catalogue of diagnostics.
+
+/// Writes the enum, its names and its titles from one table.
+macro_rules! catalogue {
+    ($($name:ident = $id:literal, $title:literal;)*) => {
+        /// Code of a diagnostic. Each has a page in the book.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code {
+            $(#[doc = $title] $name,)*
+        }
+
+        impl Code {
+            /// Every code, in the order of the catalogue.
+            pub const ALL: &'static [Code] = &[$(Code::$name,)*];
+
+            /// As it is printed: `E0201`.
+            pub fn id(self) -> &'static str {
+                match self { $(Code::$name => $id,)* }
+            }
+
+            /// What it is about, in a few words.
+            pub fn title(self) -> &'static str {
+                match self { $(Code::$name => $title,)* }
+            }
+        }
+    };
+}
+
+catalogue! {
+    // E01: the form of the declaration.
+    UnexpectedToken = "E0101", "something else was expected here";
+    UnclosedDelimiter = "E0102", "a bracket has no partner";
+    UnknownItem = "E0103", "no such item";
+    SuffixedNumber = "E0104", "a unit touches its number";
+    BadNumber = "E0105", "a number that cannot be read";
+    TooDeep = "E0106", "an expression or a definition is nested too deeply";
+    MisplacedItem = "E0107", "an item stands where it has no meaning";
+    RepeatedItem = "E0108", "an item that may stand once stands twice";
+    NoMechanism = "E0109", "the declaration declares no mechanism";
+
+    // E02: names.
+    UnknownName = "E0201", "unknown name";
+    DuplicateName = "E0202", "a name is declared twice";
+    UnknownMember = "E0203", "unknown member";
+    UnknownPort = "E0204", "unknown port";
+    UnknownPart = "E0205", "unknown part";
+    UnknownField = "E0206", "unknown parameter of a part";
+    UnknownFunction = "E0207", "unknown function";
+    ReservedName = "E0208", "a reserved word is used as a name";
+    UnitAsName = "E0209", "the name of a unit is used as a name";
+    NeedsIndex = "E0210", "a name needs an index";
+    Cycle = "E0211", "a definition needs itself";
+    UnknownOption = "E0212", "unknown option of a choice";
+    UnknownRow = "E0213", "unknown constraint row";
+
+    // E03: units and dimensions.
+    WrongDimension = "E0301", "wrong dimension";
+    MissingUnit = "E0302", "a quantity has no unit";
+    MissingAngleUnit = "E0303", "an angle has no unit";
+    UnknownUnit = "E0304", "unknown unit";
+    MixedDimensions = "E0305", "two sides of an operation have different dimensions";
+    BadUnit = "E0306", "a unit that cannot be read";
+
+    // E04: values.
+    MissingValue = "E0401", "a value is missing";
+    NotPositive = "E0402", "a mass or an inertia is not positive";
+    DivisionByZero = "E0403", "division by zero";
+    OutOfDomain = "E0404", "an argument is outside of the domain of its function";
+    WrongKind = "E0405", "another kind of value is expected";
+    WrongCount = "E0406", "wrong number of arguments";
+    NotConstant = "E0407", "a value changes where it must not";
+    NotInteger = "E0408", "a whole number is expected";
+    StateRate = "E0409", "a state has no rate, or two";
+    NoRate = "E0410", "a rate that is not defined";
+    Feedback = "E0411", "a force reads an acceleration or a reaction";
+    BadTable = "E0412", "a table that cannot be read";
+    TooMany = "E0413", "a repetition is too long";
+    BadIndex = "E0414", "an index out of range";
+
+    // E05: topology, mobility, assembly.
+    SelfJoint = "E0501", "a joint joins a body with itself";
+    Unreached = "E0502", "a body that nothing holds or reaches";
+    TooManyLocks = "E0503", "there are more locks than degrees of freedom";
+    NotAssembled = "E0504", "the mechanism cannot be assembled";
+    NoBody = "E0505", "the mechanism has no body";
+
+    // W0: warnings.
+    RedundantConstraint = "W0001", "a constraint says what others say already";
+    StiffStabilisation = "W0002", "the time constant of the stabilisation is too small for the step";
+    UnusedPort = "W0003", "a port that nothing uses";
+    UnknownCode = "W0004", "an allowed code that does not exist";
+}
+
+impl core::fmt::Display for Code {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Code;
+
+    #[test]
+    fn codes_are_in_order_and_unique() {
+        let ids: Vec<&str> = Code::ALL.iter().map(|code| code.id()).collect();
+        let mut sorted = ids.clone();
+        sorted.sort_unstable();
+        sorted.dedup();
+        assert_eq!(ids, sorted);
+    }
+}

@@ -1,0 +1,178 @@
+//! Diagnostics: what is wrong, where, and what to do about it.
+//!
+//! Every pass reports to one [`Diagnostics`] and goes on where it can, so that one compilation shows all mistakes.
+//! Messages are lower case without a full stop, quote the language in backticks, and say both what was found and what
+//! was expected.
+
+mod code;
+mod near;
+mod render;
+
+use std::collections::BTreeSet;
+
+pub use code::Code;
+pub use near::{help_similar, list, nearest};
+
+use crate::span::Span;
+
+/// Does it stop the compilation?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// Yes.
+    Error,
+    /// No.
+    Warning,
+}
+
+/// What a line below the message is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoteKind {
+    /// What to do.
+    Help,
+    /// What to know.
+    Note,
+}
+
+/// A line below the message.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// Help or note.
+    pub kind: NoteKind,
+    /// Its text.
+    pub text: String,
+    /// The place that it speaks of, if there is one.
+    pub span: Option<Span>,
+}
+
+/// One mistake.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Its entry in the catalogue.
+    pub code: Code,
+    /// Error or warning.
+    pub severity: Severity,
+    /// The smallest range of tokens that is to blame.
+    pub span: Span,
+    /// What is wrong.
+    pub message: String,
+    /// Help and notes, in order.
+    pub notes: Vec<Note>,
+    /// If it stands inside a part: the uses that lead there, from the declaration inwards.
+    pub uses: Vec<Use>,
+}
+
+/// The use of a part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Use {
+    /// Where: the name of the instance.
+    pub span: Span,
+    /// Name of the instance.
+    pub instance: String,
+    /// Name of the part's definition.
+    pub part: String,
+}
+
+impl Diagnostic {
+    /// Adds a line of help.
+    pub fn help(&mut self, text: impl Into<String>) -> &mut Diagnostic {
+        self.notes.push(Note { kind: NoteKind::Help, text: text.into(), span: None });
+        self
+    }
+
+    /// Adds a note.
+    pub fn note(&mut self, text: impl Into<String>) -> &mut Diagnostic {
+        self.notes.push(Note { kind: NoteKind::Note, text: text.into(), span: None });
+        self
+    }
+
+    /// Adds a note that speaks of a place.
+    pub fn note_at(&mut self, span: Span, text: impl Into<String>) -> &mut Diagnostic {
+        self.notes.push(Note { kind: NoteKind::Note, text: text.into(), span: Some(span) });
+        self
+    }
+
+    /// Where to show it in the declaration: its own place, or the use that leads to it.
+    pub fn anchor(&self) -> Span {
+        let of_declaration = |span: &Span| span.source == 0;
+        let uses = self.uses.iter().rev().map(|of| of.span);
+        std::iter::once(self.span).chain(uses).find(of_declaration).unwrap_or(Span {
+            source: 0,
+            first: 0,
+            last: 0,
+        })
+    }
+}
+
+/// The sink that every pass reports to.
+#[derive(Debug, Default)]
+pub struct Diagnostics {
+    list: Vec<Diagnostic>,
+    seen: BTreeSet<(Code, Span, String)>,
+    uses: Vec<Use>,
+    /// Where repetitions go: a mistake in a part that is used 64 times is reported once.
+    repeated: Option<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// Nothing is wrong yet.
+    pub fn new() -> Diagnostics {
+        Diagnostics::default()
+    }
+
+    /// Reports an error; add help and notes to what comes back.
+    pub fn error(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {
+        self.report(code, Severity::Error, span, message.into())
+    }
+
+    /// Reports a warning; add help and notes to what comes back.
+    pub fn warning(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {
+        self.report(code, Severity::Warning, span, message.into())
+    }
+
+    fn report(&mut self, code: Code, severity: Severity, span: Span, message: String) -> &mut Diagnostic {
+        let is_new = self.seen.insert((code, span, message.clone()));
+        let uses = if is_new { self.uses.clone() } else { Vec::new() };
+        let diagnostic = Diagnostic { code, severity, span, message, notes: Vec::new(), uses };
+        if is_new {
+            self.list.push(diagnostic);
+            let last = self.list.len() - 1;
+            &mut self.list[last]
+        } else {
+            self.repeated.insert(diagnostic)
+        }
+    }
+
+    /// What is reported from now on stands inside a part that is used here.
+    pub fn enter(&mut self, part_use: Use) {
+        self.uses.push(part_use);
+    }
+
+    /// Leaves the part that was entered last.
+    pub fn leave(&mut self) {
+        self.uses.pop();
+    }
+
+    /// Is there an error (not only warnings)?
+    pub fn has_errors(&self) -> bool {
+        self.list.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+
+    /// All of them, in the order of discovery.
+    pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.list.iter()
+    }
+
+    /// Drops the warnings whose codes the declaration allows.
+    pub fn allow(&mut self, codes: &[String]) {
+        self.list.retain(|diagnostic| {
+            diagnostic.severity == Severity::Error || !codes.iter().any(|code| code == diagnostic.code.id())
+        });
+    }
+
+    /// All of them, by source and place: the order in which people read.
+    pub fn sorted(&self) -> Vec<&Diagnostic> {
+        let mut list: Vec<_> = self.list.iter().collect();
+        list.sort_by_key(|diagnostic| (diagnostic.anchor(), diagnostic.span));
+        list
+    }
+}

@@ -1,0 +1,72 @@
+//! "Did you mean": the name that is nearest to what was written.
+
+use super::Diagnostic;
+
+/// The candidate nearest to a name, if one is near enough: at most a third of its letters differ (one at least).
+/// The first of equals wins.
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let limit = (name.chars().count() / 3).max(1);
+    let mut best = None;
+    for candidate in candidates {
+        let distance = distance(name, candidate);
+        if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+/// Number of letters to insert, delete, replace or swap with a neighbour (optimal string alignment), case ignored.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
+    let mut before = vec![0; b.len() + 1];
+    let mut above: Vec<usize> = (0..=b.len()).collect();
+    for i in 0..a.len() {
+        let mut row = vec![i + 1; b.len() + 1];
+        for j in 0..b.len() {
+            let replaced = above[j] + usize::from(a[i] != b[j]);
+            row[j + 1] = replaced.min(above[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j] {
+                row[j + 1] = row[j + 1].min(before[j - 1] + 1);
+            }
+        }
+        before = std::mem::replace(&mut above, row);
+    }
+    above[b.len()]
+}
+
+/// Adds the nearest name as help, and the list of names as a note. `what` is singular with its article's noun:
+/// "port", "name"; `all` begins the note: "ports of `arm`".
+pub fn help_similar(diagnostic: &mut Diagnostic, name: &str, what: &str, all: &str, names: &[&str]) {
+    if let Some(near) = nearest(name, names.iter().copied()) {
+        diagnostic.help(format!("a {what} with a similar name exists: `{near}`"));
+    }
+    if !names.is_empty() {
+        diagnostic.note(format!("{all}: {}", list(names)));
+    }
+}
+
+/// Names in a row; a long list is cut.
+pub fn list(names: &[&str]) -> String {
+    const SHOWN: usize = 12;
+    let mut text = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
+    if names.len() > SHOWN {
+        text.push_str(&format!(", … ({} more)", names.len() - SHOWN));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn near_names_are_found_and_far_ones_are_not() {
+        assert_eq!(nearest("crnk", ["crank", "rod"]), Some("crank"));
+        assert_eq!(nearest("revolut", ["prismatic", "revolute"]), Some("revolute"));
+        assert_eq!(nearest("p13", ["o0", "p12"]), Some("p12"));
+        assert_eq!(nearest("amr", ["arm"]), Some("arm"));
+        assert_eq!(nearest("x", ["y", "z"]), Some("y"));
+        assert_eq!(nearest("stiffness", ["damping", "rest"]), None);
+    }
+}

@@ -1,0 +1,97 @@
+//! Statements as text, cut in blocks that rustc can digest.
+//!
+//! rustc recurses over the statements of a block and overflows its stack on some thousands with debug information. So a
+//! long function is a row of blocks, and what later blocks need leaves each as a tuple; optimised code is the same.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+use super::lines::{Lines, Statement};
+
+/// Statements in one block.
+const BLOCK: usize = 160;
+
+/// The body of a function without its braces, indented by `indent` spaces; ends with the returned value if there is one.
+pub(crate) fn body(lines: &Lines, indent: usize) -> String {
+    let count = lines.statements.len();
+    let mut text = String::new();
+    if count <= BLOCK + BLOCK / 2 {
+        write_statements(&mut text, &lines.statements, indent);
+    } else {
+        let mut start = 0;
+        let live_after = live_after(lines);
+        while start < count {
+            let end = (start + BLOCK).min(count);
+            write_block(&mut text, lines, start..end, &live_after[end], indent);
+            start = end;
+        }
+    }
+    if let Some((value, _)) = &lines.value {
+        line(&mut text, indent, value);
+    }
+    text
+}
+
+/// [`body`], with `lit` in front if it holds constants.
+pub(crate) fn with_literals(lines: &Lines, indent: usize) -> String {
+    let body = body(lines, indent);
+    if !body.contains("lit(") {
+        return body;
+    }
+    let mut text = String::with_capacity(body.len() + 40);
+    line(&mut text, indent, "let lit = S::lit;");
+    text.push_str(&body);
+    text
+}
+
+/// `live_after[k]`: the locals that statements from `k` on (or the result) read.
+fn live_after(lines: &Lines) -> Vec<BTreeSet<usize>> {
+    let mut live: BTreeSet<usize> = lines.value.iter().flat_map(|(_, reads)| reads.iter().copied()).collect();
+    let mut all = vec![BTreeSet::new(); lines.statements.len() + 1];
+    all[lines.statements.len()].clone_from(&live);
+    for (k, statement) in lines.statements.iter().enumerate().rev() {
+        live.extend(statement.reads());
+        // Sets are needed where blocks end only.
+        if k % BLOCK == 0 {
+            all[k].clone_from(&live);
+        }
+    }
+    all
+}
+
+fn write_block(text: &mut String, lines: &Lines, range: std::ops::Range<usize>, live: &BTreeSet<usize>, indent: usize) {
+    let statements = &lines.statements[range];
+    let made = statements.iter().flat_map(Statement::makes).filter(|local| live.contains(local));
+    let names: Vec<&str> = made.map(|local| lines.locals[local].as_str()).collect();
+    let tuple = match names.as_slice() {
+        [] => None,
+        [one] => Some((*one).to_owned()),
+        many => Some(format!("({})", many.join(", "))),
+    };
+    match &tuple {
+        Some(tuple) => line(text, indent, &format!("let {tuple} = {{")),
+        None => line(text, indent, "{"),
+    }
+    write_statements(text, statements, indent + 4);
+    match &tuple {
+        Some(tuple) => {
+            line(text, indent + 4, tuple);
+            line(text, indent, "};");
+        }
+        None => line(text, indent, "}"),
+    }
+}
+
+fn write_statements(text: &mut String, statements: &[Statement], indent: usize) {
+    for statement in statements {
+        match statement {
+            Statement::Title(title) => line(text, indent, &format!("// {title}")),
+            Statement::Let { pattern, value, .. } => line(text, indent, &format!("let {pattern} = {value};")),
+            Statement::Store { place, value, .. } => line(text, indent, &format!("{place} = {value};")),
+        }
+    }
+}
+
+fn line(text: &mut String, indent: usize, content: &str) {
+    let _ = writeln!(text, "{:indent$}{content}", "");
+}

@@ -1,0 +1,137 @@
+//! Constructors: declared parameters, starts and inputs as values, and the way into a run.
+
+use plm_cas::Expr;
+
+use super::lines::{self, Bindings};
+use super::{Emission, blocks, push};
+use crate::formulate::{Function, Place};
+use crate::model::{Body, Start};
+
+pub(crate) fn emit(emission: &Emission) -> String {
+    let mut text = String::new();
+    constructors(&mut text, emission);
+    start_input(&mut text, emission);
+    text
+}
+
+fn constructors(text: &mut String, emission: &Emission) {
+    let name = &emission.name;
+    push(text, format_args!(
+        "    impl {name}<f64> {{
+        /// The mechanism as declared, in `f64`; `{name} {{ field: value, ..{name}::new() }}` changes some.
+        pub fn new() -> Self {{
+            Self::of()
+        }}
+    }}
+
+    impl Default for {name}<f64> {{
+        fn default() -> Self {{
+            Self::of()
+        }}
+    }}
+
+    impl<S: Scalar> {name}<S> {{
+        /// The mechanism as declared, for any scalar.
+        pub fn of() -> Self {{
+"
+    ));
+    parameters(text, emission);
+    text.push_str("        }\n    }\n\n");
+    push(text, format_args!(
+        "    impl<S: Real> {name}<S> {{
+        /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
+        ///
+        /// # Errors
+        /// Redundant locks, or joints that stay open: the part and by how much.
+        pub fn assemble(&self) -> Result<Assembly<S>, Fault> {{
+            absolute::assemble(self, S::lit(0.0))
+        }}
+
+        /// Assembles, and gives a run by Dormand and Prince's method.
+        ///
+        /// # Errors
+        /// As [`{name}::assemble`].
+        pub fn start(self) -> Result<Sim<Self>, Fault> {{
+            rt::Mechanism::start(self)
+        }}
+
+        /// Assembles, and gives a run by a method of choice.
+        ///
+        /// # Errors
+        /// As [`{name}::assemble`].
+        pub fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {{
+            rt::Mechanism::start_with(self, method)
+        }}
+    }}
+
+"
+    ));
+}
+
+/// The body of `of`: parameters in order, since a default may read earlier ones, then the starts.
+fn parameters(text: &mut String, emission: &Emission) {
+    let Emission { model, fields, name, .. } = emission;
+    let mut bindings = Bindings::new();
+    text.push_str("            let lit = S::lit;\n");
+    for (param, field) in model.params.iter().zip(&fields.params) {
+        let value = inline(emission, param.default, &bindings);
+        push(text, format_args!("            let {field} = {value};\n"));
+        bindings.insert(param.symbol, field.clone());
+    }
+    text.push_str("            let start = Starts {\n");
+    for (body, field) in model.bodies.iter().zip(&fields.bodies) {
+        push(text, format_args!("                {field}: {},\n", body_start(emission, body, &bindings)));
+    }
+    for (state, field) in model.states.iter().zip(&fields.states) {
+        push(text, format_args!("                {field}: {},\n", inline(emission, state.start, &bindings)));
+    }
+    text.push_str("            };\n");
+    let mut list = fields.params.clone();
+    list.push("start".to_owned());
+    push(text, format_args!("            {name} {{ {} }}\n", list.join(", ")));
+}
+
+fn body_start(emission: &Emission, body: &Body, bindings: &Bindings) -> String {
+    let names = ["x", "y", "angle", "vx", "vy", "omega"];
+    let starts = body.start.iter().chain(&body.start_velocity);
+    let entry = |(name, start): (&str, &Start)| {
+        let kind = if start.locked { "locked" } else { "free" };
+        format!("{name}: Start::{kind}({})", inline(emission, start.value, bindings))
+    };
+    let entries: Vec<String> = names.into_iter().zip(starts).map(entry).collect();
+    format!("BodyStart {{ {} }}", entries.join(", "))
+}
+
+/// An expression of parameters as one Rust expression; a block where it needs locals.
+pub(crate) fn inline(emission: &Emission, expr: Expr, bindings: &Bindings) -> String {
+    let function = Function::of_results(vec![(Place::Value, expr)]);
+    let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
+    let lines = lines::lower(emission.graph, &function, bindings, &reserved);
+    match (&lines.value, lines.statements.is_empty()) {
+        (Some((value, _)), true) => value.clone(),
+        _ => format!("{{\n{}            }}", blocks::body(&lines, 16)),
+    }
+}
+
+fn start_input(text: &mut String, emission: &Emission) {
+    let Emission { model, fields, name, .. } = emission;
+    push(text, format_args!(
+        "    impl<S: Scalar> {name}<S> {{
+        /// The inputs as declared.
+        fn declared_input(&self) -> Input<S> {{
+            let lit = S::lit;
+"
+    ));
+    let mut bindings = Bindings::new();
+    for (param, field) in model.params.iter().zip(&fields.params) {
+        bindings.insert(param.symbol, format!("self.{field}"));
+    }
+    let mut entries: Vec<String> = Vec::new();
+    for (input, field) in model.inputs.iter().zip(&fields.inputs) {
+        entries.push(format!("{field}: {}", inline(emission, input.default, &bindings)));
+    }
+    if entries.is_empty() {
+        entries.push("none: core::marker::PhantomData".to_owned());
+    }
+    push(text, format_args!("            Input {{ {} }}\n        }}\n    }}\n\n", entries.join(", ")));
+}

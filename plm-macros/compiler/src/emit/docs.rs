@@ -1,0 +1,80 @@
+//! Documentation of the emitted items: equations, shapes, units, counts.
+
+use plm_cas::Count;
+
+use super::{Emission, names, push};
+use crate::units::DisplayUnit;
+
+/// Constraint rows that a table shows; a long chain repeats itself.
+const MOST_ROWS: usize = 24;
+
+/// `///` lines.
+pub(crate) fn lines(text: &mut String, indent: usize, docs: &[String]) {
+    for doc in docs {
+        push(text, format_args!("{:indent$}/// {}\n", "", doc.trim()));
+    }
+}
+
+/// Documentation of a field: the user's own words, or what it is; then the unit.
+pub(crate) fn field(text: &mut String, docs: &[String], what: &str, unit: &DisplayUnit) {
+    let unit = si(unit);
+    if docs.is_empty() {
+        push(text, format_args!("        /// {what}, {unit}.\n"));
+    } else {
+        lines(text, 8, docs);
+        push(text, format_args!("        ///\n        /// In {unit}.\n"));
+    }
+}
+
+/// Documentation, attributes, visibility and name of the module.
+pub(crate) fn module(emission: &Emission) -> String {
+    let Emission { model, report, .. } = emission;
+    let mut text = String::new();
+    lines(&mut text, 0, &model.docs);
+    if !model.docs.is_empty() {
+        text.push_str("///\n");
+    }
+    for line in report.summary() {
+        push(&mut text, format_args!("/// {line}\n"));
+    }
+    text.push_str(&rows(emission));
+    // The user's lints are not for code that no user writes.
+    text.push_str("#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused)]\n");
+    let module = names::snake_case(&model.name.text);
+    push(&mut text, format_args!("{} mod {module}", model.visibility));
+    text
+}
+
+/// The table of constraints.
+fn rows(emission: &Emission) -> String {
+    let Emission { model, graph, .. } = emission;
+    let mut text = String::new();
+    if model.rows.is_empty() {
+        return text;
+    }
+    text.push_str("///\n/// | row | constraint | equation | unit |\n/// |----:|------------|----------|------|\n");
+    for (k, row) in model.rows.iter().enumerate().take(MOST_ROWS) {
+        let equation = graph.display(row.phi).to_string().replace('|', "\\|");
+        push(&mut text, format_args!("/// | {k} | `{}` | `{equation} = 0` | {} |\n", row.name, row.unit.text));
+    }
+    if model.rows.len() > MOST_ROWS {
+        push(&mut text, format_args!("///\n/// … and {} rows more.\n", model.rows.len() - MOST_ROWS));
+    }
+    text
+}
+
+/// The counts as a constant expression.
+pub(crate) fn operations(count: &Count) -> String {
+    let Count { add, mul, div, neg, sqrt, sin_cos, select, other } = count;
+    format!(
+        "Operations {{ add: {}, mul: {mul}, div: {div}, sqrt: {sqrt}, sin_cos: {sin_cos}, other: {} }}",
+        add + neg,
+        select + other
+    )
+}
+
+/// The SI unit of a quantity, in words.
+pub(crate) fn si(unit: &DisplayUnit) -> String {
+    let name = DisplayUnit::si(unit.dimension).text;
+    if name.is_empty() { "no unit".to_owned() } else { name }
+}

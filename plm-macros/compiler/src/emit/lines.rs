@@ -1,0 +1,331 @@
+//! From a tape to statements that read as if a person had written them.
+//!
+//! What is used once stands where it is used, what is used again gets a `let` with the name that derivation gave it.
+//! The operations and their order are those of the tape, so that the interpreter is the oracle of the emitted code.
+
+use std::collections::BTreeMap;
+
+use plm_cas::{Count, Expr, Graph, Op, Ref, Tape};
+
+use super::names::Names;
+use crate::formulate::{Function, Place};
+
+/// rustc recurses over the terms of a statement; a longer one is cut by a `let`.
+const MOST_TERMS: usize = 12;
+
+/// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
+pub(crate) type Bindings = BTreeMap<Expr, String>;
+
+/// A statement and what it needs.
+#[derive(Debug)]
+pub(crate) enum Statement {
+    /// A comment above what follows.
+    Title(String),
+    /// `let name = value;` (`name` may be a pattern).
+    Let { makes: Vec<usize>, pattern: String, value: String, reads: Vec<usize> },
+    /// `place = value;`
+    Store { place: String, value: String, reads: Vec<usize> },
+}
+
+/// A lowered function.
+#[derive(Debug)]
+pub(crate) struct Lines {
+    /// Statements in order.
+    pub(crate) statements: Vec<Statement>,
+    /// The value that the function returns and the locals that it reads.
+    pub(crate) value: Option<(String, Vec<usize>)>,
+    /// Names of the locals, by their numbers.
+    pub(crate) locals: Vec<String>,
+    /// Operations of one call.
+    pub(crate) count: Count,
+}
+
+/// Lowers a function; `reserved` are the names of its arguments.
+pub(crate) fn lower(graph: &Graph, function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
+    let tape = function.tape(graph);
+    let first_result = tape.outputs.len() - function.results.len();
+    let mut lowering = Lowering::new(graph, &tape, first_result, bindings, reserved);
+    let mut root = 0;
+    let mut done = 0;
+    for section in &function.sections {
+        let end = (root..root + section.roots.len()).map(|k| tape.outputs[k].index() + 1).max().unwrap_or(done);
+        root += section.roots.len();
+        lowering.title(&section.title);
+        lowering.lower_until(end.max(done));
+        done = done.max(end);
+    }
+    if !function.sections.is_empty() {
+        lowering.title("Results");
+    }
+    for (k, (place, _)) in function.results.iter().enumerate() {
+        let result = tape.outputs[first_result + k];
+        lowering.lower_until((result.index() + 1).max(done));
+        done = done.max(result.index() + 1);
+        lowering.store(place, result);
+    }
+    lowering.finish()
+}
+
+/// Text of a value while it has no name.
+#[derive(Clone, Debug, Default)]
+struct Piece {
+    text: String,
+    /// 1 sum, 2 product, 3 negation, 4 atom.
+    strength: u8,
+    terms: usize,
+    reads: Vec<usize>,
+}
+
+struct Lowering<'a> {
+    graph: &'a Graph,
+    tape: &'a Tape,
+    bindings: &'a Bindings,
+    names: Names,
+    /// How often a result needs each instruction.
+    uses: Vec<u32>,
+    /// Is the instruction a result by itself?
+    is_result: Vec<bool>,
+    /// Text of the instructions before `pieces.len()`.
+    pieces: Vec<Piece>,
+    /// The cosine that was computed with the sine before it.
+    cosine: Option<Piece>,
+    lines: Lines,
+}
+
+impl<'a> Lowering<'a> {
+    fn new(graph: &'a Graph, tape: &'a Tape, first_result: usize, bindings: &'a Bindings, reserved: &[&str]) -> Self {
+        let uses = uses(tape, &tape.outputs[first_result..]);
+        let needed = tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
+        let lines =
+            Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
+        let names = Names::with_reserved(reserved);
+        let mut is_result = vec![false; tape.ops.len()];
+        for result in &tape.outputs[first_result..] {
+            is_result[result.index()] = true;
+        }
+        let pieces = Vec::with_capacity(tape.ops.len());
+        Lowering { graph, tape, bindings, names, uses, is_result, pieces, cosine: None, lines }
+    }
+
+    /// Announces a section; a section without statements leaves no title.
+    fn title(&mut self, title: &str) {
+        if let Some(Statement::Title(last)) = self.lines.statements.last_mut() {
+            title.clone_into(last);
+        } else {
+            self.lines.statements.push(Statement::Title(title.to_owned()));
+        }
+    }
+
+    /// Lowers all instructions before `end`.
+    fn lower_until(&mut self, end: usize) {
+        while self.pieces.len() < end {
+            let index = self.pieces.len();
+            let piece = if self.uses[index] == 0 { Piece::default() } else { self.lower(index) };
+            self.pieces.push(piece);
+        }
+    }
+
+    fn lower(&mut self, index: usize) -> Piece {
+        let op = self.tape.ops[index].op;
+        match op {
+            Op::Sin(angle) if self.pair_of(index) => return self.bind_pair(angle),
+            Op::Cos(_) => {
+                if let Some(piece) = self.cosine.take() {
+                    return piece;
+                }
+            }
+            _ => {}
+        }
+        let piece = self.piece(op);
+        let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
+        let reads_symbol = matches!(op, Op::Symbol(_)) && !(self.uses[index] == 1 && self.is_result[index]);
+        if again || reads_symbol || piece.terms > MOST_TERMS { self.bind(index, piece) } else { piece }
+    }
+
+    /// Is the next instruction the cosine of the same angle, and wanted?
+    fn pair_of(&self, index: usize) -> bool {
+        let next = self.tape.ops.get(index + 1).map(|next| next.op);
+        let is_cosine = matches!((self.tape.ops[index].op, next), (Op::Sin(a), Some(Op::Cos(b))) if a == b);
+        is_cosine && self.uses[index + 1] > 0
+    }
+
+    /// `let (sin_angle, cos_angle) = angle.sin_cos();`
+    fn bind_pair(&mut self, angle: Ref) -> Piece {
+        let angle = self.pieces[angle.index()].clone();
+        let suffix = if angle.strength == 4 && angle.reads.len() == 1 { angle.text.as_str() } else { "angle" };
+        let sine = self.local(&format!("sin_{suffix}"));
+        let cosine = self.local(&format!("cos_{suffix}"));
+        let pattern = format!("({}, {})", sine.text, cosine.text);
+        let value = format!("{}.sin_cos()", angle.within(4));
+        let makes = vec![sine.reads[0], cosine.reads[0]];
+        self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
+        self.cosine = Some(cosine);
+        sine
+    }
+
+    /// Gives a value a name.
+    fn bind(&mut self, index: usize, piece: Piece) -> Piece {
+        let hint = self.tape.ops[index].expr.and_then(|expr| self.graph.name(expr));
+        let local = match hint {
+            Some(hint) => self.local(hint),
+            None => {
+                let name = self.names.numbered("t");
+                self.named(name)
+            }
+        };
+        let (pattern, makes) = (local.text.clone(), local.reads.clone());
+        self.lines.statements.push(Statement::Let { makes, pattern, value: piece.text, reads: piece.reads });
+        local
+    }
+
+    /// A new local by the name of a path of the model.
+    fn local(&mut self, path: &str) -> Piece {
+        let name = self.names.unique(path);
+        self.named(name)
+    }
+
+    fn named(&mut self, name: String) -> Piece {
+        self.lines.locals.push(name.clone());
+        Piece { text: name, strength: 4, terms: 1, reads: vec![self.lines.locals.len() - 1] }
+    }
+
+    /// Text of an operation on the texts of its operands.
+    fn piece(&self, op: Op) -> Piece {
+        let at = |operand: Ref| &self.pieces[operand.index()];
+        match op {
+            Op::Number(value) => Piece::atom(literal(value)),
+            Op::Symbol(symbol) => Piece::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned())),
+            Op::Add(a, b) => at(a).joined(" + ", at(b), 1),
+            Op::Sub(a, b) => at(a).joined(" - ", at(b), 1),
+            Op::Mul(a, b) => at(a).joined(" * ", at(b), 2),
+            Op::Div(a, b) => at(a).joined(" / ", at(b), 2),
+            Op::Neg(a) => Piece { text: format!("-{}", at(a).within(3)), strength: 3, ..at(a).clone() },
+            Op::Sqrt(a) => at(a).called("sqrt", &[]),
+            Op::Sin(a) => at(a).called("sin", &[]),
+            Op::Cos(a) => at(a).called("cos", &[]),
+            Op::Asin(a) => at(a).called("asin", &[]),
+            Op::Acos(a) => at(a).called("acos", &[]),
+            Op::Atan2(y, x) => at(y).called("atan2", &[at(x)]),
+            Op::Exp(a) => at(a).called("exp", &[]),
+            Op::Ln(a) => at(a).called("ln", &[]),
+            Op::Abs(a) => at(a).called("abs", &[]),
+            Op::Sign(a) => at(a).called("signum0", &[]),
+            Op::Min(a, b) => at(a).called("min", &[at(b)]),
+            Op::Max(a, b) => at(a).called("max", &[at(b)]),
+            Op::Less(a, b) => at(a).called("lt", &[at(b)]),
+            Op::Select(c, a, b) => Piece::call("S::select", &[at(c), at(a), at(b)]),
+        }
+    }
+
+    fn store(&mut self, place: &Place, value: Ref) {
+        let piece = self.pieces[value.index()].clone();
+        let place = match place {
+            Place::Value => {
+                self.lines.value = Some((piece.text, piece.reads));
+                return;
+            }
+            Place::Element(array, i) => format!("{array}[{i}]"),
+            Place::Entry(array, i, j) => format!("{array}[{i}][{j}]"),
+        };
+        self.lines.statements.push(Statement::Store { place, value: piece.text, reads: piece.reads });
+    }
+
+    fn finish(mut self) -> Lines {
+        while let Some(Statement::Title(_)) = self.lines.statements.last() {
+            self.lines.statements.pop();
+        }
+        self.lines
+    }
+}
+
+/// How often the results, and what they need, read each instruction.
+fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
+    let mut uses = vec![0; tape.ops.len()];
+    for result in results {
+        uses[result.index()] += 1;
+    }
+    for (index, instruction) in tape.ops.iter().enumerate().rev() {
+        if uses[index] > 0 {
+            for operand in instruction.op.operands() {
+                uses[operand.index()] += 1;
+            }
+        }
+    }
+    uses
+}
+
+/// A constant of any scalar.
+fn literal(value: f64) -> String {
+    if value.is_finite() {
+        format!("lit({value:?})")
+    } else if value.is_nan() {
+        "lit(f64::NAN)".to_owned()
+    } else {
+        format!("lit({}f64::INFINITY)", if value < 0.0 { "-" } else { "" })
+    }
+}
+
+impl Piece {
+    fn atom(text: String) -> Piece {
+        Piece { text, strength: 4, terms: 1, reads: Vec::new() }
+    }
+
+    /// In brackets, unless it binds at least this strongly.
+    fn within(&self, strength: u8) -> String {
+        if self.strength >= strength { self.text.clone() } else { format!("({})", self.text) }
+    }
+
+    /// `self operator right`; equal strength on the right needs brackets, or the order would change.
+    fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
+        let text = format!("{}{operator}{}", self.within(strength), right.within(strength + 1));
+        Piece { text, strength, terms: self.terms + right.terms, reads: merged(&[self, right]) }
+    }
+
+    /// `self.function(arguments)`.
+    fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
+        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
+        let mut all = vec![self];
+        all.extend(arguments);
+        Piece {
+            text: format!("{}.{function}({})", self.within(4), listed.join(", ")),
+            strength: 4,
+            terms: all.iter().map(|piece| piece.terms).sum(),
+            reads: merged(&all),
+        }
+    }
+
+    /// `function(arguments)`.
+    fn call(function: &str, arguments: &[&Piece]) -> Piece {
+        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
+        Piece {
+            text: format!("{function}({})", listed.join(", ")),
+            strength: 4,
+            terms: arguments.iter().map(|piece| piece.terms).sum(),
+            reads: merged(arguments),
+        }
+    }
+}
+
+fn merged(pieces: &[&Piece]) -> Vec<usize> {
+    pieces.iter().flat_map(|piece| piece.reads.iter().copied()).collect()
+}
+
+impl Statement {
+    /// Locals that the statement reads.
+    pub(crate) fn reads(&self) -> impl Iterator<Item = usize> {
+        let reads: &[usize] = match self {
+            Statement::Title(_) => &[],
+            Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
+        };
+        reads.iter().copied()
+    }
+
+    /// Locals that the statement makes.
+    pub(crate) fn makes(&self) -> impl Iterator<Item = usize> {
+        let makes: &[usize] = match self {
+            Statement::Let { makes, .. } => makes,
+            Statement::Title(_) | Statement::Store { .. } => &[],
+        };
+        makes.iter().copied()
+    }
+}

@@ -1,0 +1,190 @@
+//! Writes the Rust source of a mechanism. No algebra happens here.
+//!
+//! The source is text, not token trees: rustc's own lexer reads it in a fraction of the time that building token trees
+//! takes in an unoptimised macro, and it can be read as it stands (`cargo run -p plm-compiler --example dump`).
+
+mod blocks;
+mod bodies;
+mod defaults;
+mod docs;
+mod fallback;
+mod lines;
+mod names;
+mod outputs;
+mod system;
+mod types;
+
+use std::fmt::Write;
+
+use plm_cas::{Expr, Graph};
+
+use crate::derive::Equations;
+use crate::formulate::Absolute;
+use crate::model::Model;
+use crate::report::Report;
+use crate::span::Span;
+
+pub(crate) use fallback::emit_stub;
+
+/// Emitted source.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Code {
+    /// Items in front of the module: the re-export of the type.
+    pub before: String,
+    /// The module's documentation, attributes, visibility and name, without its braces.
+    pub module: String,
+    /// Types and signatures that users see.
+    pub public: String,
+    /// What stands behind them.
+    pub implementation: String,
+    /// Identifiers of the public part and where the user wrote them.
+    pub names: Vec<(String, Span)>,
+}
+
+impl Code {
+    /// The whole source as one text.
+    pub fn text(&self) -> String {
+        let Code { before, module, public, implementation, .. } = self;
+        format!("{before}{module} {{\n{public}\n{implementation}}}\n")
+    }
+}
+
+/// Everything that emission reads.
+pub(crate) struct Emission<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) graph: &'a Graph,
+    pub(crate) equations: &'a Equations,
+    pub(crate) program: &'a Absolute,
+    pub(crate) report: &'a Report,
+    /// Name of the type.
+    pub(crate) name: String,
+    /// Fields of `params`, `inputs`, starts of bodies and states: identifiers in the order of the model.
+    pub(crate) fields: Fields,
+}
+
+/// Identifiers of the fields of the emitted types.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Fields {
+    pub(crate) params: Vec<String>,
+    pub(crate) inputs: Vec<String>,
+    pub(crate) bodies: Vec<String>,
+    pub(crate) states: Vec<String>,
+    /// Accessors of the outputs, beside those of the bodies.
+    pub(crate) outputs: Vec<String>,
+}
+
+/// Methods of the emitted state that no body or output may take.
+const STATE_METHODS: &[&str] = &["time", "kinetic_energy", "gravity_energy", "load_power", "outputs", "solved"];
+
+impl Fields {
+    pub(crate) fn new(model: &Model) -> Fields {
+        let mut params = names::Names::with_reserved(&["start"]);
+        let mut inputs = names::Names::default();
+        let mut starts = names::Names::with_reserved(STATE_METHODS);
+        let bodies: Vec<String> = model.bodies.iter().map(|body| starts.unique(&body.name.text)).collect();
+        let mut accessors = starts.clone();
+        Fields {
+            params: model.params.iter().map(|param| params.unique(&param.name.text)).collect(),
+            inputs: model.inputs.iter().map(|input| inputs.unique(&input.name.text)).collect(),
+            bodies,
+            states: model.states.iter().map(|state| starts.unique(&state.name.text)).collect(),
+            outputs: model.outputs.iter().map(|output| accessors.unique(&output.name.text)).collect(),
+        }
+    }
+}
+
+/// Emits a mechanism on rung 5.
+pub(crate) fn emit(model: &Model, graph: &Graph, equations: &Equations, program: &Absolute, report: &Report) -> Code {
+    let emission = Emission {
+        model,
+        graph,
+        equations,
+        program,
+        report,
+        name: names::ident(&model.name.text),
+        fields: Fields::new(model),
+    };
+    let mut public = types::emit(&emission);
+    public.push_str(&outputs::emit(&emission));
+    let mut implementation = defaults::emit(&emission);
+    implementation.push_str(&system::emit(&emission));
+    implementation.push_str(&bodies::emit(&emission));
+    Code { before: before(model), module: docs::module(&emission), public, implementation, names: respanned(&emission) }
+}
+
+/// `pub use self::double_pendulum::DoublePendulum;`
+pub(crate) fn before(model: &Model) -> String {
+    let name = names::ident(&model.name.text);
+    let module = names::snake_case(&model.name.text);
+    let visibility = &model.visibility;
+    format!("#[doc(inline)]\n{visibility} use self::{module}::{name};\n")
+}
+
+/// Names of the public part whose declarations an editor should find.
+fn respanned(emission: &Emission) -> Vec<(String, Span)> {
+    let Emission { model, fields, .. } = emission;
+    let mut names = vec![(emission.name.clone(), model.name.span)];
+    names.extend(fields.params.iter().cloned().zip(model.params.iter().map(|param| param.name.span)));
+    names.extend(fields.inputs.iter().cloned().zip(model.inputs.iter().map(|input| input.name.span)));
+    names.extend(fields.bodies.iter().cloned().zip(model.bodies.iter().map(|body| body.name.span)));
+    names.extend(fields.states.iter().cloned().zip(model.states.iter().map(|state| state.name.span)));
+    names.retain(|(_, span)| span.source == 0);
+    names
+}
+
+/// Where the symbols of the model are found in an emitted function.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Origin {
+    /// `self` is the mechanism; time, inputs and state are arguments `t`, `u`, `x`.
+    Arguments,
+    /// `self` is the mechanism; coordinates and velocities are arguments `q`, `v`.
+    Pose,
+    /// `self` is a `State`.
+    State,
+}
+
+impl Emission<'_> {
+    /// Source text of every symbol.
+    pub(crate) fn bindings(&self, origin: Origin) -> lines::Bindings {
+        let mut bindings = lines::Bindings::new();
+        let Emission { model, equations, fields, .. } = self;
+        let (mechanism, input, state, time) = match origin {
+            Origin::Arguments | Origin::Pose => ("self", "u", "x", "t"),
+            Origin::State => ("self.mechanism", "self.input", "self.x", "self.time"),
+        };
+        for (param, field) in model.params.iter().zip(&fields.params) {
+            bindings.insert(param.symbol, format!("{mechanism}.{field}"));
+        }
+        for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
+            bindings.insert(declared.symbol, format!("{input}.{field}"));
+        }
+        bindings.insert(model.time, time.to_owned());
+        let nq = equations.q.len();
+        let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
+            for (k, &symbol) in symbols.iter().enumerate() {
+                bindings.insert(symbol, format!("{array}[{}]", offset + k));
+            }
+        };
+        match origin {
+            Origin::Pose => {
+                bind(&equations.q, "q", 0);
+                bind(&equations.v, "v", 0);
+            }
+            Origin::Arguments | Origin::State => {
+                bind(&equations.q, state, 0);
+                bind(&equations.v, state, nq);
+                bind(&equations.x, state, 2 * nq);
+            }
+        }
+        bind(&equations.a, "a", 0);
+        bind(&equations.lambda, "lambda", 0);
+        bind(&self.program.weights, "w", 0);
+        bind(&self.program.residual, "r", 0);
+        bindings
+    }
+}
+
+/// Appends formatted text.
+pub(crate) fn push(text: &mut String, content: std::fmt::Arguments) {
+    let _ = text.write_fmt(content);
+}

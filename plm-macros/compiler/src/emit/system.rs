@@ -1,0 +1,293 @@
+//! The contracts of the runtime, implemented for the mechanism.
+
+use super::{Emission, defaults, push};
+use crate::formulate::coordinate_name;
+use crate::model::Stabilisation;
+
+pub(crate) fn emit(emission: &Emission) -> String {
+    let mut text = String::new();
+    push(&mut text, format_args!(
+        "    use {path}::runtime as rt;\n    use {path}::runtime::absolute;\n\n",
+        path = emission.model.crate_path
+    ));
+    push(&mut text, format_args!(
+        "    /// What assembly found.\n    pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;\n\n"
+    ));
+    system(&mut text, emission);
+    mechanism(&mut text, emission);
+    constraints(&mut text, emission);
+    solved(&mut text, emission);
+    text
+}
+
+/// `System`: rates, projection, typical sizes.
+fn system(text: &mut String, emission: &Emission) {
+    let Emission { name, equations, .. } = emission;
+    let (nq, nc, nx) = (equations.q.len(), equations.phi.len(), equations.x.len());
+    let length = 2 * nq + nx;
+    let first_order = if nx == 0 {
+        String::new()
+    } else {
+        format!(
+            "            let mut x_dot = [S::lit(0.0); {nx}];
+            self.x_dot(t, u, x, &mut x_dot);
+            for (rate, value) in dx.iter_mut().skip(2 * NQ).zip(x_dot) {{
+                *rate = value;
+            }}
+"
+        )
+    };
+    push(text, format_args!(
+        "    impl<S: Real> rt::System for {name}<S> {{
+        type S = S;
+        type X = [S; {length}];
+        type U = Input<S>;
+        type G = [S; 0];
+        const NQ: usize = {nq};
+
+        #[inline]
+        fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
+            let mut lambda = [S::lit(0.0); {nc}];
+            rt::Health(self.dynamics(t, u, x, dx, &mut lambda))
+        }}
+
+        fn rate_by_rank(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
+            let solution = self.accelerate(t, u, x)?;
+            let (_, v): ([S; {nq}], [S; {nq}]) = absolute::split(x);
+            absolute::join(&v, &solution.a, dx);
+{first_order}            Ok(())
+        }}
+
+"
+    ));
+    match emission.model.stabilisation {
+        Stabilisation::Projection => push(text, format_args!(
+            "        fn settle(&self, t: S, x: &mut [S; {length}]) -> Result<(), Fault> {{
+            absolute::settle_state::<S, Self, NQ, NC, {length}>(self, t, x)
+        }}
+
+        fn drift(&self, t: S, x: &[S; {length}]) -> rt::Drift<S> {{
+            absolute::drift::<S, Self, NQ, NC, {length}>(self, t, x)
+        }}
+
+"
+        )),
+        Stabilisation::Baumgarte(tau) => {
+            let value = defaults::inline(emission, tau, &emission.bindings(super::Origin::Arguments));
+            push(text, format_args!(
+                "        fn baumgarte_rate(&self) -> Option<f64> {{
+            let lit = S::lit;
+            let tau: S = {value};
+            Some(1.0 / rt::Scalar::to_f64(tau))
+        }}
+
+"
+            ));
+        }
+    }
+    typical(text, emission);
+    text.push_str("    }\n\n");
+}
+
+/// Sizes for absolute tolerances: the scene's length for positions, one radian for angles, both per second for rates.
+fn typical(text: &mut String, emission: &Emission) {
+    let Emission { equations, model, report, .. } = emission;
+    let length = format!("{:?}", report.length);
+    let pose = |k: usize| if k % 3 == 2 { "1.0" } else { length.as_str() };
+    let mut sizes: Vec<&str> = (0..equations.q.len()).chain(0..equations.q.len()).map(pose).collect();
+    sizes.extend(std::iter::repeat_n("1.0", equations.x.len()));
+    push(text, format_args!(
+        "        fn typical(&self) -> [S; {}] {{\n            [{}].map(S::lit)\n        }}\n\n",
+        sizes.len(),
+        sizes.join(", ")
+    ));
+    let bodies: Vec<String> = model.bodies.iter().map(|body| format!("{:?}", body.name.text)).collect();
+    let states: Vec<String> = model.states.iter().map(|state| format!("{:?}", state.name.text)).collect();
+    push(text, format_args!(
+        "        fn part_of_state(&self, index: usize) -> &'static str {{
+            const BODIES: &[&str] = &[{}];
+            const STATES: &[&str] = &[{}];
+            let part = if index < 2 * NQ {{ BODIES.get(index % NQ.max(1) / 3) }} else {{ STATES.get(index - 2 * NQ) }};
+            match part {{
+                Some(name) => name,
+                None => \"\",
+            }}
+        }}
+",
+        bodies.join(", "),
+        states.join(", ")
+    ));
+}
+
+/// `Moment` for the state and `Mechanism` for the mechanism.
+fn mechanism(text: &mut String, emission: &Emission) {
+    let Emission { name, equations, fields, .. } = emission;
+    let length = 2 * equations.q.len() + equations.x.len();
+    push(text, format_args!(
+        "    impl<S: Real> rt::Moment for State<S> {{
+        type M = {name}<S>;
+
+        fn new(mechanism: {name}<S>, input: Input<S>, time: S, x: [S; {length}]) -> Self {{
+            State {{ mechanism, input, time, x }}
+        }}
+        fn mechanism(&self) -> &{name}<S> {{
+            &self.mechanism
+        }}
+        fn input(&self) -> &Input<S> {{
+            &self.input
+        }}
+        fn time(&self) -> S {{
+            self.time
+        }}
+        fn x(&self) -> &[S; {length}] {{
+            &self.x
+        }}
+        fn set(&mut self, time: S, x: &[S; {length}]) {{
+            self.time = time;
+            self.x = *x;
+        }}
+    }}
+
+    impl<S: Real> rt::Mechanism for {name}<S> {{
+        type State = State<S>;
+
+        fn start_input(&self) -> Input<S> {{
+            self.declared_input()
+        }}
+
+        fn start_state(&self, t: S) -> Result<[S; {length}], Fault> {{
+            let assembly = absolute::assemble(self, t)?;
+            let mut x = [S::lit(0.0); {length}];
+            absolute::join(&assembly.q, &assembly.v, &mut x);
+"
+    ));
+    for (k, field) in fields.states.iter().enumerate() {
+        push(text, format_args!("            x[{}] = self.start.{field};\n", 2 * equations.q.len() + k));
+    }
+    text.push_str("            Ok(x)\n        }\n    }\n\n");
+}
+
+/// `Absolute`: the constraints, for assembly, projection and the fallback.
+fn constraints(text: &mut String, emission: &Emission) {
+    let Emission { name, equations, model, report, .. } = emission;
+    let (nq, nc) = (equations.q.len(), equations.phi.len());
+    let quoted = |names: Vec<String>| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    let rows = quoted(model.rows.iter().map(|row| row.name.clone()).collect());
+    let parts = quoted(model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect());
+    let coordinates = quoted((0..nq).map(|k| coordinate_name(model, k)).collect());
+    push(text, format_args!(
+        "    impl<S: Real> absolute::Absolute<S, NQ, NC> for {name}<S> {{
+        const ROWS: [&'static str; {nc}] = [{rows}];
+        const PARTS: [&'static str; {nc}] = [{parts}];
+        const COORDINATES: [&'static str; {nq}] = [{coordinates}];
+
+        fn phi(&self, t: S, q: &[S; {nq}]) -> [S; {nc}] {{
+            let mut phi = [S::lit(0.0); {nc}];
+            self.residual(t, q, &mut phi);
+            phi
+        }}
+        fn phi_dot(&self, t: S, q: &[S; {nq}], v: &[S; {nq}]) -> [S; {nc}] {{
+            let mut phi_dot = [S::lit(0.0); {nc}];
+            self.residual_rate(t, q, v, &mut phi_dot);
+            phi_dot
+        }}
+        fn phi_q(&self, t: S, q: &[S; {nq}], out: &mut [[S; {nq}]; {nc}]) {{
+            self.jacobian(t, q, out);
+        }}
+        fn min_norm(&self, t: S, q: &[S; {nq}], w: &[S; {nq}], r: &[S; {nc}], dq: &mut [S; {nq}]) -> rt::Health<S> {{
+            rt::Health(self.closing_step(t, q, w, r, dq))
+        }}
+        fn inverse_mass(&self) -> [S; {nq}] {{
+            let mut inverse_mass = [S::lit(0.0); {nq}];
+            self.reciprocal_mass(&mut inverse_mass);
+            inverse_mass
+        }}
+        fn length(&self) -> S {{
+            S::lit({length:?})
+        }}
+",
+        length = report.length
+    ));
+    starts(text, emission);
+    text.push_str("    }\n\n");
+}
+
+/// Starts of G from those of O.
+fn starts(text: &mut String, emission: &Emission) {
+    let Emission { model, fields, equations, .. } = emission;
+    let nq = equations.q.len();
+    let bindings = emission.bindings(super::Origin::Pose);
+    let list = |method: &str, angle: bool| {
+        let entries = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
+            let [x, y] = body.centre.map(|component| defaults::inline(emission, component, &bindings));
+            let angle = if angle { format!(", q[{}]", 3 * k + 2) } else { String::new() };
+            format!("                self.start.{field}.{method}([{x}, {y}]{angle}),\n")
+        });
+        entries.collect::<String>()
+    };
+    push(text, format_args!(
+        "        fn start_position(&self) -> [Start<S>; {nq}] {{
+            let lit = S::lit;
+            let bodies: [[Start<S>; 3]; {bodies}] = [
+{positions}            ];
+            core::array::from_fn(|k| bodies[k / 3][k % 3])
+        }}
+        fn start_velocity(&self, q: &[S; {nq}]) -> [Start<S>; {nq}] {{
+            let lit = S::lit;
+            let bodies: [[Start<S>; 3]; {bodies}] = [
+{velocities}            ];
+            core::array::from_fn(|k| bodies[k / 3][k % 3])
+        }}
+",
+        bodies = model.bodies.len(),
+        positions = list("of_centre", false),
+        velocities = list("velocity_of_centre", true),
+    ));
+}
+
+/// Accelerations and multipliers for outputs, by rank where elimination is unhealthy.
+fn solved(text: &mut String, emission: &Emission) {
+    let Emission { name, equations, .. } = emission;
+    let (nq, nc) = (equations.q.len(), equations.phi.len());
+    let length = 2 * nq + equations.x.len();
+    push(text, format_args!(
+        "    impl<S: Real> {name}<S> {{
+        /// Accelerations and multipliers by a rank-revealing decomposition.
+        #[cold]
+        fn accelerate(&self, t: S, u: &Input<S>, x: &[S; {length}]) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {{
+            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
+            let (mut force, mut gamma) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
+            self.free(t, u, x, &mut force, &mut gamma);
+            let (mut inverse_mass, mut phi_q) = ([S::lit(0.0); {nq}], [[S::lit(0.0); {nq}]; {nc}]);
+            self.reciprocal_mass(&mut inverse_mass);
+            self.jacobian(t, &q, &mut phi_q);
+            absolute::accelerate(t, &inverse_mass, &force, &gamma, &phi_q)
+        }}
+    }}
+
+    impl<S: Real> State<S> {{
+        /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
+        fn solved(&self) -> ([S; {nq}], [S; {nc}]) {{
+            let (mut dx, mut lambda) = ([S::lit(0.0); {length}], [S::lit(0.0); {nc}]);
+            let health = self.mechanism.dynamics(self.time, &self.input, &self.x, &mut dx, &mut lambda);
+            if !rt::Health(health).is_good() {{
+                if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &self.x) {{
+                    return (solution.a, solution.lambda);
+                }}
+            }}
+            let (_, a): ([S; {nq}], [S; {nq}]) = absolute::split(&dx);
+            (a, lambda)
+        }}
+
+        /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
+        pub fn undetermined(&self) -> [bool; {nc}] {{
+            match self.mechanism.accelerate(self.time, &self.input, &self.x) {{
+                Ok(solution) => solution.undetermined,
+                Err(_) => [true; {nc}],
+            }}
+        }}
+    }}
+
+"
+    ));
+}

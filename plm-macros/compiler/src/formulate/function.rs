@@ -1,0 +1,70 @@
+//! A function of the program: what it computes, in which order, and where the results go.
+
+use plm_cas::{Expr, Graph, Tape, share};
+
+/// Where a result is stored.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// An element of an array, `dx[3]`.
+    Element(&'static str, usize),
+    /// An entry of a matrix, `phi_q[0][2]`.
+    Entry(&'static str, usize, usize),
+    /// The value that the function returns.
+    Value,
+}
+
+/// A group of expressions that belong together under a title.
+#[derive(Clone, Debug)]
+pub(crate) struct Section {
+    /// What is computed here, for readers.
+    pub(crate) title: String,
+    /// The expressions, in the order in which they should be computed.
+    pub(crate) roots: Vec<Expr>,
+}
+
+impl Section {
+    pub(crate) fn new(title: &str, roots: Vec<Expr>) -> Section {
+        Section { title: title.to_owned(), roots }
+    }
+}
+
+/// A straight-line function.
+#[derive(Clone, Debug)]
+pub(crate) struct Function {
+    /// Order of computation; every expression here is needed by a result.
+    pub(crate) sections: Vec<Section>,
+    /// Results.
+    pub(crate) results: Vec<(Place, Expr)>,
+}
+
+impl Function {
+    /// A function of results alone, computed in their order.
+    pub(crate) fn of_results(results: Vec<(Place, Expr)>) -> Function {
+        Function { sections: Vec::new(), results }
+    }
+
+    /// Shares common sub-expressions within the function.
+    pub(crate) fn optimise(self, graph: &mut Graph) -> Function {
+        let roots: Vec<Expr> = self.roots();
+        let mut shared = share(graph, &roots).into_iter();
+        let mut next = |old: Expr| shared.next().unwrap_or(old);
+        let sections = self.sections.into_iter().map(|section| Section {
+            roots: section.roots.into_iter().map(&mut next).collect(),
+            title: section.title,
+        });
+        let sections = sections.collect();
+        let results = self.results.into_iter().map(|(place, value)| (place, next(value))).collect();
+        Function { sections, results }
+    }
+
+    /// All expressions: those of the sections, then the results.
+    pub(crate) fn roots(&self) -> Vec<Expr> {
+        let of_sections = self.sections.iter().flat_map(|section| section.roots.iter().copied());
+        of_sections.chain(self.results.iter().map(|&(_, value)| value)).collect()
+    }
+
+    /// The function as a list of instructions.
+    pub(crate) fn tape(&self, graph: &Graph) -> Tape {
+        Tape::new(graph, &self.roots())
+    }
+}

@@ -1,0 +1,132 @@
+//! Symbolic sparse `L D L^T` of a symmetric positive definite matrix.
+//!
+//! Each entry becomes a named atom, so that nothing is ever expanded and the operations stay those of the numeric
+//! algorithm (I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 10).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use plm_cas::{Expr, Graph};
+
+use super::order::minimum_degree;
+
+/// A symmetric matrix by its lower entries, `(row, column)` with `row >= column`; what is absent is zero.
+pub(crate) type Symmetric = BTreeMap<(usize, usize), Expr>;
+
+/// The factors, and what was computed on the way.
+#[derive(Debug)]
+pub(crate) struct Factor {
+    /// Pivots in the order of elimination: row, column of L below it as (row, entry).
+    columns: Vec<(usize, Vec<(usize, Expr)>)>,
+    /// `1 / d` by row.
+    reciprocals: Vec<Expr>,
+    /// Every entry in the order of computation.
+    pub(crate) trace: Vec<Expr>,
+    /// The smallest ratio of a pivot to the diagonal entry that it came from; 1 when nothing cancels.
+    pub(crate) health: Expr,
+}
+
+/// Factorises `matrix` of size `n`; every diagonal entry must be present.
+pub(crate) fn factorise(graph: &mut Graph, n: usize, matrix: &Symmetric) -> Factor {
+    let mut near = vec![BTreeSet::new(); n];
+    for &(i, j) in matrix.keys().filter(|(i, j)| i != j) {
+        near[i].insert(j);
+        near[j].insert(i);
+    }
+    let mut work = Elimination { graph, entries: matrix.clone(), trace: Vec::new() };
+    let mut columns = Vec::with_capacity(n);
+    let mut reciprocals = vec![work.graph.one(); n];
+    let mut worst: Option<Expr> = None;
+    for (pivot, below) in minimum_degree(near) {
+        let (before, now) = (matrix[&(pivot, pivot)], work.entries[&(pivot, pivot)]);
+        let (reciprocal, column) = work.eliminate(pivot, &below);
+        if now != before {
+            worst = Some(work.worse(worst, before, reciprocal));
+        }
+        reciprocals[pivot] = reciprocal;
+        columns.push((pivot, column));
+    }
+    let one = work.graph.one();
+    let health = worst.map_or(one, |worst| work.graph.div(one, worst));
+    Factor { columns, reciprocals, trace: work.trace, health }
+}
+
+/// The matrix while it is being eliminated.
+struct Elimination<'a> {
+    graph: &'a mut Graph,
+    entries: Symmetric,
+    trace: Vec<Expr>,
+}
+
+impl Elimination<'_> {
+    /// Eliminates one row; returns `1 / d` and the column of L below it.
+    fn eliminate(&mut self, pivot: usize, rows: &[usize]) -> (Expr, Vec<(usize, Expr)>) {
+        let d = self.define(format!("d_{pivot}"), self.entries[&(pivot, pivot)]);
+        let one = self.graph.one();
+        let inverse = self.graph.div(one, d);
+        let reciprocal = self.define(format!("r_{pivot}"), inverse);
+        let mut column = Vec::with_capacity(rows.len());
+        let mut below = Vec::with_capacity(rows.len());
+        for &row in rows {
+            let key = (row.max(pivot), row.min(pivot));
+            let entry = self.define(format!("g_{row}_{pivot}"), self.entries[&key]);
+            let scaled = self.graph.mul(entry, reciprocal);
+            below.push((row, entry));
+            column.push((row, self.define(format!("l_{row}_{pivot}"), scaled)));
+        }
+        for (k, &(row, factor)) in column.iter().enumerate() {
+            for &(other, entry) in &below[..=k] {
+                self.update((row.max(other), row.min(other)), factor, entry);
+            }
+        }
+        (reciprocal, column)
+    }
+
+    /// `entries[key] -= factor * entry`.
+    fn update(&mut self, key: (usize, usize), factor: Expr, entry: Expr) {
+        let product = self.graph.mul(factor, entry);
+        let old = self.entries.get(&key).copied().unwrap_or_else(|| self.graph.zero());
+        let new = self.graph.sub(old, product);
+        self.entries.insert(key, new);
+    }
+
+    fn define(&mut self, name: String, value: Expr) -> Expr {
+        let atom = self.graph.define(&name, value);
+        self.trace.push(atom);
+        atom
+    }
+
+    /// The larger of `worst` and `|diagonal / pivot|`.
+    fn worse(&mut self, worst: Option<Expr>, diagonal: Expr, reciprocal: Expr) -> Expr {
+        let growth = self.graph.mul(diagonal, reciprocal);
+        let growth = self.graph.abs(growth);
+        worst.map_or(growth, |worst| self.graph.max(worst, growth))
+    }
+}
+
+impl Factor {
+    /// Solves `L D L^T lambda = rhs`; `names` are those of the solution. Returns it and every step on the way.
+    pub(crate) fn solve(&self, graph: &mut Graph, rhs: &[Expr], names: &[String]) -> (Vec<Expr>, Vec<Expr>) {
+        let mut trace = Vec::new();
+        let mut b = rhs.to_vec();
+        for &(pivot, ref column) in &self.columns {
+            b[pivot] = graph.define(&format!("b_{pivot}"), b[pivot]);
+            trace.push(b[pivot]);
+            for &(row, factor) in column {
+                let product = graph.mul(factor, b[pivot]);
+                b[row] = graph.sub(b[row], product);
+            }
+        }
+        let mut solution = b.clone();
+        for &(pivot, ref column) in self.columns.iter().rev() {
+            let mut terms = vec![graph.mul(b[pivot], self.reciprocals[pivot])];
+            for &(row, factor) in column {
+                let product = graph.mul(factor, solution[row]);
+                terms.push(graph.neg(product));
+            }
+            let value = graph.sum(&terms);
+            solution[pivot] = graph.define(&names[pivot], value);
+            trace.push(solution[pivot]);
+        }
+        (solution, trace)
+    }
+}

@@ -1,0 +1,13 @@
+//! Chooses the unknowns and lays out what is computed, function by function.
+//!
+//! Rung 5 of the ladder: absolute coordinates and multipliers. It holds every mechanism, whatever its loops and
+//! redundancies, so it is also the independent check of the rungs above it.
+
+mod absolute;
+mod function;
+mod ldl;
+mod order;
+mod outputs;
+
+pub(crate) use absolute::{Absolute, coordinate_name, formulate};
+pub(crate) use function::{Function, Place};

@@ -1,0 +1,92 @@
+//! What can be read from a state: the user's outputs, energies and power.
+
+use plm_cas::{Expr, Graph};
+
+use super::function::{Function, Place};
+use crate::derive::Equations;
+use crate::model::Model;
+
+/// One output of the user.
+#[derive(Debug)]
+pub(crate) struct Output {
+    /// Its values, one, or (x, y).
+    pub(crate) function: Function,
+    /// Does it read accelerations or multipliers, so that the motion must be solved for it?
+    pub(crate) solves: bool,
+}
+
+/// Everything that can be read from a state.
+#[derive(Debug)]
+pub(crate) struct Outputs {
+    /// The user's outputs, in the order of the model.
+    pub(crate) user: Vec<Output>,
+    /// Kinetic energy, J.
+    pub(crate) kinetic_energy: Function,
+    /// Potential energy of gravity above y = 0, J.
+    pub(crate) gravity_energy: Function,
+    /// Power of all loads but gravity, W.
+    pub(crate) load_power: Function,
+}
+
+/// Lays out the outputs.
+pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph) -> Outputs {
+    let solved: Vec<Expr> = {
+        let mut symbols: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect();
+        symbols.sort_unstable();
+        symbols
+    };
+    let user = model.outputs.iter().map(|output| {
+        let held = graph.symbols(&output.components);
+        let solves = held.iter().any(|symbol| solved.binary_search(symbol).is_ok());
+        let results = match output.components.as_slice() {
+            &[one] => vec![(Place::Value, one)],
+            many => many.iter().enumerate().map(|(k, &value)| (Place::Element("value", k), value)).collect(),
+        };
+        Output { function: Function::of_results(results).optimise(graph), solves }
+    });
+    let user = user.collect();
+    let kinetic = kinetic_energy(equations, graph);
+    let gravity = gravity_energy(model, graph);
+    let power = load_power(model, graph);
+    let mut scalar = |value: Expr| Function::of_results(vec![(Place::Value, value)]).optimise(graph);
+    Outputs {
+        user,
+        kinetic_energy: scalar(kinetic),
+        gravity_energy: scalar(gravity),
+        load_power: scalar(power),
+    }
+}
+
+/// `1/2 v^T M v`.
+fn kinetic_energy(equations: &Equations, graph: &mut Graph) -> Expr {
+    let terms = equations.mass.iter().zip(&equations.v).map(|(&mass, &v)| {
+        let square = graph.powi(v, 2);
+        graph.mul(mass, square)
+    });
+    let terms: Vec<Expr> = terms.collect();
+    let two = graph.int(2);
+    let sum = graph.sum(&terms);
+    graph.div(sum, two)
+}
+
+/// `sum m g y`.
+fn gravity_energy(model: &Model, graph: &mut Graph) -> Expr {
+    let terms = model.bodies.iter().map(|body| {
+        let weight = graph.mul(body.mass, model.gravity);
+        graph.mul(weight, body.q[1])
+    });
+    let terms: Vec<Expr> = terms.collect();
+    graph.sum(&terms)
+}
+
+/// `sum F . v` over the loads.
+fn load_power(model: &Model, graph: &mut Graph) -> Expr {
+    let mut terms = Vec::new();
+    for load in &model.loads {
+        let v = model.bodies[load.body].v;
+        for (&force, v) in load.force.iter().zip(v) {
+            terms.push(graph.mul(force, v));
+        }
+    }
+    graph.sum(&terms)
+}

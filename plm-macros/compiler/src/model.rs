@@ -1,0 +1,252 @@
+//! The resolved mechanism: what the front end hands to derivation.
+//!
+//! Every name is bound, every part is taken apart into constraint rows, loads, states and outputs, every quantity is
+//! in SI, and every expression stands in one [`Graph`]. Nothing after `resolve` changes a `Model`.
+//!
+//! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
+//! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
+
+use plm_cas::{Expr, Graph};
+
+use crate::span::Span;
+use crate::units::DisplayUnit;
+
+/// A mechanism with every name bound.
+pub struct Model {
+    /// Name of the type, as written.
+    pub name: Name,
+    /// Visibility tokens as written, e.g. `pub` or `pub(crate)`; empty for private.
+    pub visibility: String,
+    /// Documentation lines of the mechanism, without `///`.
+    pub docs: Vec<String>,
+    /// Path of the runtime crate in emitted code; `::plm` unless `crate = path` says otherwise.
+    pub crate_path: String,
+    /// All expressions.
+    pub graph: Graph,
+    /// The symbol of time, s.
+    pub time: Expr,
+    /// Gravity, m/s^2, positive downwards along -y.
+    pub gravity: Expr,
+    /// How constraints are kept.
+    pub stabilisation: Stabilisation,
+    /// Fields that can change between runs.
+    pub params: Vec<Param>,
+    /// Fields that change while it runs.
+    pub inputs: Vec<Input>,
+    /// Bodies in the order of declaration; body `i` owns coordinates `3 i .. 3 i + 3`.
+    pub bodies: Vec<Body>,
+    /// Top-level parts (joints, forces, …) in the order of declaration; rows and loads point here.
+    pub parts: Vec<Part>,
+    /// Ports of the ground, in the order of declaration; `at` from the origin, absolute axes.
+    pub ground: Vec<Port>,
+    /// Constraint rows, `phi = 0`.
+    pub rows: Vec<Row>,
+    /// Generalised forces on bodies.
+    pub loads: Vec<Load>,
+    /// First-order states.
+    pub states: Vec<State>,
+    /// What the user asked to see.
+    pub outputs: Vec<Output>,
+    /// Warning codes that the declaration allows, e.g. `W0003`.
+    pub allowed: Vec<String>,
+}
+
+/// Its name and sizes; the graph alone would fill pages.
+impl std::fmt::Debug for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sizes = (self.bodies.len(), self.parts.len(), self.rows.len());
+        f.debug_struct("Model").field("name", &self.name.text).field("bodies, parts, rows", &sizes).finish()
+    }
+}
+
+/// A name and where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// The text; parts inside `repeat` and parts carry their path, `bar[3]`, `arm.spring`.
+    pub text: String,
+    /// Where it was declared.
+    pub span: Span,
+}
+
+/// How constraints are kept over a run.
+#[derive(Clone, Copy, Debug)]
+pub enum Stabilisation {
+    /// Projection onto position and velocity constraints between steps (the default).
+    Projection,
+    /// Baumgarte's method with `alpha = beta = 1 / tau`; `tau` in s, a constant or parameter expression.
+    Baumgarte(Expr),
+}
+
+/// A `param`: a field of the generated type.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Name of the field.
+    pub name: Name,
+    /// Its symbol.
+    pub symbol: Expr,
+    /// Its default, an expression without other symbols than earlier parameters.
+    pub default: Expr,
+    /// Unit that it was declared in.
+    pub unit: DisplayUnit,
+    /// Documentation lines.
+    pub docs: Vec<String>,
+}
+
+/// An `input`: a field of the generated `Input` type, held over a step.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// Name of the field.
+    pub name: Name,
+    /// Its symbol.
+    pub symbol: Expr,
+    /// Its value at the start.
+    pub default: Expr,
+    /// Unit that it was declared in.
+    pub unit: DisplayUnit,
+    /// Documentation lines.
+    pub docs: Vec<String>,
+}
+
+/// A rigid body.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name.
+    pub name: Name,
+    /// Mass, kg.
+    pub mass: Expr,
+    /// Where the mass was written.
+    pub mass_span: Span,
+    /// Moment of inertia about G, kg m^2.
+    pub inertia: Expr,
+    /// Where the inertia was written.
+    pub inertia_span: Span,
+    /// Symbols of (x, y, theta) of G: m, m, rad.
+    pub q: [Expr; 3],
+    /// Symbols of their rates: m/s, m/s, rad/s.
+    pub v: [Expr; 3],
+    /// Symbols of their accelerations: m/s^2, m/s^2, rad/s^2; only outputs may hold them.
+    pub a: [Expr; 3],
+    /// G in the body's axes, from its origin O, m; (0, 0) where drawing coordinates are used.
+    pub centre: [Expr; 2],
+    /// Ports in the order of declaration.
+    pub ports: Vec<Port>,
+    /// Start of (x, y, angle) of the origin O; with drawing coordinates O is G. m, m, rad.
+    pub start: [Start; 3],
+    /// Start of (vx, vy, omega) of the origin O: m/s, m/s, rad/s.
+    pub start_velocity: [Start; 3],
+}
+
+/// A port of a body.
+#[derive(Clone, Debug)]
+pub struct Port {
+    /// Its name.
+    pub name: Name,
+    /// Position from G in the body's axes, m.
+    pub at: [Expr; 2],
+    /// Joint angle from the body's x axis, rad.
+    pub angle: Expr,
+    /// Is it used by any part?
+    pub used: bool,
+}
+
+/// A start value; `locked` in the declaration.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// Value, SI; an expression of parameters at most.
+    pub value: Expr,
+    /// Is the assembly forbidden to move it?
+    pub locked: bool,
+    /// Was it written by the user (else it is the default 0)?
+    pub given: bool,
+    /// Where.
+    pub span: Span,
+}
+
+/// An instance of a part at the top level of the declaration.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Name of the instance, e.g. `shoulder`.
+    pub name: Name,
+    /// Name of its definition, e.g. `revolute`.
+    pub kind: String,
+    /// Its kinematic pair, if the definition states one.
+    pub pair: Option<Pair>,
+    /// The frames that it joins, in the order of its arguments.
+    pub frames: Vec<FrameRef>,
+}
+
+/// Kinematic pairs that upper rungs know how to walk through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pair {
+    /// Points coincide.
+    Revolute,
+    /// One translation along the first frame's x axis.
+    Prismatic,
+    /// A point slides along the first frame's x axis and turns freely.
+    PinSlot,
+    /// No relative motion.
+    Weld,
+}
+
+/// A frame of a body or of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameRef {
+    /// Index of the body; `None` for the ground.
+    pub body: Option<usize>,
+    /// Index of the port in the body's (or the ground's) list.
+    pub port: usize,
+}
+
+/// One scalar constraint `phi = 0`.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Full name, e.g. `shoulder.x`.
+    pub name: String,
+    /// Index into [`Model::parts`].
+    pub part: usize,
+    /// The residual, m or rad (dimension of the row's expression).
+    pub phi: Expr,
+    /// Symbol of its multiplier; outputs may hold it (`M a + phi_q^T lambda = Q`).
+    pub lambda: Expr,
+    /// Where the constraint stands: the joint in the declaration.
+    pub span: Span,
+    /// `m` or `rad`.
+    pub unit: DisplayUnit,
+}
+
+/// A generalised force on one body, already carried to G.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Index of the body.
+    pub body: usize,
+    /// Index into [`Model::parts`].
+    pub part: usize,
+    /// Force along x and y (N) and torque about G (N m), absolute axes.
+    pub force: [Expr; 3],
+}
+
+/// A first-order state, `rate(symbol) = rate`.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Full name.
+    pub name: Name,
+    /// Its symbol.
+    pub symbol: Expr,
+    /// Its time derivative.
+    pub rate: Expr,
+    /// Its value at the start.
+    pub start: Expr,
+    /// Unit that it was declared in.
+    pub unit: DisplayUnit,
+}
+
+/// A named output with one component, or two for a vector.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Path as written, e.g. `shoulder.force`; generated as `shoulder_force()`.
+    pub name: Name,
+    /// One expression, or (x, y); may hold accelerations and multipliers.
+    pub components: Vec<Expr>,
+    /// Unit in which tables and charts show it (the accessor gives SI).
+    pub unit: DisplayUnit,
+}

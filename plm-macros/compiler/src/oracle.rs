@@ -1,0 +1,55 @@
+//! The interpreter of a compiled mechanism: what the emitted code must compute, bit for bit.
+
+use plm_cas::{Expr, Graph, Tape};
+
+use crate::derive::Equations;
+use crate::formulate::{Absolute, Function};
+use crate::model::Model;
+
+/// A compiled mechanism that can be evaluated without rustc.
+#[derive(Debug)]
+pub struct Oracle {
+    pub(crate) model: Model,
+    pub(crate) graph: Graph,
+    pub(crate) equations: Equations,
+    pub(crate) program: Absolute,
+}
+
+impl Oracle {
+    /// Length of the state `[q, v, first-order states]`.
+    pub fn states(&self) -> usize {
+        2 * self.equations.q.len() + self.equations.x.len()
+    }
+
+    /// Number of constraint rows.
+    pub fn constraints(&self) -> usize {
+        self.equations.phi.len()
+    }
+
+    /// `dx`, then `lambda`, then Health, with parameters and inputs as declared. `x` has [`Oracle::states`] values.
+    pub fn dynamics(&self, time: f64, x: &[f64]) -> Vec<f64> {
+        self.run(&self.program.dynamics, time, x)
+    }
+
+    /// Residuals of the constraints.
+    pub fn phi(&self, time: f64, x: &[f64]) -> Vec<f64> {
+        self.run(&self.program.phi, time, x)
+    }
+
+    /// Rates of the residuals.
+    pub fn phi_dot(&self, time: f64, x: &[f64]) -> Vec<f64> {
+        self.run(&self.program.phi_dot, time, x)
+    }
+
+    fn run(&self, function: &Function, time: f64, x: &[f64]) -> Vec<f64> {
+        let mut values: Vec<(Expr, f64)> = crate::check::defaults(&self.model, &self.graph);
+        values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
+        values.push((self.model.time, time));
+        let symbols = self.equations.q.iter().chain(&self.equations.v).chain(&self.equations.x);
+        values.extend(symbols.copied().zip(x.iter().copied()));
+        let results: Vec<Expr> = function.roots();
+        let tape = Tape::new(&self.graph, &results);
+        let mut all = crate::check::run(&tape, &values);
+        all.split_off(all.len() - function.results.len())
+    }
+}

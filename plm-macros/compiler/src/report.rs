@@ -1,0 +1,158 @@
+//! What the compiler found and chose, in words and numbers.
+
+use plm_cas::{Count, Expr, Graph, Tape};
+
+use crate::check::Assembly;
+use crate::derive::Equations;
+use crate::formulate::{Absolute, Function};
+use crate::model::{Model, Stabilisation};
+
+/// Degrees per radian.
+const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+/// Coordinates whose move the report lists one by one.
+const MOST_MOVES: usize = 12;
+
+/// The report of one mechanism.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Name of the mechanism.
+    pub name: String,
+    /// Number of bodies, `N`.
+    pub bodies: usize,
+    /// Number of parts at the top level.
+    pub parts: usize,
+    /// Number of coordinates, `NQ = 3 N`.
+    pub coordinates: usize,
+    /// Number of constraint rows, `M`.
+    pub constraints: usize,
+    /// Number of first-order states.
+    pub states: usize,
+    /// Degrees of freedom by the manual's count, `F = 3 N - M`.
+    pub freedom: isize,
+    /// Rank of `phi_q` with the position locks, and the number of locks, where they are known at compile time.
+    pub rank: Option<(usize, usize)>,
+    /// How the constraints are kept.
+    pub stabilisation: &'static str,
+    /// Size of the scene, m.
+    pub length: f64,
+    /// Operations of one right-hand side.
+    pub rate: Count,
+    /// Operations of the other functions, by name.
+    pub functions: Vec<(&'static str, Count)>,
+    /// What assembly did: lines of text.
+    pub assembly: Vec<String>,
+}
+
+impl Report {
+    /// The report before the start was assembled.
+    pub(crate) fn new(model: &Model, equations: &Equations, program: &Absolute, graph: &Graph, values: &[(Expr, f64)]) -> Report {
+        let count = |function: &Function| {
+            let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
+            Tape::new(graph, &results).count()
+        };
+        Report {
+            name: model.name.text.clone(),
+            bodies: model.bodies.len(),
+            parts: model.parts.len(),
+            coordinates: equations.q.len(),
+            constraints: equations.phi.len(),
+            states: equations.x.len(),
+            freedom: equations.q.len() as isize - equations.phi.len() as isize,
+            rank: None,
+            stabilisation: match model.stabilisation {
+                Stabilisation::Projection => "projection",
+                Stabilisation::Baumgarte(_) => "Baumgarte",
+            },
+            length: length(model, graph, values),
+            rate: count(&program.dynamics),
+            functions: vec![
+                ("phi", count(&program.phi)),
+                ("phi_dot", count(&program.phi_dot)),
+                ("phi_q", count(&program.phi_q)),
+                ("closing step", count(&program.min_norm)),
+            ],
+            assembly: Vec::new(),
+        }
+    }
+
+    /// Adds what assembly found.
+    pub(crate) fn add_assembly(&mut self, model: &Model, found: &Assembly, at: &dyn Fn(Expr) -> f64) {
+        let locks = found.locked.iter().filter(|lock| **lock).count();
+        self.rank = Some((found.rank.rank, locks));
+        let kind = if !found.rank.dependent.is_empty() {
+            "redundant"
+        } else if (self.freedom - locks as isize) > 0 {
+            "insufficient (the nearest pose is taken)"
+        } else {
+            "sufficient"
+        };
+        self.assembly.push(format!(
+            "constraints and locks: {kind}; F = {}, {locks} locked, rank {} of {} rows, {} Newton steps",
+            self.freedom,
+            found.rank.rank,
+            self.constraints + locks,
+            found.steps
+        ));
+        let mut moves: Vec<(usize, f64)> =
+            found.q.iter().zip(&found.start).map(|(q, start)| q - start).enumerate().collect();
+        moves.retain(|&(k, by)| !found.locked[k] && by.abs() > 1e-9);
+        for &(k, by) in moves.iter().take(MOST_MOVES) {
+            self.assembly.push(moved(model, k, found.start[k], by));
+        }
+        if moves.len() > MOST_MOVES {
+            self.assembly.push(format!("… and {} coordinates more", moves.len() - MOST_MOVES));
+        }
+        self.assembly.extend(crate::check::branches(model, found, at));
+    }
+
+    /// Lines for the documentation of the generated module.
+    pub(crate) fn summary(&self) -> Vec<String> {
+        vec![
+            format!(
+                "{} bodies, {} parts: {} coordinates, {} constraint rows, F = 3 N - M = {}.",
+                self.bodies, self.parts, self.coordinates, self.constraints, self.freedom
+            ),
+            format!(
+                "Rung 5: absolute coordinates and multipliers, kept on the constraints by {}.",
+                self.stabilisation
+            ),
+            format!("One right-hand side: {}.", self.rate),
+        ]
+    }
+}
+
+impl std::fmt::Display for Report {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(f, "{}", self.name)?;
+        for line in self.summary().iter().chain(&self.assembly) {
+            writeln!(f, "  {line}")?;
+        }
+        for (name, count) in &self.functions {
+            writeln!(f, "  {name}: {count}")?;
+        }
+        Ok(())
+    }
+}
+
+/// `forearm.angle: 0 deg moved by -25.7586 deg`.
+fn moved(model: &Model, k: usize, start: f64, by: f64) -> String {
+    let name = crate::formulate::coordinate_name(model, k);
+    if k % 3 == 2 {
+        format!("{name}: {:.4} deg moved by {:.4} deg", start * DEGREES, by * DEGREES)
+    } else {
+        format!("{name}: {start:.6} m moved by {by:.6} m")
+    }
+}
+
+/// The largest extent of a body, or 1 m if all are points: the unit in which residuals and tolerances are judged.
+fn length(model: &Model, graph: &Graph, values: &[(Expr, f64)]) -> f64 {
+    let mut length: f64 = 0.0;
+    for body in &model.bodies {
+        for port in &body.ports {
+            for component in port.at {
+                length = length.max(crate::check::value(graph, component, values).abs());
+            }
+        }
+    }
+    if length > 0.0 && length.is_finite() { length } else { 1.0 }
+}

@@ -1,0 +1,169 @@
+//! Conditions and what hangs on them.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Condition, Eval, Failed, Nature, Reads, Value};
+use crate::diag::{Code, help_similar};
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind, Link, Operator};
+
+impl<'a> Resolver<'a> {
+    /// `a and b and c`, `a or b`
+    pub(super) fn logic(
+        &mut self,
+        scope: ScopeId,
+        first: &'a ast::Expr,
+        links: &'a [Link],
+        operator: Operator,
+    ) -> Eval<Value> {
+        let (condition, mut reads) = self.condition(scope, first)?;
+        let mut conditions = vec![condition];
+        for link in links {
+            let (condition, also) = self.condition(scope, &link.operand)?;
+            conditions.push(condition);
+            reads = reads.and(also);
+        }
+        let condition =
+            if operator == Operator::And { Condition::All(conditions) } else { Condition::Any(conditions) };
+        Ok(Value::Condition(condition, reads))
+    }
+
+    /// `a < b` and its kin; `choice == option`.
+    pub(super) fn comparison(
+        &mut self,
+        scope: ScopeId,
+        first: &'a ast::Expr,
+        links: &'a [Link],
+    ) -> Eval<Value> {
+        let Some(Link { operator, operand }) = links.first() else { return Err(Failed) };
+        let span = first.span.to(operand.span);
+        if matches!(operator, Operator::Equal | Operator::NotEqual) {
+            return self.equality(scope, span, first, operand, *operator);
+        }
+        let ((a, of_a), (b, of_b)) = (self.eval_scalar(scope, first)?, self.eval_scalar(scope, operand)?);
+        let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
+        let (low, high, negated) = match operator {
+            Operator::Less => (a, b, false),
+            Operator::Greater => (b, a, false),
+            Operator::LessEqual => (b, a, true),
+            _ => (a, b, true),
+        };
+        let less = self.less(low, high);
+        let condition = if negated { Condition::Not(Box::new(less)) } else { less };
+        Ok(Value::Condition(condition, nature.reads))
+    }
+
+    fn less(&mut self, low: Expr, high: Expr) -> Condition {
+        match (self.graph.as_number(low), self.graph.as_number(high)) {
+            (Some(low), Some(high)) => Condition::Known(low.to_f64() < high.to_f64()),
+            _ => Condition::Less(low, high),
+        }
+    }
+
+    /// Equality is for choices; that of two computed numbers is an accident.
+    fn equality(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        left: &'a ast::Expr,
+        right: &'a ast::Expr,
+        operator: Operator,
+    ) -> Eval<Value> {
+        let left = self.eval(scope, left)?;
+        let (Value::Choice(choice), ExprKind::Name(option)) = (left, &right.kind) else {
+            self.error(scope, Code::WrongKind, span, "`==` and `!=` compare a choice with one of its options")
+                .help("numbers are compared with `<`, `<=`, `>` and `>=`");
+            return Err(Failed);
+        };
+        let (chosen, options) = self.choices[choice].clone();
+        let text = option.ident.text.as_str();
+        if !options.contains(&text) {
+            self.unknown_option(scope, text, option.ident.span, &options);
+            return Err(Failed);
+        }
+        let equal = chosen == text;
+        let holds = if operator == Operator::Equal { equal } else { !equal };
+        Ok(Value::Condition(Condition::Known(holds), Reads::NOTHING))
+    }
+
+    pub(super) fn unknown_option(&mut self, scope: ScopeId, option: &str, span: Span, options: &[&str]) {
+        let diagnostic = self.error(scope, Code::UnknownOption, span, format!("unknown option `{option}`"));
+        help_similar(diagnostic, option, "option", "options", options);
+    }
+
+    /// `if condition then yes else no`. If the condition is known, the other branch is not even looked at: it may have
+    /// no meaning there.
+    pub(super) fn choose(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        condition: &'a ast::Expr,
+        yes: &'a ast::Expr,
+        no: &'a ast::Expr,
+    ) -> Eval<Value> {
+        let (condition, reads) = self.condition(scope, condition)?;
+        if let Some(holds) = known(&condition) {
+            return self.eval(scope, if holds { yes } else { no });
+        }
+        let (on_yes, on_no) = (self.eval(scope, yes), self.eval(scope, no));
+        match (on_yes?, on_no?) {
+            (Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
+                let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
+                let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
+                Ok(Value::Scalar(self.select(&condition, a, b), nature))
+            }
+            (Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
+                let nature = self.joined(scope, span, (&a, of_a), (&b, of_b))?;
+                let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
+                Ok(Value::Vector([0, 1].map(|i| self.select(&condition, a[i], b[i])), nature))
+            }
+            (a, b) => {
+                let message = format!("one branch is {}, the other {}", a.kind(), b.kind());
+                self.error(scope, Code::WrongKind, span, message);
+                Err(Failed)
+            }
+        }
+    }
+
+    /// Selections that give `yes` where the condition holds.
+    pub(super) fn select(&mut self, condition: &Condition, yes: Expr, no: Expr) -> Expr {
+        match condition {
+            Condition::Known(true) => yes,
+            Condition::Known(false) => no,
+            Condition::Less(low, high) => {
+                let less = self.graph.less(*low, *high);
+                self.graph.select(less, yes, no)
+            }
+            Condition::Not(inner) => self.select(inner, no, yes),
+            Condition::All(inner) => inner.iter().rev().fold(yes, |yes, one| self.select(one, yes, no)),
+            Condition::Any(inner) => inner.iter().rev().fold(no, |no, one| self.select(one, yes, no)),
+        }
+    }
+}
+
+/// The truth of a condition, if it is known at compile time.
+fn known(condition: &Condition) -> Option<bool> {
+    match condition {
+        Condition::Known(holds) => Some(*holds),
+        Condition::Less(..) => None,
+        Condition::Not(inner) => known(inner).map(|holds| !holds),
+        Condition::All(inner) => {
+            let each = inner.iter().map(known);
+            each.fold(Some(true), |all, one| match (all, one) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            })
+        }
+        Condition::Any(inner) => {
+            let each = inner.iter().map(known);
+            each.fold(Some(false), |any, one| match (any, one) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (Some(false), Some(false)) => Some(false),
+                _ => None,
+            })
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! What a place expects, and what is said when something else stands there.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Form, Nature, Reads, Value};
+use crate::diag::Code;
+use crate::syntax::ast::{self, ExprKind};
+use crate::units::Dimension;
+
+/// What a place expects.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Wanted {
+    /// Anything.
+    Anything,
+    /// A frame.
+    Frame,
+    /// A body.
+    Body,
+    /// A number of a dimension that reads no more than it may.
+    Number(Dimension, Reads),
+}
+
+/// Does a quantity fit a dimension?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fit {
+    Fits,
+    NoUnit,
+    NoAngleUnit,
+    Wrong,
+}
+
+fn fit(wanted: Dimension, found: Nature, is_zero: bool) -> Fit {
+    let bare = found.form == Form::Bare;
+    if bare && is_zero {
+        return Fit::Fits;
+    }
+    if !wanted.same(found.dimension) {
+        return if bare { Fit::NoUnit } else { Fit::Wrong };
+    }
+    // The radian cancels in what was worked out; what was written down must say what it is.
+    if found.form == Form::Derived || wanted.rad == found.dimension.rad {
+        return Fit::Fits;
+    }
+    match (wanted.is_angular(), found.dimension.is_angular()) {
+        (true, _) if bare => Fit::NoAngleUnit,
+        (true, _) | (_, true) => Fit::Wrong,
+        _ => Fit::Fits,
+    }
+}
+
+impl<'a> Resolver<'a> {
+    /// Is the value what its place expects?
+    pub(super) fn wanted(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        value: Value,
+        wanted: Wanted,
+    ) -> Eval<Value> {
+        match (wanted, &value) {
+            (Wanted::Anything, _) | (Wanted::Frame, Value::Frame(_)) | (Wanted::Body, Value::Body(_)) => Ok(value),
+            (Wanted::Frame, _) => Err(self.wrong_kind(scope, expr, "a frame", &value)),
+            (Wanted::Body, _) => Err(self.wrong_kind(scope, expr, "a body", &value)),
+            (Wanted::Number(dimension, reads), Value::Scalar(found, nature)) => {
+                self.fits(scope, expr, self.graph.is_zero(*found), *nature, dimension)?;
+                self.reads_only(scope, expr, nature.reads, reads)?;
+                Ok(Value::Scalar(*found, Nature::written(dimension, nature.reads)))
+            }
+            (Wanted::Number(..), _) => Err(self.wrong_kind(scope, expr, "a number", &value)),
+        }
+    }
+
+    /// A number of a dimension.
+    pub(super) fn eval_number(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        dimension: Dimension,
+        reads: Reads,
+    ) -> Eval<Expr> {
+        self.eval_quantity(scope, expr, dimension, reads).map(|(found, _)| found)
+    }
+
+    /// A number of a dimension, and what is known of it.
+    pub(super) fn eval_quantity(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        dimension: Dimension,
+        reads: Reads,
+    ) -> Eval<(Expr, Nature)> {
+        let (found, nature) = self.eval_scalar(scope, expr)?;
+        self.fits(scope, expr, self.graph.is_zero(found), nature, dimension)?;
+        self.reads_only(scope, expr, nature.reads, reads)?;
+        Ok((found, nature))
+    }
+
+    /// A vector of a dimension, and what it reads.
+    pub(super) fn eval_vector(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        dimension: Dimension,
+        reads: Reads,
+    ) -> Eval<([Expr; 2], Reads)> {
+        let value = self.eval(scope, expr)?;
+        let zero = self.graph.zero();
+        let (found, nature) = match value {
+            Value::Vector(found, nature) => (found, nature),
+            // `0` needs no unit, and no second component.
+            Value::Scalar(found, nature) if found == zero && nature.form == Form::Bare => ([zero, zero], nature),
+            other => return Err(self.wrong_kind(scope, expr, "a vector", &other)),
+        };
+        self.fits(scope, expr, found == [zero, zero], nature, dimension)?;
+        self.reads_only(scope, expr, nature.reads, reads)?;
+        Ok((found, nature.reads))
+    }
+
+    /// A number of any dimension.
+    pub(super) fn eval_scalar(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<(Expr, Nature)> {
+        match self.eval(scope, expr)? {
+            Value::Scalar(found, nature) => Ok((found, nature)),
+            other => Err(self.wrong_kind(scope, expr, "a number", &other)),
+        }
+    }
+
+    /// A whole number that is known now.
+    pub(super) fn eval_int(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<i64> {
+        let (found, nature) = self.eval_scalar(scope, expr)?;
+        let number = self.graph.as_number(found).and_then(plm_cas::Number::as_int);
+        match number.filter(|_| nature.dimension == Dimension::NUMBER) {
+            Some(number) => Ok(number),
+            None => {
+                self.error(scope, Code::NotInteger, expr.span, "a whole number is expected that is known here");
+                Err(Failed)
+            }
+        }
+    }
+
+    pub(super) fn wrong_kind(
+        &mut self,
+        scope: ScopeId,
+        expr: &ast::Expr,
+        wanted: &str,
+        found: &Value,
+    ) -> Failed {
+        let ports = match found {
+            Value::Body(body) if wanted == "a frame" => self.port_names(*body),
+            _ => Vec::new(),
+        };
+        let message = format!("expected {wanted}, found {}", found.kind());
+        let diagnostic = self.error(scope, Code::WrongKind, expr.span, message);
+        if !ports.is_empty() {
+            diagnostic.help(format!("name one of its ports: {}", ports.join(", ")));
+        }
+        Failed
+    }
+
+    fn fits(
+        &mut self,
+        scope: ScopeId,
+        expr: &ast::Expr,
+        is_zero: bool,
+        found: Nature,
+        wanted: Dimension,
+    ) -> Eval<()> {
+        let text = literal_text(expr);
+        let expected = wanted.describe();
+        let (code, message, help) = match fit(wanted, found, is_zero) {
+            Fit::Fits => return Ok(()),
+            Fit::Wrong => {
+                let found = match text {
+                    Some(text) => format!("{text}, {}", found.dimension.name()),
+                    None => found.dimension.describe(),
+                };
+                (Code::WrongDimension, format!("expected {expected}, found {found}"), None)
+            }
+            Fit::NoUnit => {
+                let text = text.unwrap_or_else(|| "a number".to_string());
+                let help = format!("write its unit: `{} {}`", blank(&text), wanted.si_unit());
+                (Code::MissingUnit, format!("expected {expected}, found {text} without a unit"), Some(help))
+            }
+            Fit::NoAngleUnit => {
+                let text = text.unwrap_or_else(|| "a number".to_string());
+                let per = wanted.si_unit().replacen("rad", "", 1);
+                let number = blank(&text);
+                let help = format!("say what it is: `{number} deg{per}`, `{number} rad{per}` or `{number} rev{per}`");
+                (Code::MissingAngleUnit, format!("expected {expected}, found {text} without a unit"), Some(help))
+            }
+        };
+        let diagnostic = self.error(scope, code, expr.span, message);
+        if let Some(help) = help {
+            diagnostic.help(help);
+        }
+        Err(Failed)
+    }
+
+    fn reads_only(&mut self, scope: ScopeId, expr: &ast::Expr, reads: Reads, allowed: Reads) -> Eval<()> {
+        let beyond = reads.beyond(allowed);
+        if beyond == Reads::NOTHING {
+            return Ok(());
+        }
+        let is_feedback = allowed == Reads::CAUSES;
+        let code = if is_feedback { Code::Feedback } else { Code::NotConstant };
+        let message = format!("this reads {}", beyond.describe());
+        let note = if is_feedback {
+            "accelerations and reactions are unknowns of the equations of motion: outputs may read them, forces and \
+             rates may not yet"
+                .to_string()
+        } else {
+            format!("what stands here may read {}", allowed.describe())
+        };
+        self.error(scope, code, expr.span, message).note(note);
+        Err(Failed)
+    }
+}
+
+/// A literal as it was written, as nearly as is worth it: `30 deg`, `-0.5`.
+pub(super) fn literal_text(expr: &ast::Expr) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Number(number) => Some(number.to_f64().to_string()),
+        ExprKind::Quantity(number, unit) => Some(format!("{} {}", literal_text(number)?, unit.text)),
+        ExprKind::Neg(inner) => Some(format!("-{}", literal_text(inner)?)),
+        ExprKind::Pair(x, y) => Some(format!("({}, {})", literal_text(x)?, literal_text(y)?)),
+        _ => None,
+    }
+}
+
+/// What to show in an example where there is no literal to repeat.
+fn blank(text: &str) -> &str {
+    if text.starts_with("a ") { "1" } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fit, fit};
+    use crate::resolve::value::{Form, Nature, Reads};
+    use crate::units::Dimension;
+
+    #[test]
+    fn angles_must_say_so_where_they_are_written() {
+        let number = |form| Nature { dimension: Dimension::NUMBER, form, reads: Reads::NOTHING };
+        assert_eq!(fit(Dimension::ANGLE, number(Form::Bare), false), Fit::NoAngleUnit);
+        assert_eq!(fit(Dimension::ANGLE, number(Form::Bare), true), Fit::Fits);
+        assert_eq!(fit(Dimension::ANGLE, number(Form::Derived), false), Fit::Fits);
+        assert_eq!(fit(Dimension::LENGTH, number(Form::Bare), false), Fit::NoUnit);
+        let angle = Nature::written(Dimension::ANGLE, Reads::NOTHING);
+        assert_eq!(fit(Dimension::NUMBER, angle, false), Fit::Wrong);
+        assert_eq!(fit(Dimension::LENGTH, angle, false), Fit::Wrong);
+        let torque = Nature::written(Dimension::TORQUE, Reads::NOTHING);
+        assert_eq!(fit(Dimension::TORQUE.over(Dimension::ANGLE), torque, false), Fit::Fits);
+    }
+}

@@ -1,0 +1,224 @@
+//! Expressions: names, members, operators, conditions.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Condition, Eval, Failed, Form, Nature, Reads, Value};
+use crate::diag::Code;
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind, Link, Operator};
+use crate::units::{Dimension, DisplayUnit};
+
+/// Definitions and expressions may need each other this deeply.
+const MAX_DEPTH: u32 = 200;
+
+impl<'a> Resolver<'a> {
+    /// The value of an expression.
+    pub(super) fn eval(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
+        if self.depth >= MAX_DEPTH {
+            let message = format!("definitions need each other more than {MAX_DEPTH} levels deep");
+            self.error(scope, Code::TooDeep, expr.span, message);
+            return Err(Failed);
+        }
+        self.depth += 1;
+        let value = self.eval_kind(scope, expr);
+        self.depth -= 1;
+        value
+    }
+
+    fn eval_kind(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
+        match &expr.kind {
+            ExprKind::Number(number) => Ok(Value::Scalar(self.graph.number(*number), Nature::BARE)),
+            ExprKind::Quantity(inner, unit) => self.quantity(scope, inner, unit),
+            ExprKind::Pair(x, y) => self.pair(scope, expr.span, x, y),
+            ExprKind::Name(name) => self.lookup(scope, name),
+            ExprKind::Path(base, members) => {
+                let mut value = self.eval(scope, base)?;
+                for member in members {
+                    value = self.member(scope, &value, member)?;
+                }
+                Ok(value)
+            }
+            ExprKind::Call(function, arguments) => self.call(scope, expr.span, function, arguments),
+            ExprKind::Neg(inner) => {
+                let value = self.eval(scope, inner)?;
+                self.negative(scope, inner, value)
+            }
+            ExprKind::Not(inner) => {
+                let (condition, reads) = self.condition(scope, inner)?;
+                Ok(Value::Condition(Condition::Not(Box::new(condition)), reads))
+            }
+            ExprKind::Power(base, exponent) => self.power(scope, base, exponent),
+            ExprKind::Chain(first, links) => self.chain(scope, first, links),
+            ExprKind::If(condition, yes, no) => self.choose(scope, expr.span, condition, yes, no),
+        }
+    }
+
+    /// A literal with a unit, in SI.
+    fn quantity(&mut self, scope: ScopeId, inner: &'a ast::Expr, unit: &DisplayUnit) -> Eval<Value> {
+        let value = self.eval(scope, inner)?;
+        Ok(match value {
+            Value::Scalar(number, nature) => {
+                let nature = Nature::written(unit.dimension, nature.reads);
+                Value::Scalar(self.graph.scale(unit.factor, number), nature)
+            }
+            Value::Vector(pair, nature) => {
+                if nature.dimension != Dimension::NUMBER {
+                    let message = format!("a unit behind the pair, but its components are {}", nature.dimension.describe());
+                    self.error(scope, Code::BadUnit, inner.span, message);
+                    return Err(Failed);
+                }
+                let pair = pair.map(|component| self.graph.scale(unit.factor, component));
+                Value::Vector(pair, Nature::written(unit.dimension, nature.reads))
+            }
+            other => return Err(self.wrong_kind(scope, inner, "a number", &other)),
+        })
+    }
+
+    fn pair(&mut self, scope: ScopeId, span: Span, x: &'a ast::Expr, y: &'a ast::Expr) -> Eval<Value> {
+        let (x, y) = (self.eval_scalar(scope, x), self.eval_scalar(scope, y));
+        let ((x, of_x), (y, of_y)) = (x?, y?);
+        let nature = self.joined(scope, span, (&[x], of_x), (&[y], of_y))?;
+        Ok(Value::Vector([x, y], nature))
+    }
+
+    fn negative(&mut self, scope: ScopeId, inner: &'a ast::Expr, value: Value) -> Eval<Value> {
+        Ok(match value {
+            Value::Scalar(x, nature) => Value::Scalar(self.graph.neg(x), nature),
+            Value::Vector(pair, nature) => Value::Vector(pair.map(|x| self.graph.neg(x)), nature),
+            other => return Err(self.wrong_kind(scope, inner, "a number or a vector", &other)),
+        })
+    }
+
+    /// Powers have whole exponents, so that dimensions and derivatives stay simple.
+    fn power(&mut self, scope: ScopeId, base: &'a ast::Expr, exponent: &'a ast::Expr) -> Eval<Value> {
+        let (x, nature) = self.eval_scalar(scope, base)?;
+        let (n, _) = self.eval_scalar(scope, exponent)?;
+        let n = self.graph.as_number(n).and_then(plm_cas::Number::as_int).and_then(|n| i32::try_from(n).ok());
+        let Some(n) = n.filter(|n| n.abs() <= 100) else {
+            self.error(scope, Code::NotInteger, exponent.span, "an exponent is a whole number that is known here")
+                .help("for a square root there is `sqrt(x)`, for anything else `exp(a*ln(x))`");
+            return Err(Failed);
+        };
+        if n < 0 && self.graph.is_zero(x) {
+            return Err(self.division_by_zero(scope, base.span));
+        }
+        let nature = Nature { dimension: nature.dimension.power(n), ..nature };
+        Ok(Value::Scalar(self.graph.powi(x, n), nature))
+    }
+
+    fn chain(&mut self, scope: ScopeId, first: &'a ast::Expr, links: &'a [Link]) -> Eval<Value> {
+        let operator = links.first().map_or(Operator::Add, |link| link.operator);
+        match operator {
+            Operator::And | Operator::Or => return self.logic(scope, first, links, operator),
+            Operator::Add | Operator::Sub | Operator::Mul | Operator::Div => {}
+            _ => return self.comparison(scope, first, links),
+        }
+        let mut left = self.eval(scope, first);
+        let mut span = first.span;
+        for link in links {
+            // Both sides are evaluated, so that the mistakes of both are shown.
+            let right = self.eval(scope, &link.operand);
+            let whole = span.to(link.operand.span);
+            left = match (left, right) {
+                (Ok(left), Ok(right)) => self.operate(scope, whole, link, left, right),
+                _ => Err(Failed),
+            };
+            span = whole;
+        }
+        left
+    }
+
+    fn operate(&mut self, scope: ScopeId, span: Span, link: &Link, left: Value, right: Value) -> Eval<Value> {
+        let kinds = (left.kind(), right.kind());
+        match (link.operator, left, right) {
+            (Operator::Mul, Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
+                let nature = of_a.scaled(of_b, of_a.dimension.times(of_b.dimension));
+                Ok(Value::Scalar(self.graph.mul(a, b), nature))
+            }
+            (Operator::Mul, Value::Scalar(a, of_a), Value::Vector(v, of_v))
+            | (Operator::Mul, Value::Vector(v, of_v), Value::Scalar(a, of_a)) => {
+                let nature = of_a.scaled(of_v, of_a.dimension.times(of_v.dimension));
+                Ok(Value::Vector(v.map(|x| self.graph.mul(a, x)), nature))
+            }
+            (Operator::Div, _, Value::Scalar(b, _)) if self.graph.is_zero(b) => {
+                Err(self.division_by_zero(scope, link.operand.span))
+            }
+            (Operator::Div, Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
+                let nature = of_a.scaled(of_b, of_a.dimension.over(of_b.dimension));
+                Ok(Value::Scalar(self.graph.div(a, b), nature))
+            }
+            (Operator::Div, Value::Vector(v, of_v), Value::Scalar(b, of_b)) => {
+                let nature = of_v.scaled(of_b, of_v.dimension.over(of_b.dimension));
+                Ok(Value::Vector(v.map(|x| self.graph.div(x, b)), nature))
+            }
+            (operator @ (Operator::Add | Operator::Sub), Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
+                let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
+                Ok(Value::Scalar(self.plus_minus(operator, a, b), nature))
+            }
+            (operator @ (Operator::Add | Operator::Sub), Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
+                let nature = self.joined(scope, span, (&a, of_a), (&b, of_b))?;
+                let sum = [0, 1].map(|i| self.plus_minus(operator, a[i], b[i]));
+                Ok(Value::Vector(sum, nature))
+            }
+            (operator, ..) => {
+                let message = format!("`{}` does not join {} and {}", operator.text(), kinds.0, kinds.1);
+                let is_product = operator == Operator::Mul && kinds == ("a vector", "a vector");
+                let diagnostic = self.error(scope, Code::WrongKind, span, message);
+                if is_product {
+                    diagnostic.help("there are `dot(u, v)` and `cross(u, v)`");
+                }
+                Err(Failed)
+            }
+        }
+    }
+
+    fn plus_minus(&mut self, operator: Operator, a: Expr, b: Expr) -> Expr {
+        if operator == Operator::Sub { self.graph.sub(a, b) } else { self.graph.add(a, b) }
+    }
+
+    fn division_by_zero(&mut self, scope: ScopeId, span: Span) -> Failed {
+        self.error(scope, Code::DivisionByZero, span, "this is zero, and something is divided by it");
+        Failed
+    }
+
+    /// The nature of a sum, a comparison, a minimum: both sides must have one dimension.
+    pub(super) fn joined(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        left: (&[Expr], Nature),
+        right: (&[Expr], Nature),
+    ) -> Eval<Nature> {
+        let ((a, of_a), (b, of_b)) = (left, right);
+        let is_bare_zero =
+            |xs: &[Expr], of: Nature| of.form == Form::Bare && xs.iter().all(|x| self.graph.is_zero(*x));
+        if is_bare_zero(a, of_a) {
+            return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_b });
+        }
+        if is_bare_zero(b, of_b) {
+            return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_a });
+        }
+        if of_a.dimension.same(of_b.dimension) {
+            let bare_angle = |bare: Nature, other: Nature| bare.form == Form::Bare && other.dimension.is_angular();
+            if bare_angle(of_a, of_b) || bare_angle(of_b, of_a) {
+                self.error(scope, Code::MissingAngleUnit, span, "an angle and a number without a unit")
+                    .help("a literal that is an angle says deg, rad or rev");
+                return Err(Failed);
+            }
+            return Ok(of_a.joined(of_b));
+        }
+        let message = format!("{} and {} do not go together", of_a.dimension.describe(), of_b.dimension.describe());
+        self.error(scope, Code::MixedDimensions, span, message);
+        Err(Failed)
+    }
+
+    /// A condition.
+    pub(super) fn condition(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<(Condition, Reads)> {
+        match self.eval(scope, expr)? {
+            Value::Condition(condition, reads) => Ok((condition, reads)),
+            other => Err(self.wrong_kind(scope, expr, "a condition", &other)),
+        }
+    }
+}

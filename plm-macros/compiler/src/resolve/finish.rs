@@ -1,0 +1,224 @@
+//! The model from all that was evaluated.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::value::{Eval, Failed, Reads, Value, all};
+use crate::diag::Code;
+use crate::model::{Body, FrameRef, Input, Load, Model, Name, Output, Param, Port, Row, Stabilisation, State};
+use crate::syntax::ast::{self, Mechanism};
+use crate::units::{Dimension, DisplayUnit};
+
+impl<'a> Resolver<'a> {
+    /// Evaluates what is left and puts the model together. `None` if there is an error.
+    pub(super) fn finish(mut self, declaration: &ast::Declaration, mechanism: &Mechanism) -> Option<Model> {
+        let params = self.finish_params();
+        let inputs = self.finish_inputs();
+        let gravity = self.finish_gravity();
+        let stabilisation = self.finish_stabilisation();
+        let bodies = self.finish_bodies();
+        let ground = self.finish_ports(None);
+        let rows = self.finish_rows();
+        let mut loads = self.evaluate_loads();
+        let mut states = self.finish_states();
+        let mut outputs = self.evaluate_outputs();
+        self.put_rates(&mut states, &mut loads, &mut outputs);
+        if self.sink.has_errors() {
+            return None;
+        }
+        Some(Model {
+            name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
+            visibility: mechanism.visibility.clone(),
+            docs: mechanism.docs.clone(),
+            crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
+            graph: self.graph,
+            time: self.time,
+            gravity: gravity.ok()?,
+            stabilisation: stabilisation.ok()?,
+            params: params.ok()?,
+            inputs: inputs.ok()?,
+            bodies: bodies.ok()?,
+            ground: ground.ok()?,
+            parts: self.parts,
+            rows: rows.ok()?,
+            loads,
+            states,
+            outputs,
+            allowed: self.allowed,
+        })
+    }
+
+    /// Defaults of parameters may read parameters that stand above them.
+    fn finish_params(&mut self) -> Eval<Vec<Param>> {
+        let states = std::mem::take(&mut self.params);
+        all(states.into_iter().map(|state| {
+            let default = self.default_of(&state)?;
+            if self.graph.symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
+                let message = format!("the default of `{}` reads a parameter that stands below it", state.name.text);
+                self.error(state.scope, Code::NotConstant, state.name.span, message);
+            }
+            let docs = state.docs.to_vec();
+            Ok(Param { name: state.name, symbol: state.symbol, default, unit: state.unit, docs })
+        }))
+    }
+
+    fn finish_inputs(&mut self) -> Eval<Vec<Input>> {
+        let states = std::mem::take(&mut self.inputs);
+        all(states.into_iter().map(|state| {
+            let default = self.default_of(&state)?;
+            let docs = state.docs.to_vec();
+            Ok(Input { name: state.name, symbol: state.symbol, default, unit: state.unit, docs })
+        }))
+    }
+
+    fn default_of(&mut self, state: &super::ValueState<'a>) -> Eval<Expr> {
+        match &state.ast.value {
+            Some(expr) => self.eval_number(state.scope, expr, state.unit.dimension, Reads::FIXED),
+            None => Ok(self.graph.zero()),
+        }
+    }
+
+    fn finish_gravity(&mut self) -> Eval<Expr> {
+        let span = self.slots[self.gravity].span;
+        match self.force(self.gravity, 0, span)? {
+            Value::Scalar(gravity, _) => Ok(gravity),
+            _ => Err(Failed),
+        }
+    }
+
+    fn finish_stabilisation(&mut self) -> Eval<Stabilisation> {
+        let Some((method, time)) = self.stabilisation else { return Ok(Stabilisation::Projection) };
+        match time {
+            None if method.text == "projection" => Ok(Stabilisation::Projection),
+            // The time constant that the manual's own integrator was found to need (issue 2, point 5).
+            None => {
+                let tenth = plm_cas::Number::rational(1, 10).ok_or(Failed)?;
+                Ok(Stabilisation::Baumgarte(self.graph.number(tenth)))
+            }
+            Some(time) if method.text == "projection" => {
+                self.error(0, Code::UnexpectedToken, time.span, "projection has no time constant");
+                Err(Failed)
+            }
+            Some(time) => {
+                self.eval_number(0, time, Dimension::TIME, Reads::FIXED).map(Stabilisation::Baumgarte)
+            }
+        }
+    }
+
+    fn finish_bodies(&mut self) -> Eval<Vec<Body>> {
+        all((0..self.bodies.len()).map(|body| self.finish_body(body)))
+    }
+
+    fn finish_body(&mut self, body: usize) -> Eval<Body> {
+        let mass = self.body_quantity(body, "mass", Dimension::MASS);
+        let inertia = self.body_quantity(body, "inertia", Dimension::INERTIA);
+        let starts = self.starts(body);
+        let ports = self.finish_ports(Some(body));
+        let placement = self.placement(body)?;
+        let zero = self.graph.zero();
+        let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
+        let [x, y, angle, vx, vy, omega] = starts?;
+        let state = &self.bodies[body];
+        Ok(Body {
+            name: state.name.clone(),
+            mass,
+            mass_span,
+            inertia,
+            inertia_span,
+            q: state.q,
+            v: state.v,
+            a: state.a,
+            centre: if placement.drawing { [zero, zero] } else { placement.centre },
+            ports: ports?,
+            start: [x, y, angle],
+            start_velocity: [vx, vy, omega],
+        })
+    }
+
+    fn finish_ports(&mut self, body: Option<usize>) -> Eval<Vec<Port>> {
+        let count = body.map_or(self.ground.len(), |body| self.bodies[body].ports.len());
+        all((0..count).map(|port| {
+            let frame = FrameRef { body, port };
+            let geometry = self.frame(frame)?;
+            let state = self.port(frame);
+            let name = Name { text: state.ast.name.text.clone(), span: state.ast.name.span };
+            Ok(Port { name, at: geometry.local, angle: geometry.turn, used: state.used })
+        }))
+    }
+
+    fn finish_rows(&mut self) -> Eval<Vec<Row>> {
+        all((0..self.rows.len()).map(|row| {
+            let residual = self.row(row)?;
+            let state = &self.rows[row];
+            Ok(Row {
+                name: state.name.clone(),
+                part: state.part,
+                phi: residual.phi,
+                lambda: state.lambda,
+                span: state.span,
+                unit: DisplayUnit::si(residual.dimension),
+            })
+        }))
+    }
+
+    fn finish_states(&mut self) -> Vec<State> {
+        self.assign_rates();
+        let mut states = Vec::with_capacity(self.states.len());
+        for k in 0..self.states.len() {
+            let (ast, scope, unit) = (self.states[k].ast, self.states[k].scope, self.states[k].unit.clone());
+            let name = self.states[k].name.clone();
+            let start = match &ast.value {
+                Some(expr) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
+                None => Ok(self.graph.zero()),
+            };
+            let Some((scope, rate, _)) = self.states[k].rate else {
+                let text = &ast.name.ident.text;
+                let message = format!("the state `{}` has no rate", name.text);
+                self.error(scope, Code::StateRate, name.span, message).help(format!("write `rate {text} = …;`"));
+                continue;
+            };
+            let dimension = unit.dimension.over(Dimension::TIME);
+            let rate = self.eval_number(scope, rate, dimension, Reads::CAUSES);
+            if let (Ok(start), Ok(rate)) = (start, rate) {
+                states.push(State { name, symbol: self.states[k].symbol, rate, start, unit });
+            }
+        }
+        states
+    }
+
+    /// Puts the rates of states where `rate(state)` stood for them.
+    fn put_rates(&mut self, states: &mut [State], loads: &mut [Load], outputs: &mut [Output]) {
+        if states.is_empty() || states.len() < self.states.len() {
+            return;
+        }
+        let stand_ins: Vec<Expr> = self.states.iter().map(|state| state.stand_in).collect();
+        // A rate may hold the rate of another state: as many rounds as there are states reach the last in a row.
+        let mut rates: Vec<Expr> = states.iter().map(|state| state.rate).collect();
+        for _ in 0..stand_ins.len() {
+            let pairs: Vec<(Expr, Expr)> = stand_ins.iter().copied().zip(rates.iter().copied()).collect();
+            let next = self.graph.substitute(&rates, &pairs);
+            if next == rates {
+                break;
+            }
+            rates = next;
+        }
+        if let Some(k) = (0..rates.len()).find(|k| self.holds_any(rates[*k], &stand_ins)) {
+            let message = format!("the rate of `{}` needs itself", states[k].name.text);
+            self.error(0, Code::Cycle, states[k].name.span, message);
+            return;
+        }
+        let pairs: Vec<(Expr, Expr)> = stand_ins.iter().copied().zip(rates.iter().copied()).collect();
+        let mut places: Vec<&mut Expr> = Vec::new();
+        places.extend(states.iter_mut().map(|state| &mut state.rate));
+        places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
+        places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
+        let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
+        for (place, root) in places.into_iter().zip(self.graph.substitute(&roots, &pairs)) {
+            *place = root;
+        }
+    }
+
+    fn holds_any(&self, expr: Expr, symbols: &[Expr]) -> bool {
+        self.graph.symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
+    }
+}

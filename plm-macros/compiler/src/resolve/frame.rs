@@ -1,0 +1,151 @@
+//! Frames: where the ports of bodies and of the ground are.
+//!
+//! A point P of a body with its centre of gravity at G stands at `x_G + c px - s py`, `y_G + s px + c py` with
+//! `c = cos(theta)`, `s = sin(theta)` (manual, section 4.2.2.1, relations (a) to (d)). Built from one pair `c, s` per
+//! body, so that all that is derived from it shares them.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::function::{in_axes, turn};
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Lazy, Reads};
+use crate::diag::Code;
+use crate::model::FrameRef;
+use crate::syntax::ast;
+use crate::units::Dimension;
+
+/// A port on the way from its declaration to its frame.
+#[derive(Debug)]
+pub(super) struct PortState<'a> {
+    pub(super) ast: &'a ast::Port,
+    pub(super) scope: ScopeId,
+    pub(super) used: bool,
+    pub(super) frame: Lazy<FrameGeometry>,
+}
+
+/// Where a frame is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FrameGeometry {
+    /// From G in the axes of the body; on the ground from the origin.
+    pub(super) local: [Expr; 2],
+    /// Angle against the body.
+    pub(super) turn: Expr,
+    /// From G in absolute axes.
+    pub(super) arm: [Expr; 2],
+    /// Absolute.
+    pub(super) position: [Expr; 2],
+    /// Absolute.
+    pub(super) angle: Expr,
+    /// Unit vector along its x axis.
+    pub(super) axis: [Expr; 2],
+    /// What all this depends on.
+    pub(super) reads: Reads,
+}
+
+/// Where the origin of a body's coordinates is, and how they are turned.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placement {
+    /// Are they those of the assembled drawing (manual, section 4.3.2: absolute)?
+    pub(super) drawing: bool,
+    /// Angle of the body in the drawing.
+    pub(super) drawing_angle: Expr,
+    /// G as it was written.
+    pub(super) centre: [Expr; 2],
+}
+
+impl<'a> Resolver<'a> {
+    /// The frame of a port, worked out at its first use.
+    pub(super) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
+        let port = self.port(frame);
+        let (ast, scope) = (port.ast, port.scope);
+        match std::mem::replace(&mut port.frame, Lazy::Busy) {
+            Lazy::Known(geometry) => {
+                self.port(frame).frame = Lazy::Known(geometry);
+                return Ok(geometry);
+            }
+            Lazy::Failed => {
+                self.port(frame).frame = Lazy::Failed;
+                return Err(Failed);
+            }
+            Lazy::Busy => {
+                self.error(scope, Code::Cycle, ast.name.span, "the place of this port needs itself");
+                return Err(Failed);
+            }
+            Lazy::Waiting => {}
+        }
+        let geometry = match frame.body {
+            Some(body) => self.body_frame(body, scope, ast),
+            None => self.ground_frame(scope, ast),
+        };
+        self.port(frame).frame = geometry.map_or(Lazy::Failed, Lazy::Known);
+        geometry
+    }
+
+    pub(super) fn port(&mut self, frame: FrameRef) -> &mut PortState<'a> {
+        match frame.body {
+            Some(body) => &mut self.bodies[body].ports[frame.port],
+            None => &mut self.ground[frame.port],
+        }
+    }
+
+    pub(super) fn port_index(&self, body: Option<usize>, name: &str) -> Option<usize> {
+        let ports = match body {
+            Some(body) => &self.bodies[body].ports,
+            None => &self.ground,
+        };
+        ports.iter().position(|port| port.ast.name.text == name)
+    }
+
+    pub(super) fn port_names(&self, body: Option<usize>) -> Vec<String> {
+        let ports = match body {
+            Some(body) => &self.bodies[body].ports,
+            None => &self.ground,
+        };
+        ports.iter().map(|port| port.ast.name.text.clone()).collect()
+    }
+
+    /// Position and angle of a port as they were written.
+    fn written(&mut self, scope: ScopeId, port: &'a ast::Port, reads: Reads) -> Eval<([Expr; 2], Expr, Reads)> {
+        let at = self.eval_vector(scope, &port.at, Dimension::LENGTH, reads);
+        let angle = match &port.angle {
+            Some(angle) => self.eval_quantity(scope, angle, Dimension::ANGLE, reads).map(|(x, of)| (x, of.reads)),
+            None => Ok((self.graph.zero(), Reads::NOTHING)),
+        };
+        let ((at, of_at), (angle, of_angle)) = (at?, angle?);
+        Ok((at, angle, of_at.and(of_angle)))
+    }
+
+    /// A port of the ground may move as the time goes.
+    fn ground_frame(&mut self, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
+        let (at, angle, reads) = self.written(scope, port, Reads::SCHEDULED)?;
+        let axis = [self.graph.cos(angle), self.graph.sin(angle)];
+        Ok(FrameGeometry { local: at, turn: angle, arm: at, position: at, angle, axis, reads })
+    }
+
+    fn body_frame(&mut self, body: usize, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
+        let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
+        let placement = self.placement(body)?;
+        let graph = &mut self.graph;
+        let from_centre = [0, 1].map(|i| graph.sub(at[i], placement.centre[i]));
+        let local = if placement.drawing {
+            let back = graph.neg(placement.drawing_angle);
+            turn(graph, from_centre, back)
+        } else {
+            from_centre
+        };
+        let state = &self.bodies[body];
+        let (q, body_axis) = (state.q, state.axis);
+        let arm = in_axes(graph, body_axis, local);
+        let own_axis = [graph.cos(alpha), graph.sin(alpha)];
+        Ok(FrameGeometry {
+            local,
+            turn: alpha,
+            arm,
+            position: [0, 1].map(|i| graph.add(q[i], arm[i])),
+            angle: graph.add(q[2], alpha),
+            axis: in_axes(graph, body_axis, own_axis),
+            reads: Reads::POSITION,
+        })
+    }
+}

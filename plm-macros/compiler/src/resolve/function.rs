@@ -1,0 +1,302 @@
+//! The functions of the language.
+
+use plm_cas::{Expr, Graph, Number};
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Form, Nature, Reads, Value};
+use crate::diag::{Code, help_similar};
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind, Ident};
+use crate::units::Dimension;
+
+/// Names and numbers of arguments; `usize::MAX` is any number.
+const FUNCTIONS: &[(&str, usize, usize)] = &[
+    ("abs", 1, 1),
+    ("sign", 1, 1),
+    ("min", 2, usize::MAX),
+    ("max", 2, usize::MAX),
+    ("clamp", 3, 3),
+    ("sqrt", 1, 1),
+    ("exp", 1, 1),
+    ("ln", 1, 1),
+    ("sin", 1, 1),
+    ("cos", 1, 1),
+    ("tan", 1, 1),
+    ("asin", 1, 1),
+    ("acos", 1, 1),
+    ("atan2", 2, 2),
+    ("table", 3, usize::MAX),
+    ("dot", 2, 2),
+    ("cross", 2, 2),
+    ("norm", 1, 1),
+    ("turn", 2, 2),
+    ("rate", 1, 1),
+    ("reaction", 1, 2),
+];
+
+impl<'a> Resolver<'a> {
+    pub(super) fn call(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        function: &Ident,
+        arguments: &'a [ast::Expr],
+    ) -> Eval<Value> {
+        let name = function.text.as_str();
+        let Some((_, least, most)) = FUNCTIONS.iter().find(|(known, ..)| *known == name) else {
+            let names: Vec<&str> = FUNCTIONS.iter().map(|(name, ..)| *name).collect();
+            let diagnostic =
+                self.error(scope, Code::UnknownFunction, function.span, format!("unknown function `{name}`"));
+            help_similar(diagnostic, name, "function", "functions", &names);
+            return Err(Failed);
+        };
+        if !(*least..=*most).contains(&arguments.len()) {
+            let wanted = if most > least { format!("{least} or more") } else { least.to_string() };
+            let message = format!("`{name}` takes {wanted} arguments, found {}", arguments.len());
+            self.error(scope, Code::WrongCount, span, message);
+            return Err(Failed);
+        }
+        match name {
+            "dot" | "cross" => self.vector_product(scope, name, arguments),
+            "norm" => self.norm(scope, &arguments[0]),
+            "turn" => self.turn(scope, &arguments[0], &arguments[1]),
+            "table" => self.table(scope, span, arguments),
+            "rate" => self.rate_of(scope, &arguments[0]),
+            "reaction" => self.reaction(scope, arguments),
+            "min" | "max" | "clamp" | "atan2" => self.of_one_dimension(scope, span, name, arguments),
+            _ => self.of_one_argument(scope, name, &arguments[0]),
+        }
+    }
+
+    fn of_one_argument(&mut self, scope: ScopeId, name: &str, argument: &'a ast::Expr) -> Eval<Value> {
+        let wanted = match name {
+            "sin" | "cos" | "tan" => Some(Dimension::ANGLE),
+            "exp" | "ln" | "asin" | "acos" => Some(Dimension::NUMBER),
+            _ => None,
+        };
+        let (x, nature) = match wanted {
+            Some(dimension) => self.eval_quantity(scope, argument, dimension, Reads::ALL)?,
+            None => self.eval_scalar(scope, argument)?,
+        };
+        self.domain(scope, name, argument, x)?;
+        let dimension = match name {
+            "abs" => nature.dimension,
+            "asin" | "acos" => Dimension::ANGLE,
+            "sqrt" => self.root(scope, argument, nature)?,
+            _ => Dimension::NUMBER,
+        };
+        let form = match nature.form {
+            Form::Bare if dimension == Dimension::NUMBER => Form::Bare,
+            Form::Written if name == "abs" => Form::Written,
+            _ => Form::Derived,
+        };
+        Ok(Value::Scalar(function_of_one(&mut self.graph, name, x), Nature { dimension, form, ..nature }))
+    }
+
+    fn root(&mut self, scope: ScopeId, argument: &ast::Expr, nature: Nature) -> Eval<Dimension> {
+        nature.dimension.root().ok_or_else(|| {
+            let message = format!("{} has no square root", nature.dimension.describe());
+            self.error(scope, Code::WrongDimension, argument.span, message);
+            Failed
+        })
+    }
+
+    fn domain(&mut self, scope: ScopeId, name: &str, argument: &ast::Expr, x: Expr) -> Eval<()> {
+        let Some(value) = self.graph.as_number(x).map(Number::to_f64) else { return Ok(()) };
+        let (inside, domain) = match name {
+            "sqrt" => (value >= 0.0, "0 and above"),
+            "ln" => (value > 0.0, "above 0"),
+            "asin" | "acos" => (value.abs() <= 1.0, "-1 to 1"),
+            _ => return Ok(()),
+        };
+        if inside {
+            return Ok(());
+        }
+        let message = format!("`{name}` is defined for {domain}, found {value}");
+        self.error(scope, Code::OutOfDomain, argument.span, message);
+        Err(Failed)
+    }
+
+    /// Functions whose arguments have one dimension.
+    fn of_one_dimension(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        name: &str,
+        arguments: &'a [ast::Expr],
+    ) -> Eval<Value> {
+        let mut found = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            found.push(self.eval_scalar(scope, argument));
+        }
+        let found = found.into_iter().collect::<Eval<Vec<(Expr, Nature)>>>()?;
+        let (first, mut nature) = found[0];
+        for (x, of_x) in &found[1..] {
+            nature = self.joined(scope, span, (&[first], nature), (&[*x], *of_x))?;
+        }
+        let rest = found[1..].iter().map(|(x, _)| *x);
+        Ok(match name {
+            "clamp" => Value::Scalar(self.graph.clamp(first, found[1].0, found[2].0), nature),
+            "atan2" => {
+                let nature = Nature::derived(Dimension::ANGLE, nature.reads);
+                Value::Scalar(self.graph.atan2(first, found[1].0), nature)
+            }
+            "min" => Value::Scalar(rest.fold(first, |least, x| self.graph.min(least, x)), nature),
+            _ => Value::Scalar(rest.fold(first, |most, x| self.graph.max(most, x)), nature),
+        })
+    }
+
+    fn vector(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<([Expr; 2], Nature)> {
+        match self.eval(scope, expr)? {
+            Value::Vector(vector, nature) => Ok((vector, nature)),
+            other => Err(self.wrong_kind(scope, expr, "a vector", &other)),
+        }
+    }
+
+    /// `dot(u, v) = ux vx + uy vy`, `cross(u, v) = ux vy - uy vx`
+    fn vector_product(&mut self, scope: ScopeId, name: &str, arguments: &'a [ast::Expr]) -> Eval<Value> {
+        let (u, of_u) = self.vector(scope, &arguments[0])?;
+        let (v, of_v) = self.vector(scope, &arguments[1])?;
+        let product = if name == "dot" { dot(&mut self.graph, u, v) } else { cross(&mut self.graph, u, v) };
+        Ok(Value::Scalar(product, of_u.scaled(of_v, of_u.dimension.times(of_v.dimension))))
+    }
+
+    fn norm(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
+        let (v, nature) = self.vector(scope, argument)?;
+        let square = dot(&mut self.graph, v, v);
+        Ok(Value::Scalar(self.graph.sqrt(square), nature))
+    }
+
+    /// The vector turned by an angle, counter-clockwise.
+    fn turn(&mut self, scope: ScopeId, vector: &'a ast::Expr, angle: &'a ast::Expr) -> Eval<Value> {
+        let (v, of_v) = self.vector(scope, vector)?;
+        let (by, of_angle) = self.eval_quantity(scope, angle, Dimension::ANGLE, Reads::ALL)?;
+        let turned = turn(&mut self.graph, v, by);
+        Ok(Value::Vector(turned, of_v.scaled(of_angle, of_v.dimension)))
+    }
+
+    /// Straight lines between points `(x, y)`; the values at the ends are held.
+    fn table(&mut self, scope: ScopeId, span: Span, arguments: &'a [ast::Expr]) -> Eval<Value> {
+        let (x, of_x) = self.eval_scalar(scope, &arguments[0])?;
+        let mut points: Vec<(Expr, Expr)> = Vec::with_capacity(arguments.len() - 1);
+        let mut nature = None;
+        for point in &arguments[1..] {
+            let ExprKind::Pair(at, value) = &point.kind else {
+                self.error(scope, Code::BadTable, point.span, "a point of a table is a pair `(x, y)`");
+                return Err(Failed);
+            };
+            let (at_x, of_at) = self.eval_scalar(scope, at)?;
+            self.joined(scope, at.span, (&[x], of_x), (&[at_x], of_at))?;
+            self.reads_fixed(scope, at, of_at)?;
+            let (y, of_y) = self.eval_scalar(scope, value)?;
+            nature = Some(match (nature, points.last()) {
+                (Some(nature), Some((_, last))) => self.joined(scope, span, (&[*last], nature), (&[y], of_y))?,
+                _ => of_y,
+            });
+            points.push((at_x, y));
+        }
+        self.ascending(scope, span, &points)?;
+        let nature = nature.unwrap_or(Nature::BARE);
+        let value = interpolate(&mut self.graph, x, &points);
+        Ok(Value::Scalar(value, Nature::derived(nature.dimension, nature.reads.and(of_x.reads))))
+    }
+
+    fn reads_fixed(&mut self, scope: ScopeId, expr: &ast::Expr, nature: Nature) -> Eval<()> {
+        if nature.reads == Reads::NOTHING {
+            return Ok(());
+        }
+        self.error(scope, Code::BadTable, expr.span, "the x values of a table are constants");
+        Err(Failed)
+    }
+
+    fn ascending(&mut self, scope: ScopeId, span: Span, points: &[(Expr, Expr)]) -> Eval<()> {
+        let at = |of: &(Expr, Expr)| self.graph.as_number(of.0).map_or(f64::NAN, Number::to_f64);
+        if points.windows(2).all(|pair| at(&pair[0]) < at(&pair[1])) {
+            return Ok(());
+        }
+        self.error(scope, Code::BadTable, span, "the x values of a table ascend");
+        Err(Failed)
+    }
+
+    /// The multipliers of constraint rows of this part.
+    fn reaction(&mut self, scope: ScopeId, arguments: &'a [ast::Expr]) -> Eval<Value> {
+        let first = self.multiplier(scope, &arguments[0])?;
+        let Some(second) = arguments.get(1) else { return Ok(Value::Scalar(first.0, first.1)) };
+        let second = self.multiplier(scope, second)?;
+        let span = arguments[0].span.to(arguments[1].span);
+        let nature = self.joined(scope, span, (&[first.0], first.1), (&[second.0], second.1))?;
+        Ok(Value::Vector([first.0, second.0], nature))
+    }
+
+    /// A multiplier times its residual is an energy: that gives its dimension.
+    fn multiplier(&mut self, scope: ScopeId, row: &'a ast::Expr) -> Eval<(Expr, Nature)> {
+        let row = self.lookup_row(scope, row)?;
+        let dimension = self.row(row)?.dimension;
+        let dimension = Dimension::TORQUE.over(dimension).plain();
+        Ok((self.rows[row].lambda, Nature::derived(dimension, Reads::REACTION)))
+    }
+}
+
+fn function_of_one(graph: &mut Graph, name: &str, x: Expr) -> Expr {
+    match name {
+        "abs" => graph.abs(x),
+        "sign" => graph.sign(x),
+        "sqrt" => graph.sqrt(x),
+        "exp" => graph.exp(x),
+        "ln" => graph.ln(x),
+        "sin" => graph.sin(x),
+        "cos" => graph.cos(x),
+        "tan" => graph.tan(x),
+        "asin" => graph.asin(x),
+        _ => graph.acos(x),
+    }
+}
+
+/// `ux vx + uy vy`
+pub(super) fn dot(graph: &mut Graph, u: [Expr; 2], v: [Expr; 2]) -> Expr {
+    let (x, y) = (graph.mul(u[0], v[0]), graph.mul(u[1], v[1]));
+    graph.add(x, y)
+}
+
+/// `ux vy - uy vx`
+pub(super) fn cross(graph: &mut Graph, u: [Expr; 2], v: [Expr; 2]) -> Expr {
+    let (a, b) = (graph.mul(u[0], v[1]), graph.mul(u[1], v[0]));
+    graph.sub(a, b)
+}
+
+/// The vector turned by 90 degrees.
+pub(super) fn normal(graph: &mut Graph, v: [Expr; 2]) -> [Expr; 2] {
+    [graph.neg(v[1]), v[0]]
+}
+
+/// The vector turned by an angle.
+pub(super) fn turn(graph: &mut Graph, v: [Expr; 2], angle: Expr) -> [Expr; 2] {
+    let axis = [graph.cos(angle), graph.sin(angle)];
+    in_axes(graph, axis, v)
+}
+
+/// The vector whose components stand in axes that are turned: `axis` is their first unit vector.
+pub(super) fn in_axes(graph: &mut Graph, axis: [Expr; 2], v: [Expr; 2]) -> [Expr; 2] {
+    let [c, s] = axis;
+    let x = cross(graph, [c, s], [v[1], v[0]]);
+    let y = dot(graph, [s, c], v);
+    [x, y]
+}
+
+/// The two ends are held; between, the nearest segment below counts.
+fn interpolate(graph: &mut Graph, x: Expr, points: &[(Expr, Expr)]) -> Expr {
+    let mut value = points[points.len() - 1].1;
+    for segment in points.windows(2).rev() {
+        let ((x0, y0), (x1, y1)) = (segment[0], segment[1]);
+        let (rise, run) = (graph.sub(y1, y0), graph.sub(x1, x0));
+        let slope = graph.div(rise, run);
+        let along = graph.sub(x, x0);
+        let climb = graph.mul(slope, along);
+        let line = graph.add(y0, climb);
+        let below = graph.less(x, x1);
+        value = graph.select(below, line, value);
+    }
+    let before = graph.less(x, points[0].0);
+    graph.select(before, points[0].1, value)
+}

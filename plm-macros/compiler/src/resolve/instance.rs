@@ -1,0 +1,302 @@
+//! Parts in use.
+
+use std::borrow::Cow;
+
+use super::Resolver;
+use super::expect::Wanted;
+use super::scope::{ScopeId, SlotId, Thunk};
+use super::value::{Reads, Value};
+use crate::diag::{Code, help_similar};
+use crate::model::{FrameRef, Name, Pair, Part};
+use crate::span::Span;
+use crate::syntax::ast::{self, Definition, Instance, ItemKind};
+use crate::units::DisplayUnit;
+
+/// Parts may contain parts this deeply.
+const MAX_DEPTH: usize = 32;
+
+/// A part in use.
+#[derive(Debug)]
+pub(super) struct InstanceState<'a> {
+    pub(super) definition: &'a Definition,
+    pub(super) ast: &'a Instance,
+    /// Full path, `arm.spring`.
+    pub(super) name: String,
+    /// The name, where it is used.
+    pub(super) span: Span,
+    /// Its inside.
+    pub(super) scope: ScopeId,
+    /// The scope that uses it.
+    pub(super) outer: ScopeId,
+    /// The part of the mechanism that it is, or belongs to.
+    part: usize,
+    /// Is it that part itself?
+    is_top: bool,
+    arguments: Vec<SlotId>,
+}
+
+impl<'a> Resolver<'a> {
+    pub(super) fn declare_instance(&mut self, scope: ScopeId, ast: &'a Instance, part: Option<usize>) {
+        if self.needs_index(scope, &ast.name) {
+            return;
+        }
+        let Ok(key) = self.key(scope, &ast.name) else { return };
+        let Some(definition) = self.library.get(&ast.kind.text) else {
+            self.unknown_part(scope, ast);
+            // What reads it has been told already.
+            let slot = self.failed_slot(ast.name.ident.span);
+            self.bind(scope, &ast.name.ident, key, slot);
+            return;
+        };
+        if !self.may_contain(scope, ast, definition) {
+            return;
+        }
+        let name = format!("{}{key}", self.prefix(scope));
+        let span = ast.name.ident.span;
+        let id = self.instances.len();
+        let index = part.unwrap_or_else(|| self.new_part(&name, span, definition));
+        let inside = self.new_scope(None, Some(id));
+        self.instances.push(InstanceState {
+            definition,
+            ast,
+            name,
+            span,
+            scope: inside,
+            outer: scope,
+            part: index,
+            is_top: part.is_none(),
+            arguments: Vec::new(),
+        });
+        let slot = self.known_slot(span, Value::Instance(id));
+        self.bind(scope, &ast.name.ident, key, slot);
+        self.bind_arguments(id, inside);
+        self.check_fields(id);
+        self.declare(&definition.items, inside, Some(index));
+        self.check_outputs(definition, inside);
+    }
+
+    fn unknown_part(&mut self, scope: ScopeId, ast: &Instance) {
+        let kind = &ast.kind.text;
+        let names: Vec<&str> = self.library.kinds().collect();
+        let diagnostic = self.error(scope, Code::UnknownPart, ast.kind.span, format!("unknown part `{kind}`"));
+        help_similar(diagnostic, kind, "part", "parts", &names);
+    }
+
+    /// A part must not contain itself, nor nest without bound.
+    fn may_contain(&mut self, scope: ScopeId, ast: &Instance, definition: &'a Definition) -> bool {
+        let mut depth = 0;
+        let mut outer = self.scopes[self.home(scope)].instance;
+        while let Some(instance) = outer {
+            let around = self.instances[instance].definition;
+            depth += 1;
+            if std::ptr::eq(around, definition) {
+                let message = format!("the part `{}` contains itself", definition.name.text);
+                self.error(scope, Code::Cycle, ast.kind.span, message);
+                return false;
+            }
+            outer = self.scopes[self.home(self.instances[instance].outer)].instance;
+        }
+        if depth >= MAX_DEPTH {
+            let message = format!("more than {MAX_DEPTH} parts, one inside the other");
+            self.error(scope, Code::TooDeep, ast.kind.span, message);
+        }
+        depth < MAX_DEPTH
+    }
+
+    fn new_part(&mut self, name: &str, span: Span, definition: &'a Definition) -> usize {
+        let pair = definition.items.iter().find_map(|item| match &item.kind {
+            ItemKind::Pair(pair) => Some(pair),
+            _ => None,
+        });
+        let pair = pair.and_then(|pair| {
+            let known = pair_of(&pair.text);
+            if known.is_none() {
+                let names = ["revolute", "prismatic", "pin_slot", "weld"];
+                self.unknown_option(0, &pair.text, pair.span, &names);
+            }
+            known
+        });
+        let name = Name { text: name.to_string(), span };
+        self.parts.push(Part { name, kind: definition.name.text.clone(), pair, frames: Vec::new() });
+        self.parts.len() - 1
+    }
+
+    fn bind_arguments(&mut self, id: usize, inside: ScopeId) {
+        let (definition, ast, outer) = {
+            let instance = &self.instances[id];
+            (instance.definition, instance.ast, instance.outer)
+        };
+        let (wanted, found) = (definition.arguments.len(), ast.arguments.len());
+        if wanted != found {
+            let names: Vec<&str> = definition.arguments.iter().map(|of| of.name.text.as_str()).collect();
+            let message = format!("`{}` joins {wanted} frames, found {found}", definition.name.text);
+            self.error(outer, Code::WrongCount, ast.name.ident.span, message)
+                .note(format!("its frames: {}", names.join(", ")));
+        }
+        for (k, argument) in definition.arguments.iter().enumerate() {
+            let wanted = match argument.kind.text.as_str() {
+                "frame" => Wanted::Frame,
+                "body" => Wanted::Body,
+                other => {
+                    let message = format!("unknown kind of port `{other}`");
+                    self.error(inside, Code::WrongKind, argument.kind.span, message).note("kinds: frame, body");
+                    Wanted::Anything
+                }
+            };
+            let slot = match ast.arguments.get(k) {
+                Some(expr) => self.waiting_slot(argument.name.span, Thunk { scope: outer, expr, wanted }),
+                None => self.failed_slot(argument.name.span),
+            };
+            self.instances[id].arguments.push(slot);
+            self.bind(inside, &argument.name, Cow::Borrowed(&argument.name.text), slot);
+        }
+    }
+
+    /// Every field that is set must exist, and be set once.
+    fn check_fields(&mut self, id: usize) {
+        let (definition, ast, outer) = {
+            let instance = &self.instances[id];
+            (instance.definition, instance.ast, instance.outer)
+        };
+        if ast.fields.is_empty() {
+            return;
+        }
+        let known: Vec<&str> = definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+        for (k, (name, _)) in ast.fields.iter().enumerate() {
+            let text = name.text.as_str();
+            if !known.contains(&text) {
+                let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
+                let diagnostic = self.error(outer, Code::UnknownField, name.span, message);
+                help_similar(diagnostic, text, "parameter", "parameters", &known);
+            }
+            if let Some((first, _)) = ast.fields[..k].iter().find(|(before, _)| before.text == text) {
+                let first = first.span;
+                self.error(outer, Code::RepeatedItem, name.span, format!("`{text}` is set twice"))
+                    .note_at(first, "it is set first here");
+            }
+        }
+    }
+
+    fn field(&self, id: usize, name: &str) -> Option<(ScopeId, &'a ast::Ident, &'a ast::Expr)> {
+        let instance = &self.instances[id];
+        let (ident, value) = instance.ast.fields.iter().find(|(ident, _)| ident.text == name)?;
+        Some((instance.outer, ident, value))
+    }
+
+    /// The value of a param or an input of a part: as the use sets it, else its default.
+    pub(super) fn field_slot(
+        &mut self,
+        id: usize,
+        inside: ScopeId,
+        ast: &'a ast::Value,
+        unit: &DisplayUnit,
+        kind: Reads,
+    ) -> SlotId {
+        let name = &ast.name.ident;
+        let reads = if kind == Reads::PARAM { Reads::FIXED } else { Reads::CAUSES };
+        let wanted = Wanted::Number(unit.dimension, reads);
+        let thunk = match (self.field(id, &name.text), &ast.value) {
+            (Some((scope, _, expr)), _) => Thunk { scope, expr, wanted },
+            (None, Some(expr)) => Thunk { scope: inside, expr, wanted },
+            (None, None) => {
+                let (kind, outer) = (self.instances[id].definition.name.text.clone(), self.instances[id].outer);
+                let message = format!("`{kind}` needs a value for `{}`", name.text);
+                let help = format!("write `{{ {}: … }}` with {}", name.text, unit.dimension.describe());
+                self.error(outer, Code::MissingValue, self.instances[id].span, message).help(help);
+                return self.failed_slot(name.span);
+            }
+        };
+        let slot = self.waiting_slot(name.span, thunk);
+        self.checks.push(slot);
+        slot
+    }
+
+    pub(super) fn declare_choice(&mut self, scope: ScopeId, choice: &'a ast::Choice) {
+        let Some(id) = self.scopes[self.home(scope)].instance else { return };
+        let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect();
+        let chosen = match (self.field(id, &choice.name.text), &choice.default) {
+            (Some((outer, _, expr)), _) => match &expr.kind {
+                ast::ExprKind::Name(name) => Some((outer, &name.ident)),
+                _ => {
+                    let message = format!("expected one of {}", options.join(", "));
+                    self.error(outer, Code::UnknownOption, expr.span, message);
+                    None
+                }
+            },
+            (None, Some(default)) => Some((scope, default)),
+            (None, None) => {
+                let (span, outer) = (self.instances[id].span, self.instances[id].outer);
+                let message = format!("a choice is missing: `{}`", choice.name.text);
+                self.error(outer, Code::MissingValue, span, message)
+                    .note(format!("options: {}", options.join(", ")));
+                None
+            }
+        };
+        let chosen = chosen.and_then(|(scope, ident)| {
+            let known = options.contains(&ident.text.as_str());
+            if !known {
+                self.unknown_option(scope, &ident.text, ident.span, &options);
+            }
+            known.then_some(ident.text.as_str())
+        });
+        let slot = match chosen {
+            Some(chosen) => {
+                self.choices.push((chosen, options));
+                self.known_slot(choice.name.span, Value::Choice(self.choices.len() - 1))
+            }
+            None => self.failed_slot(choice.name.span),
+        };
+        self.bind(scope, &choice.name, Cow::Borrowed(&choice.name.text), slot);
+    }
+
+    /// Outputs that nothing reads cost nothing, but mistakes in them count: once for each part of the user's own.
+    fn check_outputs(&mut self, definition: &'a Definition, inside: ScopeId) {
+        let is_own = definition.name.span.source == 0;
+        if is_own && self.checked.insert(&definition.name.text) {
+            self.checks.extend(self.scopes[inside].outputs.values());
+        }
+    }
+
+    /// Evaluates what a part is connected to. A joint must join two different bodies.
+    pub(super) fn connect(&mut self, id: usize) {
+        let (arguments, outer) = (self.instances[id].arguments.clone(), self.instances[id].outer);
+        let mut frames: Vec<FrameRef> = Vec::new();
+        for slot in arguments {
+            let span = self.slots[slot].span;
+            if let Ok(Value::Frame(frame)) = self.force(slot, outer, span) {
+                self.port(frame).used = true;
+                frames.push(frame);
+            }
+        }
+        let instance = &self.instances[id];
+        let joins_itself = frames.len() > 1 && frames.iter().all(|frame| frame.body == frames[0].body);
+        if instance.definition.is_joint && joins_itself {
+            let (name, kind, span) = (&instance.name, &instance.definition.name.text, instance.span);
+            let body = frames[0].body.map_or("ground", |body| &self.bodies[body].name.text);
+            let message = format!("the {kind} joint `{name}` joins `{body}` with itself");
+            self.error(outer, Code::SelfJoint, span, message);
+        }
+        let (part, is_top) = (self.instances[id].part, self.instances[id].is_top);
+        if is_top {
+            self.parts[part].frames = frames;
+        }
+    }
+}
+
+fn field_name(item: &ItemKind) -> Option<&str> {
+    match item {
+        ItemKind::Param(value) | ItemKind::Input(value) => Some(&value.name.ident.text),
+        ItemKind::Choice(choice) => Some(&choice.name.text),
+        _ => None,
+    }
+}
+
+fn pair_of(name: &str) -> Option<Pair> {
+    match name {
+        "revolute" => Some(Pair::Revolute),
+        "prismatic" => Some(Pair::Prismatic),
+        "pin_slot" => Some(Pair::PinSlot),
+        "weld" => Some(Pair::Weld),
+        _ => None,
+    }
+}

@@ -1,0 +1,109 @@
+//! Outputs of the mechanism.
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Form, Value};
+use crate::diag::Code;
+use crate::model::{Name, Output};
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind, IndexedName};
+use crate::units::{Dimension, DisplayUnit};
+
+impl<'a> Resolver<'a> {
+    /// All outputs, in the order of declaration.
+    pub(super) fn evaluate_outputs(&mut self) -> Vec<Output> {
+        let mut outputs: Vec<Output> = Vec::new();
+        for (scope, ast) in std::mem::take(&mut self.outputs) {
+            let Ok(output) = self.output(scope, ast) else { continue };
+            match outputs.iter().find(|before| before.name.text == output.name.text) {
+                Some(first) => {
+                    let first = first.name.span;
+                    self.duplicate(scope, &output.name.text, output.name.span, first);
+                }
+                None => outputs.push(output),
+            }
+        }
+        outputs
+    }
+
+    fn output(&mut self, scope: ScopeId, ast: &'a ast::Output) -> Eval<Output> {
+        let name = self.output_name(scope, ast);
+        let value = self.eval(scope, &ast.value);
+        let (name, value) = (name?, value?);
+        let (components, nature) = match value {
+            Value::Scalar(x, nature) => (vec![x], nature),
+            Value::Vector(v, nature) => (v.to_vec(), nature),
+            other => return Err(self.not_a_quantity(scope, &ast.value, &other)),
+        };
+        let unit = match &ast.unit {
+            Some((unit, span)) => self.shown_in(scope, *span, nature.dimension, nature.form, unit)?,
+            None => DisplayUnit::si(nature.dimension),
+        };
+        Ok(Output { name, components, unit })
+    }
+
+    fn not_a_quantity(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value) -> Failed {
+        let what = match found {
+            Value::Instance(_) => "one of its outputs",
+            Value::Body(_) | Value::Frame(_) => "one of its members, `position` or `angle`",
+            _ => "a quantity",
+        };
+        let message = format!("an output is a number or a vector, found {}", found.kind());
+        self.error(scope, Code::WrongKind, expr.span, message).help(format!("name {what}"));
+        Failed
+    }
+
+    /// The unit must fit; an angle that was worked out may be shown in degrees though its radian has cancelled.
+    fn shown_in(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        dimension: Dimension,
+        form: Form,
+        unit: &DisplayUnit,
+    ) -> Eval<DisplayUnit> {
+        let fits = dimension.same(unit.dimension)
+            && (dimension.rad == unit.dimension.rad || form != Form::Written || !dimension.is_angular());
+        if fits {
+            return Ok(unit.clone());
+        }
+        let message = format!("this is {}, which is not shown in {}", dimension.describe(), unit.text);
+        self.error(scope, Code::WrongDimension, span, message);
+        Err(Failed)
+    }
+
+    /// The name as written: `tip = …`, or the path of what is shown.
+    fn output_name(&mut self, scope: ScopeId, ast: &'a ast::Output) -> Eval<Name> {
+        if let Some(name) = &ast.name {
+            let text = self.key(scope, name)?.to_string();
+            return Ok(Name { text, span: name.ident.span });
+        }
+        let span = ast.value.span;
+        let text = match &ast.value.kind {
+            ExprKind::Name(name) => Some(self.key(scope, name)?.to_string()),
+            ExprKind::Path(base, members) => self.path_text(scope, base, members)?,
+            _ => None,
+        };
+        let Some(text) = text else {
+            self.error(scope, Code::UnexpectedToken, span, "an expression needs a name to be an output")
+                .help("write `output name = …;`");
+            return Err(Failed);
+        };
+        Ok(Name { text, span })
+    }
+
+    fn path_text(
+        &mut self,
+        scope: ScopeId,
+        base: &'a ast::Expr,
+        members: &'a [IndexedName],
+    ) -> Eval<Option<String>> {
+        let ExprKind::Name(base) = &base.kind else { return Ok(None) };
+        let mut text = self.key(scope, base)?.to_string();
+        for member in members {
+            text.push('.');
+            text.push_str(&self.key(scope, member)?);
+        }
+        Ok(Some(text))
+    }
+}

@@ -1,0 +1,66 @@
+//! Rates: total derivatives with respect to time.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Nature, Reads, Value};
+use crate::diag::Code;
+use crate::syntax::ast;
+use crate::units::Dimension;
+
+impl<'a> Resolver<'a> {
+    /// `rate(expr)`
+    pub(super) fn rate_of(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
+        Ok(match self.eval(scope, argument)? {
+            Value::Scalar(x, nature) => {
+                let nature = self.nature_of_rate(scope, argument, nature)?;
+                Value::Scalar(self.total_derivative(x), nature)
+            }
+            Value::Vector(v, nature) => {
+                let nature = self.nature_of_rate(scope, argument, nature)?;
+                Value::Vector(v.map(|x| self.total_derivative(x)), nature)
+            }
+            other => return Err(self.wrong_kind(scope, argument, "a number or a vector", &other)),
+        })
+    }
+
+    fn nature_of_rate(&mut self, scope: ScopeId, argument: &ast::Expr, nature: Nature) -> Eval<Nature> {
+        let unknown = Reads::INPUT.and(Reads::ACCELERATION).and(Reads::REACTION);
+        let mut reads = nature.reads;
+        if reads.has(unknown) {
+            let of = reads.beyond(reads.beyond(unknown)).describe();
+            self.error(scope, Code::NoRate, argument.span, format!("the rate of {of} is not known"))
+                .note("inputs are held over a step; a `state` has a rate");
+            return Err(Failed);
+        }
+        if nature.reads.has(Reads::POSITION) {
+            reads = reads.and(Reads::VELOCITY);
+        }
+        if nature.reads.has(Reads::VELOCITY) {
+            reads = reads.and(Reads::ACCELERATION);
+        }
+        if nature.reads.has(Reads::STATE) {
+            // The rate of a state may read whatever causes motion.
+            reads = reads.and(Reads::CAUSES);
+        }
+        Ok(Nature::derived(nature.dimension.over(Dimension::TIME), reads))
+    }
+
+    /// The total derivative along q -> v -> a, t -> 1, state -> its rate. The rate of a state is a stand-in until all
+    /// rates are known.
+    pub(super) fn total_derivative(&mut self, expr: Expr) -> Expr {
+        if let Some(known) = self.rates.get(&expr) {
+            return *known;
+        }
+        let mut along = Vec::new();
+        for symbol in self.graph.symbols(&[expr]) {
+            if let Some(direction) = self.directions.get(&symbol) {
+                along.push((symbol, *direction));
+            }
+        }
+        let rate = self.graph.directional(expr, &along);
+        self.rates.insert(expr, rate);
+        rate
+    }
+}

@@ -1,0 +1,186 @@
+//! Constraint rows and loads.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::function::cross;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Lazy, Reads, Value};
+use crate::diag::Code;
+use crate::model::{FrameRef, Load, Name, Part};
+use crate::span::Span;
+use crate::syntax::ast;
+use crate::units::Dimension;
+
+/// A constraint row on the way to its residual.
+#[derive(Debug)]
+pub(super) struct RowState<'a> {
+    scope: ScopeId,
+    left: &'a ast::Expr,
+    right: &'a ast::Expr,
+    /// Full name, `shoulder.x`.
+    pub(super) name: String,
+    pub(super) part: usize,
+    pub(super) span: Span,
+    pub(super) lambda: Expr,
+    residual: Lazy<Residual>,
+}
+
+/// What a row says.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Residual {
+    pub(super) phi: Expr,
+    pub(super) dimension: Dimension,
+}
+
+/// A force or a torque that was declared.
+#[derive(Debug)]
+pub(super) struct LoadItem<'a> {
+    scope: ScopeId,
+    ast: &'a ast::Load,
+    part: usize,
+}
+
+impl<'a> Resolver<'a> {
+    /// A row in a part; at the top of the mechanism it is a part of its own.
+    pub(super) fn declare_row(
+        &mut self,
+        scope: ScopeId,
+        name: &'a ast::IndexedName,
+        (left, right): (&'a ast::Expr, &'a ast::Expr),
+        part: Option<usize>,
+    ) {
+        if self.needs_index(scope, name) {
+            return;
+        }
+        let Ok(key) = self.key(scope, name) else { return };
+        let home = self.home(scope);
+        let full = format!("{}{key}", self.prefix(scope));
+        if let Some((_, first)) = self.scopes[home].rows.get(&key) {
+            let first = *first;
+            self.duplicate(scope, &key, name.ident.span, first);
+            return;
+        }
+        let span = match self.scopes[home].instance {
+            Some(_) => self.parts[part.unwrap_or(0)].name.span,
+            None => name.ident.span,
+        };
+        let part = part.unwrap_or_else(|| {
+            let name = Name { text: full.clone(), span };
+            self.parts.push(Part { name, kind: "constraint".to_string(), pair: None, frames: Vec::new() });
+            self.parts.len() - 1
+        });
+        let lambda = self.graph.symbol(&format!("lambda_{full}"));
+        self.scopes[home].rows.insert(key, (self.rows.len(), name.ident.span));
+        let residual = Lazy::Waiting;
+        self.rows.push(RowState { scope, left, right, name: full, part, span, lambda, residual });
+    }
+
+    /// The residual of a row, worked out at its first use.
+    pub(super) fn row(&mut self, row: usize) -> Eval<Residual> {
+        match self.rows[row].residual {
+            Lazy::Known(residual) => return Ok(residual),
+            // A constraint that reads its own reaction is told so where it does.
+            Lazy::Busy | Lazy::Failed => return Err(Failed),
+            Lazy::Waiting => self.rows[row].residual = Lazy::Busy,
+        }
+        let residual = self.residual(row);
+        self.rows[row].residual = residual.map_or(Lazy::Failed, Lazy::Known);
+        residual
+    }
+
+    fn residual(&mut self, row: usize) -> Eval<Residual> {
+        let RowState { scope, left, right, .. } = self.rows[row];
+        let (a, b) = (self.eval_scalar(scope, left), self.eval_scalar(scope, right));
+        let ((a, of_a), (b, of_b)) = (a?, b?);
+        let nature = self.joined(scope, left.span.to(right.span), (&[a], of_a), (&[b], of_b))?;
+        let beyond = nature.reads.beyond(Reads::GEOMETRY);
+        if beyond != Reads::NOTHING {
+            let message = format!("a constraint reads {}", beyond.describe());
+            self.error(scope, Code::NotConstant, left.span.to(right.span), message)
+                .note(format!("it may read {}", Reads::GEOMETRY.describe()));
+            return Err(Failed);
+        }
+        let phi = self.graph.sub(a, b);
+        if self.graph.as_number(phi).is_some() && !nature.reads.has(Reads::POSITION) {
+            self.error(scope, Code::NotConstant, left.span, "a constraint that holds no position")
+                .help("it must tie the positions of bodies");
+            return Err(Failed);
+        }
+        Ok(Residual { phi, dimension: nature.dimension })
+    }
+
+    pub(super) fn declare_load(&mut self, scope: ScopeId, ast: &'a ast::Load, part: Option<usize>) {
+        if let Some(part) = part {
+            self.loads.push(LoadItem { scope, ast, part });
+        }
+    }
+
+    /// All loads, carried to the centres of gravity.
+    pub(super) fn evaluate_loads(&mut self) -> Vec<Load> {
+        let mut loads = Vec::new();
+        for LoadItem { scope, ast, part } in std::mem::take(&mut self.loads) {
+            // A mistake has been reported; what else is wrong is found all the same.
+            let _ = self.load(scope, ast, part, &mut loads);
+        }
+        loads
+    }
+
+    fn load(&mut self, scope: ScopeId, ast: &'a ast::Load, part: usize, loads: &mut Vec<Load>) -> Eval<()> {
+        let on = self.loaded_frame(scope, &ast.on);
+        let from = ast.from.as_ref().map(|from| self.loaded_frame(scope, from));
+        let value = if ast.is_torque {
+            self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::CAUSES).map(Applied::Torque)
+        } else {
+            self.eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES).map(|(force, _)| Applied::Force(force))
+        };
+        let (on, value) = (on?, value?);
+        self.apply(on, value, part, loads)?;
+        if let Some(from) = from {
+            let opposite = match value {
+                Applied::Torque(torque) => Applied::Torque(self.graph.neg(torque)),
+                Applied::Force(force) => Applied::Force(force.map(|x| self.graph.neg(x))),
+            };
+            self.apply(from?, opposite, part, loads)?;
+        }
+        Ok(())
+    }
+
+    /// The frame that a load acts on; for a body alone its centre of gravity.
+    fn loaded_frame(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Target> {
+        match self.eval(scope, expr)? {
+            Value::Frame(frame) => Ok(Target::Frame(frame)),
+            Value::Body(body) => Ok(Target::Centre(body)),
+            other => Err(self.wrong_kind(scope, expr, "a frame", &other)),
+        }
+    }
+
+    /// A force F at P acts on G as F and the torque (P - G) x F (manual, equation (6), which omits the torques).
+    fn apply(&mut self, target: Target, value: Applied, part: usize, loads: &mut Vec<Load>) -> Eval<()> {
+        let zero = self.graph.zero();
+        let (body, arm) = match target {
+            Target::Frame(frame) => (frame.body, self.frame(frame)?.arm),
+            Target::Centre(body) => (body, [zero, zero]),
+        };
+        let force = match value {
+            Applied::Torque(torque) => [zero, zero, torque],
+            Applied::Force([x, y]) => [x, y, cross(&mut self.graph, arm, [x, y])],
+        };
+        if let Some(body) = body.filter(|_| force != [zero; 3]) {
+            loads.push(Load { body, part, force });
+        }
+        Ok(())
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Target {
+    Frame(FrameRef),
+    Centre(Option<usize>),
+}
+
+#[derive(Clone, Copy)]
+enum Applied {
+    Force([Expr; 2]),
+    Torque(Expr),
+}

@@ -1,0 +1,189 @@
+//! What an expression of the language stands for.
+
+use plm_cas::Expr;
+
+use crate::model::FrameRef;
+use crate::units::Dimension;
+
+/// What an expression reads, as a set; it decides where the expression may stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Reads(u16);
+
+impl Reads {
+    pub(super) const NOTHING: Reads = Reads(0);
+    pub(super) const PARAM: Reads = Reads(1);
+    pub(super) const INPUT: Reads = Reads(2);
+    pub(super) const TIME: Reads = Reads(4);
+    pub(super) const STATE: Reads = Reads(8);
+    pub(super) const POSITION: Reads = Reads(16);
+    pub(super) const VELOCITY: Reads = Reads(32);
+    pub(super) const ACCELERATION: Reads = Reads(64);
+    pub(super) const REACTION: Reads = Reads(128);
+
+    /// What is known before the run: parameters.
+    pub(super) const FIXED: Reads = Reads::PARAM;
+    /// What a place may depend on: parameters and the time.
+    pub(super) const SCHEDULED: Reads = Reads(1 | 4);
+    /// What a constraint may hold.
+    pub(super) const GEOMETRY: Reads = Reads(1 | 4 | 16);
+    /// What a force may hold on this rung: everything but the unknowns of the linear solve.
+    pub(super) const CAUSES: Reads = Reads(1 | 2 | 4 | 8 | 16 | 32);
+    /// Everything.
+    pub(super) const ALL: Reads = Reads(255);
+
+    const NAMES: [(Reads, &'static str); 8] = [
+        (Reads::PARAM, "parameters"),
+        (Reads::INPUT, "inputs"),
+        (Reads::TIME, "the time"),
+        (Reads::STATE, "states"),
+        (Reads::POSITION, "positions"),
+        (Reads::VELOCITY, "velocities"),
+        (Reads::ACCELERATION, "accelerations"),
+        (Reads::REACTION, "reactions"),
+    ];
+
+    pub(super) const fn and(self, other: Reads) -> Reads {
+        Reads(self.0 | other.0)
+    }
+
+    pub(super) fn has(self, other: Reads) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// What is left without the others.
+    pub(super) fn beyond(self, allowed: Reads) -> Reads {
+        Reads(self.0 & !allowed.0)
+    }
+
+    /// `positions and the time`
+    pub(super) fn describe(self) -> String {
+        let names: Vec<&str> = Reads::NAMES.iter().filter(|(of, _)| self.has(*of)).map(|(_, name)| *name).collect();
+        match names.split_last() {
+            None => "nothing".to_string(),
+            Some((last, [])) => (*last).to_string(),
+            Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        }
+    }
+}
+
+/// How a value came about: it decides how strictly its unit is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// From bare numbers alone: it has no unit, and where one is needed it must say so.
+    Bare,
+    /// From literals and parameters that state a unit.
+    Written,
+    /// From anything else; the radian cancels freely.
+    Derived,
+}
+
+/// All that is known of a quantity besides its expression.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nature {
+    pub(super) dimension: Dimension,
+    pub(super) form: Form,
+    pub(super) reads: Reads,
+}
+
+impl Nature {
+    /// Of a bare number.
+    pub(super) const BARE: Nature =
+        Nature { dimension: Dimension::NUMBER, form: Form::Bare, reads: Reads::NOTHING };
+
+    pub(super) fn derived(dimension: Dimension, reads: Reads) -> Nature {
+        Nature { dimension, form: Form::Derived, reads }
+    }
+
+    pub(super) fn written(dimension: Dimension, reads: Reads) -> Nature {
+        Nature { dimension, form: Form::Written, reads }
+    }
+
+    /// Of a product or a quotient.
+    pub(super) fn scaled(self, other: Nature, dimension: Dimension) -> Nature {
+        let form = match (self.form, other.form) {
+            (Form::Bare, form) | (form, Form::Bare) => form,
+            _ => Form::Derived,
+        };
+        Nature { dimension, form, reads: self.reads.and(other.reads) }
+    }
+
+    /// Of a sum, a choice between both, and the like: the dimension of whichever states one.
+    pub(super) fn joined(self, other: Nature) -> Nature {
+        let (form, dimension) = match (self.form, other.form) {
+            (Form::Bare, form) => (form, other.dimension),
+            (form, Form::Bare) => (form, self.dimension),
+            (Form::Written, Form::Written) => (Form::Written, self.dimension),
+            _ => (Form::Derived, self.dimension),
+        };
+        Nature { dimension, form, reads: self.reads.and(other.reads) }
+    }
+}
+
+/// The value of an expression.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// A number with its dimension.
+    Scalar(Expr, Nature),
+    /// A vector in absolute axes, or any pair of one dimension.
+    Vector([Expr; 2], Nature),
+    /// What `if` asks for.
+    Condition(Condition, Reads),
+    /// A frame of a body or of the ground.
+    Frame(FrameRef),
+    /// A body; `None` is the ground.
+    Body(Option<usize>),
+    /// A part in use.
+    Instance(usize),
+    /// A choice made at compile time: index into the resolver's list.
+    Choice(usize),
+}
+
+impl Value {
+    /// With its article.
+    pub(super) fn kind(&self) -> &'static str {
+        match self {
+            Value::Scalar(..) => "a number",
+            Value::Vector(..) => "a vector",
+            Value::Condition(..) => "a condition",
+            Value::Frame(_) => "a frame",
+            Value::Body(Some(_)) => "a body",
+            Value::Body(None) => "the ground",
+            Value::Instance(_) => "a part",
+            Value::Choice(_) => "a choice",
+        }
+    }
+}
+
+/// A condition, kept apart from the graph until an `if` turns it into selections.
+#[derive(Clone, Debug)]
+pub(super) enum Condition {
+    Known(bool),
+    /// The first is less than the second.
+    Less(Expr, Expr),
+    Not(Box<Condition>),
+    All(Vec<Condition>),
+    Any(Vec<Condition>),
+}
+
+/// The mistake has been reported; the value does not exist.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Failed;
+
+/// What evaluation gives.
+pub(super) type Eval<T> = Result<T, Failed>;
+
+/// All values, or the first failure; every one is worked out, so that the mistakes of all are found.
+pub(super) fn all<T>(results: impl Iterator<Item = Eval<T>>) -> Eval<Vec<T>> {
+    let results: Vec<Eval<T>> = results.collect();
+    results.into_iter().collect()
+}
+
+/// Something that is worked out at its first use.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Lazy<T> {
+    Waiting,
+    /// Being worked out: who asks for it now goes round in a circle.
+    Busy,
+    Known(T),
+    Failed,
+}

@@ -1,0 +1,209 @@
+//! What `mechanism!` holds: headers, then the mechanism.
+
+use std::ops::Range;
+
+use super::ast::{Declaration, Definition, Mechanism};
+use super::cursor::{Cursor, Parse, Reported};
+use super::item::Context;
+use crate::diag::Code;
+use crate::token::{Delimiter, Token, TokenKind};
+
+/// `use path;` at the very beginning asks for shared parts: the macro crate hands the tokens behind it to the macro at
+/// that path, which hands them back behind `parts { … }`. Gives the path's tokens and the first token behind the `;`.
+pub fn leading_use(tokens: &[Token]) -> Option<(Range<usize>, usize)> {
+    let first = tokens.first()?;
+    let end = tokens.iter().position(|token| token.is_punct(';'))?;
+    let is_path = |token: &Token| token.kind == TokenKind::Ident || token.is_punct(':');
+    let found = first.is_word("use") && end > 1 && tokens[1..end].iter().all(is_path);
+    found.then_some((1..end, end + 1))
+}
+
+impl Cursor<'_> {
+    pub(super) fn declaration(mut self) -> Declaration {
+        let mut declaration = Declaration::default();
+        while self.peek().is_some() && declaration.mechanism.is_none() {
+            let start = self.position();
+            if self.header(&mut declaration).is_err() {
+                self.recover(start);
+            }
+        }
+        self.only_one(&declaration);
+        declaration
+    }
+
+    fn only_one(&mut self, declaration: &Declaration) {
+        let span = self.here();
+        if declaration.mechanism.is_some() && self.peek().is_some() {
+            self.error(Code::UnexpectedToken, span, "something stands behind the mechanism")
+                .help("a declaration holds one mechanism; parts stand before it or inside");
+        } else if declaration.mechanism.is_none() && !self.sink.has_errors() {
+            self.error(Code::NoMechanism, span, "no mechanism is declared")
+                .help("write `pub Name { body … }`");
+        }
+    }
+
+    fn header(&mut self, declaration: &mut Declaration) -> Parse<()> {
+        let docs = self.docs();
+        let next = |mark: char| move |token: &Token| token.is_punct(mark);
+        if self.is_word("crate") && self.peek_at(1).is_some_and(next('=')) {
+            declaration.crate_path = Some(self.crate_path()?);
+        } else if self.is_word("parts") {
+            self.advance();
+            self.group(Delimiter::Brace, "`{`", |cursor| {
+                cursor.definitions(&mut declaration.parts);
+                Ok(())
+            })?;
+        } else if self.is_word("use") {
+            let span = self.here();
+            self.error(Code::MisplacedItem, span, "`use` must be the first word of the declaration");
+            return Err(Reported);
+        } else if self.is_definition() {
+            declaration.parts.push(self.definition(docs)?);
+        } else {
+            declaration.mechanism = Some(self.mechanism(docs)?);
+        }
+        Ok(())
+    }
+
+    /// Definitions up to the end.
+    pub(super) fn definitions(&mut self, parts: &mut Vec<Definition>) {
+        while self.peek().is_some() {
+            let start = self.position();
+            let docs = self.docs();
+            let found = if self.is_definition() {
+                self.definition(docs)
+            } else {
+                Err(self.expected("`joint` or `part`"))
+            };
+            match found {
+                Ok(part) => parts.push(part),
+                Err(Reported) => self.recover(start),
+            }
+        }
+    }
+
+    fn mechanism(&mut self, docs: Vec<String>) -> Parse<Mechanism> {
+        let visibility = self.visibility()?;
+        let name = self.ident("the name of the mechanism")?;
+        let items = self.block(Context::Mechanism)?;
+        Ok(Mechanism { docs, visibility, name, items })
+    }
+
+    fn crate_path(&mut self) -> Parse<String> {
+        self.word("crate")?;
+        self.punct('=', "`=`")?;
+        let mut path = String::new();
+        while let Some(token) = self.peek() {
+            if token.kind != TokenKind::Ident && !token.is_punct(':') {
+                break;
+            }
+            path.push_str(&token.text);
+            self.advance();
+        }
+        self.semicolon()?;
+        Ok(path)
+    }
+
+    /// `pub`, `pub(crate)`, `pub(in path)`, or nothing.
+    fn visibility(&mut self) -> Parse<String> {
+        if !self.eat_word("pub") {
+            return Ok(String::new());
+        }
+        if !self.is_open(Delimiter::Paren) {
+            return Ok("pub".to_string());
+        }
+        self.group(Delimiter::Paren, "`(`", |cursor| {
+            let mut text = "pub(".to_string();
+            while let Some(token) = cursor.peek() {
+                text.push_str(&token.text);
+                text.push_str(if token.is_word("in") { " " } else { "" });
+                cursor.advance();
+            }
+            text.push(')');
+            Ok(text)
+        })
+    }
+
+    /// Documentation: `///` lines, or `#[doc = "…"]`, which is what rustc makes of them. Other attributes are left
+    /// where they are, and the item behind complains.
+    pub(super) fn docs(&mut self) -> Vec<String> {
+        let mut docs = Vec::new();
+        while let Some(token) = self.peek() {
+            if token.kind == TokenKind::Doc {
+                docs.push(token.text.trim().to_string());
+                self.advance();
+            } else if let Some(text) = self.doc_attribute() {
+                docs.extend(text.lines().map(|line| line.trim().to_string()));
+                if text.is_empty() {
+                    docs.push(String::new());
+                }
+                self.advance();
+                let behind = self.behind_group(self.position());
+                self.go_to(behind);
+            } else {
+                break;
+            }
+        }
+        docs
+    }
+
+    /// The text of `# [ doc = "…" ]` if it stands here.
+    fn doc_attribute(&self) -> Option<String> {
+        let is_attribute = self.is_punct('#')
+            && self.peek_at(1)?.is_open(Delimiter::Bracket)
+            && self.peek_at(2)?.is_word("doc")
+            && self.peek_at(3)?.is_punct('=');
+        let literal = self.peek_at(4).filter(|token| is_attribute && token.kind == TokenKind::Str)?;
+        Some(unquote(&literal.text))
+    }
+}
+
+/// The text of a string literal, raw or with the escapes that rustc writes.
+fn unquote(literal: &str) -> String {
+    if let Some(raw) = literal.strip_prefix('r') {
+        let raw = raw.trim_start_matches('#').trim_end_matches('#');
+        return raw.trim_matches('"').to_string();
+    }
+    let inner = literal.strip_prefix('"').unwrap_or(literal);
+    let inner = inner.strip_suffix('"').unwrap_or(inner);
+    let mut text = String::new();
+    let mut chars = inner.chars();
+    while let Some(c) = chars.next() {
+        match c {
+            '\\' => match chars.next() {
+                Some('n') => text.push('\n'),
+                Some('t') => text.push('\t'),
+                Some('u') => text.extend(unicode(&mut chars)),
+                Some(other) => text.push(other),
+                None => {}
+            },
+            c => text.push(c),
+        }
+    }
+    text
+}
+
+/// The character of `{1F600}` behind `\u`.
+fn unicode(chars: &mut std::str::Chars) -> Option<char> {
+    let digits: String = chars.by_ref().skip(1).take_while(|c| *c != '}').collect();
+    u32::from_str_radix(&digits, 16).ok().and_then(char::from_u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{leading_use, unquote};
+    use crate::lex::lex;
+
+    #[test]
+    fn literals_lose_their_quotes() {
+        assert_eq!(unquote(r#"" a \"b\" \u{e9}\n""#), " a \"b\" é\n");
+        assert_eq!(unquote(r##"r#" a "b" "#"##), " a \"b\" ".trim_end_matches('"'));
+    }
+
+    #[test]
+    fn a_leading_use_is_found() {
+        let (tokens, _) = lex("use my_parts::valves; pub Press { }");
+        assert_eq!(leading_use(&tokens), Some((1..5, 6)));
+        assert_eq!(leading_use(&lex("pub Press { let use = 1; }").0), None);
+    }
+}

@@ -1,0 +1,237 @@
+//! Items: what stands in a mechanism, in a part, or in a repetition.
+
+use super::ast::{Ident, Item, ItemKind, Output, Repeat, Value};
+use super::cursor::{Cursor, Parse, Reported};
+use crate::diag::{Code, nearest};
+use crate::token::{Delimiter, Token, TokenKind};
+
+/// Where items stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Context {
+    Mechanism,
+    Part,
+}
+
+/// Words that begin an item, and where it may stand (`None`: in both).
+const WORDS: &[(&str, Option<Context>)] = &[
+    ("gravity", Some(Context::Mechanism)),
+    ("stabilisation", Some(Context::Mechanism)),
+    ("allow", Some(Context::Mechanism)),
+    ("ground", Some(Context::Mechanism)),
+    ("joint", Some(Context::Mechanism)),
+    ("part", Some(Context::Mechanism)),
+    ("choice", Some(Context::Part)),
+    ("pair", Some(Context::Part)),
+    ("param", None),
+    ("input", None),
+    ("state", None),
+    ("let", None),
+    ("rate", None),
+    ("body", None),
+    ("constraint", None),
+    ("output", None),
+    ("repeat", None),
+];
+
+impl Cursor<'_> {
+    /// `{ items }`
+    pub(super) fn block(&mut self, context: Context) -> Parse<Vec<Item>> {
+        self.group(Delimiter::Brace, "`{`", |cursor| {
+            let mut items = Vec::new();
+            while cursor.peek().is_some() {
+                let start = cursor.position();
+                let docs = cursor.docs();
+                let first = cursor.position();
+                match cursor.item(&docs, context) {
+                    Ok(kind) => items.push(Item { docs, kind, span: cursor.span_from(first) }),
+                    Err(Reported) => cursor.recover(start),
+                }
+            }
+            Ok(items)
+        })
+    }
+
+    fn item(&mut self, docs: &[String], context: Context) -> Parse<ItemKind> {
+        if self.is_load() {
+            self.only_in(Context::Part, context, "a force or a torque")?;
+            return self.load().map(ItemKind::Load);
+        }
+        let word = self.peek().filter(|token| token.kind == TokenKind::Ident).map(|token| token.text.as_str());
+        let Some(word) = word else { return Err(self.expected("an item")) };
+        if let Some((_, Some(place))) = WORDS.iter().find(|(name, _)| *name == word) {
+            self.only_in(*place, context, &format!("`{word}`"))?;
+        }
+        match word {
+            "gravity" => self.field_value().map(ItemKind::Gravity),
+            "stabilisation" => self.stabilisation(),
+            "allow" => self.allow(),
+            "param" => self.value().map(ItemKind::Param),
+            "input" => self.value().map(ItemKind::Input),
+            "state" => self.value().map(ItemKind::State),
+            "let" => self.definition_of_name(ItemKind::Let),
+            "rate" => self.definition_of_name(ItemKind::Rate),
+            "choice" => self.choice().map(ItemKind::Choice),
+            "pair" => self.pair().map(ItemKind::Pair),
+            "ground" => self.ground().map(ItemKind::Ground),
+            "body" => self.body().map(ItemKind::Body),
+            "constraint" => self.constraint(),
+            "output" => self.outputs().map(ItemKind::Output),
+            "repeat" => self.repeat(context).map(ItemKind::Repeat),
+            "joint" | "part" => self.definition(docs.to_vec()).map(ItemKind::Definition),
+            word => self.instance_or_unknown(word),
+        }
+    }
+
+    fn only_in(&mut self, place: Context, context: Context, what: &str) -> Parse<()> {
+        if place == context {
+            return Ok(());
+        }
+        let (here, there) = match place {
+            Context::Mechanism => ("a part", "a mechanism"),
+            Context::Part => ("a mechanism", "a part"),
+        };
+        let message = format!("{what} has no place in {here}");
+        self.error(Code::MisplacedItem, self.here(), message).note(format!("it stands in {there}"));
+        Err(Reported)
+    }
+
+    fn instance_or_unknown(&mut self, word: &str) -> Parse<ItemKind> {
+        let is_word = |token: &Token| token.kind == TokenKind::Ident;
+        let behind_name = self.peek_at(2).is_some_and(|t| t.is_open(Delimiter::Paren) || t.is_open(Delimiter::Bracket));
+        if self.peek_at(1).is_some_and(is_word) && behind_name {
+            return self.instance().map(ItemKind::Instance);
+        }
+        let words = WORDS.iter().map(|(word, _)| *word);
+        let near = nearest(word, words);
+        let diagnostic = self.error(Code::UnknownItem, self.here(), format!("`{word}` begins no item"));
+        match near {
+            Some(near) => diagnostic.help(format!("an item with a similar name exists: `{near}`")),
+            None => diagnostic.help("a part is used as `revolute name(a, b);`"),
+        };
+        Err(Reported)
+    }
+
+    /// The end of an item. If it is missing but the next item begins here, that is said and nothing is skipped.
+    pub(super) fn semicolon(&mut self) -> Parse<()> {
+        if self.eat_punct(';') {
+            return Ok(());
+        }
+        let reported = self.expected("`;`");
+        let begins_field = self.peek_at(1).is_some_and(|next| next.is_punct(':'));
+        let begins_item = self.peek().is_none_or(|token| WORDS.iter().any(|(word, _)| token.is_word(word)));
+        let begins_part = ["port", "start"].iter().any(|word| self.is_word(word));
+        if begins_field || begins_item || begins_part { Ok(()) } else { Err(reported) }
+    }
+
+    /// `word: expr;`, the word being known.
+    pub(super) fn field_value(&mut self) -> Parse<super::ast::Expr> {
+        self.advance();
+        self.punct(':', "`:`")?;
+        let value = self.expr()?;
+        self.semicolon()?;
+        Ok(value)
+    }
+
+    fn stabilisation(&mut self) -> Parse<ItemKind> {
+        self.advance();
+        self.punct(':', "`:`")?;
+        let method = self.ident("`projection` or `baumgarte`")?;
+        let time = if self.is_open(Delimiter::Paren) {
+            Some(self.group(Delimiter::Paren, "`(`", Cursor::expr)?)
+        } else {
+            None
+        };
+        self.semicolon()?;
+        Ok(ItemKind::Stabilisation(method, time))
+    }
+
+    fn allow(&mut self) -> Parse<ItemKind> {
+        self.advance();
+        let codes = self.group(Delimiter::Paren, "`(`", |cursor| {
+            let mut codes = Vec::new();
+            while cursor.peek().is_some() {
+                codes.push(cursor.ident("a code")?);
+                if !cursor.eat_punct(',') {
+                    break;
+                }
+            }
+            Ok(codes)
+        })?;
+        self.semicolon()?;
+        Ok(ItemKind::Allow(codes))
+    }
+
+    /// `param name: unit = expr;`
+    fn value(&mut self) -> Parse<Value> {
+        self.advance();
+        let name = self.indexed_name("a name")?;
+        let unit = if self.eat_punct(':') { Some(self.declared_unit()?) } else { None };
+        let value = if self.eat_punct('=') { Some(self.expr()?) } else { None };
+        self.semicolon()?;
+        Ok(Value { name, unit, value })
+    }
+
+    fn definition_of_name(
+        &mut self,
+        make: impl FnOnce(super::ast::IndexedName, super::ast::Expr) -> ItemKind,
+    ) -> Parse<ItemKind> {
+        self.advance();
+        let name = self.indexed_name("a name")?;
+        self.punct('=', "`=`")?;
+        let value = self.expr()?;
+        self.semicolon()?;
+        Ok(make(name, value))
+    }
+
+    fn outputs(&mut self) -> Parse<Vec<Output>> {
+        self.advance();
+        let mut outputs = vec![self.output()?];
+        while self.eat_punct(',') {
+            outputs.push(self.output()?);
+        }
+        self.semicolon()?;
+        Ok(outputs)
+    }
+
+    fn output(&mut self) -> Parse<Output> {
+        let name = if self.names_output() {
+            let name = self.indexed_name("a name")?;
+            self.punct('=', "`=`")?;
+            Some(name)
+        } else {
+            None
+        };
+        let value = self.expr()?;
+        let unit = if self.eat_word("in") {
+            let start = self.position();
+            let unit = self.unit()?;
+            Some((unit, self.span_from(start)))
+        } else {
+            None
+        };
+        Ok(Output { name, value, unit })
+    }
+
+    /// Does `name =` or `name[i] =` stand here?
+    fn names_output(&self) -> bool {
+        let mut at = 1;
+        while self.peek_at(at).is_some_and(|token| token.is_open(Delimiter::Bracket)) {
+            at = self.behind_group(self.position() + at) - self.position();
+        }
+        self.peek_at(at).is_some_and(|token| token.is_punct('='))
+            && !self.peek_at(at + 1).is_some_and(|token| token.is_punct('='))
+    }
+
+    fn repeat(&mut self, context: Context) -> Parse<Repeat> {
+        self.advance();
+        let index: Ident = self.ident("the name of an index")?;
+        self.word("in")?;
+        let from = self.expr()?;
+        self.punct('.', "`..`")?;
+        self.punct('.', "`..`")?;
+        let inclusive = self.eat_punct('=');
+        let to = self.expr()?;
+        let items = self.block(context)?;
+        Ok(Repeat { index, from, to, inclusive, items })
+    }
+}

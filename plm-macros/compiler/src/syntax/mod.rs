@@ -1,0 +1,60 @@
+//! From tokens to a tree.
+//!
+//! ```text
+//! declaration := { header } docs [visibility] NAME "{" { item } "}"
+//! header      := "crate" "=" path ";" | "parts" "{" { definition } "}" | definition
+//! definition  := docs ("joint" | "part") NAME "(" [ NAME ":" NAME { "," … } ] ")" "{" { item } "}"
+//!
+//! item := "gravity" ":" expr ";"                                    in a mechanism
+//!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
+//!       | "allow" "(" CODE { "," CODE } ")" ";"
+//!       | "ground" "{" { port } "}"
+//!       | definition
+//!       | "choice" NAME ":" NAME { "|" NAME } ["=" NAME] ";"        in a part
+//!       | "pair" ":" NAME ";"
+//!       | ("force" | "torque") "on" path ["from" path] ":" expr ";"
+//!       | ("param" | "input" | "state") name [":" unit] ["=" expr] ";"    in both
+//!       | ("let" | "rate") name "=" expr ";"
+//!       | "body" name "{" { field | port | start } "}"
+//!       | NAME name "(" exprs ")" (";" | "{" { NAME ":" expr ";" } "}")
+//!       | "constraint" NAME ":" expr "=" expr ";"
+//!       | "output" output { "," output } ";"
+//!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
+//! field  := ("mass" | "inertia" | "centre" | "drawing_angle") ":" expr ";" | "coordinates" ":" NAME ";"
+//! port   := "port" NAME ":" expr ["," ("angle" | "axis") ":" expr] ";"
+//! start  := "start" NAME ":" expr ["," "locked"] ";"
+//! output := [name "="] expr ["in" unit]
+//! name   := NAME { "[" expr "]" }
+//! ```
+//! (expressions: [`expr`]; units: [`unit`])
+//!
+//! The parser goes on at the next item after a mistake, so that three mistakes give three errors. Its recursion is
+//! bounded: a stack overflow cannot be caught.
+
+pub mod ast;
+mod body;
+mod cursor;
+mod expr;
+mod header;
+mod item;
+mod part;
+mod unit;
+
+pub use header::leading_use;
+
+use crate::diag::Diagnostics;
+use crate::token::Source;
+use ast::{Declaration, Definition};
+use cursor::Cursor;
+
+/// Reads a declaration. Mistakes go to the sink; what could be read comes back.
+pub fn parse(source: &Source, sink: &mut Diagnostics) -> Declaration {
+    Cursor::new(source, sink).declaration()
+}
+
+/// Reads a file of the parts library: definitions and nothing else.
+pub fn parse_parts(source: &Source, sink: &mut Diagnostics) -> Vec<Definition> {
+    let mut parts = Vec::new();
+    Cursor::new(source, sink).definitions(&mut parts);
+    parts
+}

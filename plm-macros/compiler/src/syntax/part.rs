@@ -1,0 +1,131 @@
+//! Parts: their definitions and uses, and the items that only they hold.
+
+use super::ast::{Argument, Choice, Definition, Expr, Ident, Instance, ItemKind, Load};
+use super::cursor::{Cursor, Parse, Reported};
+use super::item::Context;
+use crate::token::{Delimiter, TokenKind};
+
+impl Cursor<'_> {
+    /// Does the definition of a part begin here?
+    pub(super) fn is_definition(&self) -> bool {
+        (self.is_word("joint") || self.is_word("part"))
+            && self.peek_at(1).is_some_and(|token| token.kind == TokenKind::Ident)
+    }
+
+    /// `joint name(arguments) { items }`
+    pub(super) fn definition(&mut self, docs: Vec<String>) -> Parse<Definition> {
+        let is_joint = self.is_word("joint");
+        self.advance();
+        let name = self.ident("the name of the part")?;
+        let arguments = self.group(Delimiter::Paren, "`(`", Cursor::arguments)?;
+        let items = self.block(Context::Part)?;
+        Ok(Definition { docs, is_joint, name, arguments, items })
+    }
+
+    fn arguments(&mut self) -> Parse<Vec<Argument>> {
+        let mut arguments = Vec::new();
+        while self.peek().is_some() {
+            let name = self.ident("the name of an argument")?;
+            self.punct(':', "`:`")?;
+            let kind = self.ident("`frame` or `body`")?;
+            arguments.push(Argument { name, kind });
+            if !self.eat_punct(',') {
+                break;
+            }
+        }
+        Ok(arguments)
+    }
+
+    /// `kind name(args);` or `kind name(args) { fields }`
+    pub(super) fn instance(&mut self) -> Parse<Instance> {
+        let kind = self.ident("the name of a part")?;
+        let name = self.indexed_name("a name")?;
+        let arguments = self.expr_list()?;
+        let mut fields = Vec::new();
+        if self.is_open(Delimiter::Brace) {
+            self.group(Delimiter::Brace, "`{`", |cursor| {
+                cursor.fields(&mut fields);
+                Ok(())
+            })?;
+            self.eat_punct(';');
+        } else {
+            self.semicolon()?;
+        }
+        Ok(Instance { kind, name, arguments, fields })
+    }
+
+    fn fields(&mut self, fields: &mut Vec<(Ident, Expr)>) {
+        while self.peek().is_some() {
+            let start = self.position();
+            match self.field() {
+                Ok(field) => fields.push(field),
+                Err(Reported) => self.recover(start),
+            }
+        }
+    }
+
+    fn field(&mut self) -> Parse<(Ident, Expr)> {
+        let name = self.ident("the name of a parameter")?;
+        self.punct(':', "`:`")?;
+        let value = self.expr()?;
+        self.semicolon()?;
+        Ok((name, value))
+    }
+
+    /// `choice name: option | option = option;`
+    pub(super) fn choice(&mut self) -> Parse<Choice> {
+        self.advance();
+        let name = self.ident("the name of the choice")?;
+        self.punct(':', "`:`")?;
+        let mut options = vec![self.ident("an option")?];
+        while self.eat_punct('|') {
+            options.push(self.ident("an option")?);
+        }
+        let default = if self.eat_punct('=') { Some(self.ident("an option")?) } else { None };
+        self.semicolon()?;
+        Ok(Choice { name, options, default })
+    }
+
+    /// `pair: name;`
+    pub(super) fn pair(&mut self) -> Parse<Ident> {
+        self.advance();
+        self.punct(':', "`:`")?;
+        let pair = self.ident("the name of a pair")?;
+        self.semicolon()?;
+        Ok(pair)
+    }
+
+    /// `constraint name: left = right;`
+    pub(super) fn constraint(&mut self) -> Parse<ItemKind> {
+        self.advance();
+        let name = self.indexed_name("the name of the row")?;
+        self.punct(':', "`:`")?;
+        let left = self.expr()?;
+        self.punct('=', "`= 0`")?;
+        let right = self.expr()?;
+        self.semicolon()?;
+        Ok(ItemKind::Constraint(name, left, right))
+    }
+
+    /// Does `force on name` or `torque on name` stand here, and not a part of that name?
+    pub(super) fn is_load(&self) -> bool {
+        (self.is_word("force") || self.is_word("torque"))
+            && self.peek_at(1).is_some_and(|token| token.is_word("on"))
+            && self.peek_at(2).is_some_and(|token| token.kind == TokenKind::Ident)
+    }
+
+    /// `force on b from a: expr;`
+    pub(super) fn load(&mut self) -> Parse<Load> {
+        let start = self.position();
+        let is_torque = self.is_word("torque");
+        self.advance();
+        self.word("on")?;
+        let on = self.expr()?;
+        let from = if self.eat_word("from") { Some(self.expr()?) } else { None };
+        let span = self.span_from(start);
+        self.punct(':', "`:`")?;
+        let value = self.expr()?;
+        self.semicolon()?;
+        Ok(Load { is_torque, on, from, value, span })
+    }
+}

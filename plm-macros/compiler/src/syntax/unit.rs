@@ -1,0 +1,162 @@
+//! Units in expressions and declarations.
+//!
+//! ```text
+//! unit  := uatom { ("*" | "/") uatom }      greedy, binds tighter than * and / of expressions
+//! uatom := UNIT ["^" ["-"] INT] | "(" unit ")"
+//! ```
+//! After `*` or `/` the unit goes on only if the next token is the name of a unit that is not followed by `(`, `.` or
+//! `[`, or a group that is wholly a unit: `10 N/area`, `2 m*min(a, b)` and `1 N/bar[1].x` come out right.
+
+use super::cursor::{Cursor, Parse, Reported};
+use crate::diag::{Code, nearest};
+use crate::token::{Delimiter, TokenKind};
+use crate::units::{DisplayUnit, UnitFactor, is_unit, names, unit};
+
+/// Words that may follow a number without being a unit.
+const WORDS: &[&str] = &["then", "else", "and", "or", "in"];
+
+/// Largest exponent of a unit.
+const MAX_EXPONENT: i32 = 9;
+
+impl Cursor<'_> {
+    /// The unit after a number or a pair, if there is one.
+    pub(super) fn unit_after_number(&mut self) -> Parse<Option<DisplayUnit>> {
+        let Some(token) = self.peek() else { return Ok(None) };
+        let is_word = token.kind == TokenKind::Ident && !WORDS.contains(&token.text.as_str());
+        // `mass: 10 inertia: 1` lacks a semicolon, not a unit.
+        let is_next_field = self.peek_at(1).is_some_and(|next| next.is_punct(':'));
+        if (is_word && !is_next_field) || self.is_unit_group(0) { self.unit().map(Some) } else { Ok(None) }
+    }
+
+    /// A unit where a value is declared: also `1` for a bare number, and `1/s`.
+    pub(super) fn declared_unit(&mut self) -> Parse<DisplayUnit> {
+        let is_one = self.peek().is_some_and(|token| token.kind == TokenKind::Number && token.text == "1");
+        if !is_one {
+            return self.unit();
+        }
+        self.advance();
+        let mut unit = UnitText { text: String::new(), factors: Vec::new() };
+        self.further_factors(&mut unit, 1)?;
+        let text = if unit.text.is_empty() { String::new() } else { format!("1{}", unit.text) };
+        Ok(DisplayUnit::product(text, &unit.factors))
+    }
+
+    /// A unit.
+    pub(super) fn unit(&mut self) -> Parse<DisplayUnit> {
+        let mut unit = UnitText { text: String::new(), factors: Vec::new() };
+        self.unit_factors(&mut unit, 1)?;
+        Ok(DisplayUnit::product(unit.text, &unit.factors))
+    }
+
+    fn unit_factors(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
+        self.unit_atom(unit, sign)?;
+        self.further_factors(unit, sign)
+    }
+
+    fn further_factors(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
+        while self.unit_goes_on() {
+            let below = self.is_punct('/');
+            self.advance();
+            unit.text.push(if below { '/' } else { '*' });
+            self.unit_atom(unit, if below { -sign } else { sign })?;
+        }
+        Ok(())
+    }
+
+    fn unit_goes_on(&self) -> bool {
+        (self.is_punct('*') || self.is_punct('/')) && (self.is_unit_name(1) || self.is_unit_group(1))
+    }
+
+    fn unit_atom(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
+        if self.is_open(Delimiter::Paren) {
+            unit.text.push('(');
+            self.group(Delimiter::Paren, "a unit", |cursor| cursor.unit_factors(unit, sign))?;
+            unit.text.push(')');
+            return Ok(());
+        }
+        let name = self.ident("a unit")?;
+        let Some(found) = self::unit(&name.text) else {
+            return Err(self.unknown_unit(&name.text, name.span));
+        };
+        unit.text.push_str(found.name);
+        let exponent = if self.eat_punct('^') { self.unit_exponent(unit)? } else { 1 };
+        unit.factors.push(UnitFactor { unit: found, exponent: sign * exponent });
+        Ok(())
+    }
+
+    fn unit_exponent(&mut self, unit: &mut UnitText) -> Parse<i32> {
+        let negative = self.eat_punct('-');
+        let number = self.peek().filter(|token| token.kind == TokenKind::Number);
+        let value = number.and_then(|token| token.text.parse::<i32>().ok()).filter(|value| *value <= MAX_EXPONENT);
+        let Some(value) = value else {
+            let message = format!("the exponent of a unit is a whole number up to {MAX_EXPONENT}");
+            self.error(Code::BadUnit, self.here(), message);
+            return Err(Reported);
+        };
+        self.advance();
+        unit.text.push('^');
+        unit.text.push_str(if negative { "-" } else { "" });
+        unit.text.push_str(&value.to_string());
+        Ok(if negative { -value } else { value })
+    }
+
+    fn unknown_unit(&mut self, name: &str, span: crate::span::Span) -> Reported {
+        let advice = match name {
+            "Nm" => Some("N*m"),
+            "rpm" => Some("rev/min"),
+            "g" => Some("kg"),
+            "l" => Some("L"),
+            "sec" => Some("s"),
+            "hr" => Some("h"),
+            "degrees" => Some("deg"),
+            "radian" | "radians" => Some("rad"),
+            _ => nearest(name, names()),
+        };
+        let diagnostic = self.error(Code::UnknownUnit, span, format!("unknown unit `{name}`"));
+        match advice {
+            Some(unit) => diagnostic.help(format!("write `{unit}`")),
+            None => diagnostic.note(format!("units: {}", names().collect::<Vec<_>>().join(", "))),
+        };
+        Reported
+    }
+
+    /// Is the token some places ahead a unit, not a function, a body or an array of the same name?
+    fn is_unit_name(&self, ahead: usize) -> bool {
+        let is_name = self.peek_at(ahead).is_some_and(|t| t.kind == TokenKind::Ident && is_unit(&t.text));
+        is_name && !self.peek_at(ahead + 1).is_some_and(holds_on_name)
+    }
+
+    /// Does a group open some places ahead that is wholly a unit?
+    fn is_unit_group(&self, ahead: usize) -> bool {
+        if !self.peek_at(ahead).is_some_and(|token| token.is_open(Delimiter::Paren)) {
+            return false;
+        }
+        let length = self.behind_group(self.position() + ahead) - self.position();
+        let mut names = 0;
+        for at in ahead + 1..length.saturating_sub(1) {
+            let Some(token) = self.peek_at(at) else { return false };
+            let fits = match token.kind {
+                TokenKind::Ident => self.is_unit_name(at),
+                TokenKind::Number => self.peek_at(at - 1).is_some_and(|before| "^-".contains(&before.text)),
+                TokenKind::Punct { .. } => "*/^-".contains(&token.text),
+                TokenKind::Open(Delimiter::Paren) | TokenKind::Close(Delimiter::Paren) => true,
+                _ => false,
+            };
+            if !fits {
+                return false;
+            }
+            names += usize::from(token.kind == TokenKind::Ident);
+        }
+        names > 0
+    }
+}
+
+struct UnitText {
+    text: String,
+    factors: Vec<UnitFactor>,
+}
+
+/// Does this token make a name of what stands before it: a call, a member, an index?
+fn holds_on_name(next: &crate::token::Token) -> bool {
+    next.is_open(Delimiter::Paren) || next.is_open(Delimiter::Bracket) || next.is_punct('.')
+}

@@ -1,0 +1,111 @@
+//! The closed table of units. Their names are reserved as bare names, so the table holds what the manual prints and
+//! little more; V, A, T, P, t, g and `in` stay free for the user.
+
+use plm_cas::Number;
+
+use super::dimension::Dimension;
+
+/// A named unit: `value in SI = value * numerator / denominator * pi^pi`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// As it is written.
+    pub name: &'static str,
+    /// As it is called.
+    pub word: &'static str,
+    numerator: i64,
+    denominator: i64,
+    pi: bool,
+    /// Its dimension.
+    pub dimension: Dimension,
+}
+
+impl Unit {
+    /// Its factor to SI, exact.
+    pub fn factor(&self) -> Number {
+        let rational = Number::rational(i128::from(self.numerator), i128::from(self.denominator));
+        let rational = rational.unwrap_or(Number::ONE);
+        if self.pi { rational * Number::pi() } else { rational }
+    }
+}
+
+const fn row(name: &'static str, word: &'static str, factor: (i64, i64), dimension: Dimension) -> Unit {
+    Unit { name, word, numerator: factor.0, denominator: factor.1, pi: false, dimension }
+}
+
+const fn angle(name: &'static str, word: &'static str, factor: (i64, i64)) -> Unit {
+    Unit { name, word, numerator: factor.0, denominator: factor.1, pi: true, dimension: Dimension::ANGLE }
+}
+
+const PRESSURE: Dimension = Dimension { m: -1, kg: 1, s: -2, a: 0, k: 0, rad: 0 };
+const POWER: Dimension = Dimension { m: 2, kg: 1, s: -3, a: 0, k: 0, rad: 0 };
+const FREQUENCY: Dimension = Dimension { m: 0, kg: 0, s: -1, a: 0, k: 0, rad: 0 };
+const VISCOSITY: Dimension = Dimension { m: -1, kg: 1, s: -1, a: 0, k: 0, rad: 0 };
+const VOLUME: Dimension = Dimension { m: 3, kg: 0, s: 0, a: 0, k: 0, rad: 0 };
+const TEMPERATURE: Dimension = Dimension { m: 0, kg: 0, s: 0, a: 0, k: 1, rad: 0 };
+
+const TABLE: &[Unit] = &[
+    row("m", "the metre", (1, 1), Dimension::LENGTH),
+    row("mm", "the millimetre", (1, 1000), Dimension::LENGTH),
+    row("cm", "the centimetre", (1, 100), Dimension::LENGTH),
+    row("km", "the kilometre", (1000, 1), Dimension::LENGTH),
+    row("L", "the litre", (1, 1000), VOLUME),
+    row("kg", "the kilogram", (1, 1), Dimension::MASS),
+    row("s", "the second", (1, 1), Dimension::TIME),
+    row("ms", "the millisecond", (1, 1000), Dimension::TIME),
+    row("min", "the minute", (60, 1), Dimension::TIME),
+    row("h", "the hour", (3600, 1), Dimension::TIME),
+    row("Hz", "the hertz", (1, 1), FREQUENCY),
+    row("rad", "the radian", (1, 1), Dimension::ANGLE),
+    angle("deg", "the degree", (1, 180)),
+    angle("degree", "the degree", (1, 180)),
+    angle("rev", "the revolution", (2, 1)),
+    row("N", "the newton", (1, 1), Dimension::FORCE),
+    row("kN", "the kilonewton", (1000, 1), Dimension::FORCE),
+    row("J", "the joule", (1, 1), Dimension::TORQUE),
+    row("W", "the watt", (1, 1), POWER),
+    row("kW", "the kilowatt", (1000, 1), POWER),
+    row("Pa", "the pascal", (1, 1), PRESSURE),
+    row("kPa", "the kilopascal", (1000, 1), PRESSURE),
+    row("MPa", "the megapascal", (1_000_000, 1), PRESSURE),
+    row("bar", "the bar", (100_000, 1), PRESSURE),
+    row("cP", "the centipoise", (1, 1000), VISCOSITY),
+    row("K", "the kelvin", (1, 1), TEMPERATURE),
+];
+
+/// The unit of a name.
+pub fn unit(name: &str) -> Option<&'static Unit> {
+    TABLE.iter().find(|unit| unit.name == name)
+}
+
+/// Is it the name of a unit?
+pub fn is_unit(name: &str) -> bool {
+    unit(name).is_some()
+}
+
+/// All names, for help.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    TABLE.iter().map(|unit| unit.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unit;
+
+    #[test]
+    fn factors_are_the_defined_ones() {
+        // BIPM, The International System of Units, 9th edition, tables 4 and 8.
+        let cases = [
+            ("mm", 1e-3),
+            ("L", 1e-3),
+            ("min", 60.0),
+            ("h", 3600.0),
+            ("deg", core::f64::consts::PI / 180.0),
+            ("rev", core::f64::consts::TAU),
+            ("bar", 1e5),
+            ("cP", 1e-3),
+        ];
+        for (name, factor) in cases {
+            assert_eq!(unit(name).unwrap().factor().to_f64(), factor, "{name}");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Caret tests: each file of `diagnostics/` is a declaration with its mistakes marked below the tokens,
+//!
+//! ```text
+//!     revolute elbow(arm.p13, forearm.p12);
+//!     //                 ^^^ E0204 unknown port `p13` of `arm`
+//!     //                 = help: a port with a similar name exists: `p12`
+//! ```
+//!
+//! The carets stand below the first line of what is to blame; the text is the code and a part of the message, and the
+//! lines that begin with `=` are parts of its notes. A line that begins with `// ?` is a mistake that is marked nowhere
+//! in the file because it stands inside a library part: `// ? E0301 message`. Every mistake must be marked, and every
+//! mark must be met.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::fs;
+use std::path::Path;
+
+use plm_compiler::diag::{Diagnostic, Diagnostics};
+use plm_compiler::front::parse_and_resolve;
+use plm_compiler::token::Sources;
+
+/// What a file expects.
+#[derive(Debug)]
+struct Mark {
+    /// Line, first column, number of carets; `None` if it stands elsewhere.
+    place: Option<(usize, usize, usize)>,
+    text: String,
+    notes: Vec<String>,
+}
+
+fn marks(text: &str) -> Vec<Mark> {
+    let mut marks: Vec<Mark> = Vec::new();
+    let mut code_line = 0;
+    for (number, line) in text.lines().enumerate() {
+        let comment = line.trim_start().strip_prefix("//").filter(|comment| !comment.starts_with('/'));
+        let Some(comment) = comment else {
+            code_line = number + 1;
+            continue;
+        };
+        let content = comment.trim();
+        if let Some(note) = content.strip_prefix("= ") {
+            marks.last_mut().unwrap().notes.push(note.to_string());
+        } else if let Some(text) = content.strip_prefix("? ") {
+            marks.push(Mark { place: None, text: text.to_string(), notes: Vec::new() });
+        } else if content.starts_with('^') {
+            let column = line.find('^').unwrap() + 1;
+            let carets = content.chars().take_while(|c| *c == '^').count();
+            let text = content[carets..].trim().to_string();
+            marks.push(Mark { place: Some((code_line, column, carets)), text, notes: Vec::new() });
+        }
+    }
+    marks
+}
+
+fn meets(mark: &Mark, diagnostic: &Diagnostic, sources: &Sources) -> bool {
+    let rendered = diagnostic.render(sources);
+    let (code, message) = mark.text.split_once(' ').unwrap_or((&mark.text, ""));
+    let says = diagnostic.code.id() == code && diagnostic.message.contains(message);
+    let place = sources.get(0).unwrap().place(diagnostic.span).filter(|_| diagnostic.span.source == 0);
+    let found = place.map(|(place, _)| {
+        let carets = rendered.lines().nth(4).unwrap().chars().filter(|c| *c == '^').count();
+        (place.line, place.column, carets)
+    });
+    says && found == mark.place && mark.notes.iter().all(|note| rendered.contains(note))
+}
+
+fn check(path: &Path) -> Vec<String> {
+    let text = fs::read_to_string(path).unwrap();
+    let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+    sources.add_text("declaration", &text);
+    let model = parse_and_resolve(&mut sources, &mut sink);
+    let mut marks = marks(&text);
+    assert!(!marks.is_empty(), "{} marks no mistake", path.display());
+    let name = path.file_name().unwrap().to_string_lossy();
+    let mut complaints = Vec::new();
+    if model.is_some() && sink.has_errors() {
+        complaints.push(format!("{name}: there are errors and a model"));
+    }
+    for diagnostic in sink.sorted() {
+        match marks.iter().position(|mark| meets(mark, diagnostic, &sources)) {
+            Some(found) => drop(marks.remove(found)),
+            None => complaints.push(format!("{name}: not expected:\n{}", diagnostic.render(&sources))),
+        }
+    }
+    complaints.extend(marks.iter().map(|mark| format!("{name}: not met: {mark:?}")));
+    complaints
+}
+
+#[test]
+fn every_mistake_is_reported_where_it_is_marked() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/diagnostics");
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let complaints: Vec<String> = files.iter().flat_map(|file| check(file)).collect();
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    assert!(files.len() > 20, "only {} files", files.len());
+}

@@ -1,0 +1,95 @@
+//! From rustc's tokens to the compiler's, and names of the emitted code back to where the user wrote them.
+
+use std::collections::BTreeMap;
+
+use plm_compiler::Code;
+use plm_compiler::token::{Delimiter, Token};
+use proc_macro::{Group, Ident, LexError, Spacing, Span, TokenStream, TokenTree};
+
+/// The compiler's tokens, brackets among them, and rustc's span of each.
+pub(crate) fn flatten(input: TokenStream) -> (Vec<Token>, Vec<Span>) {
+    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new() };
+    let mut open: Vec<(std::vec::IntoIter<TokenTree>, Option<(Delimiter, Span)>)> = vec![(list(input), None)];
+    while let Some((trees, closing)) = open.last_mut() {
+        match trees.next() {
+            Some(TokenTree::Group(group)) => match delimiter(&group) {
+                Some(kind) => {
+                    flat.push(Token::open(kind), group.span_open());
+                    open.push((list(group.stream()), Some((kind, group.span_close()))));
+                }
+                None => open.push((list(group.stream()), None)),
+            },
+            Some(TokenTree::Ident(ident)) => flat.push(Token::ident(&ident.to_string()), ident.span()),
+            Some(TokenTree::Punct(mark)) => {
+                flat.push(Token::punct(mark.as_char(), mark.spacing() == Spacing::Joint), mark.span());
+            }
+            Some(TokenTree::Literal(literal)) => flat.push(Token::literal(&literal.to_string()), literal.span()),
+            None => {
+                if let Some((kind, span)) = closing.take() {
+                    flat.push(Token::close(kind), span);
+                }
+                open.pop();
+            }
+        }
+    }
+    (flat.tokens, flat.spans)
+}
+
+struct Flat {
+    tokens: Vec<Token>,
+    spans: Vec<Span>,
+}
+
+impl Flat {
+    fn push(&mut self, token: Token, span: Span) {
+        self.tokens.push(token);
+        self.spans.push(span);
+    }
+}
+
+fn list(stream: TokenStream) -> std::vec::IntoIter<TokenTree> {
+    stream.into_iter().collect::<Vec<_>>().into_iter()
+}
+
+/// `None` for the invisible group around what a `macro_rules!` captured.
+fn delimiter(group: &Group) -> Option<Delimiter> {
+    match group.delimiter() {
+        proc_macro::Delimiter::Parenthesis => Some(Delimiter::Paren),
+        proc_macro::Delimiter::Bracket => Some(Delimiter::Bracket),
+        proc_macro::Delimiter::Brace => Some(Delimiter::Brace),
+        proc_macro::Delimiter::None => None,
+    }
+}
+
+/// Emitted source as tokens. Identifiers of its public part get the spans of their declarations, so that an editor
+/// finds them; what stands behind is long and is not walked.
+pub(crate) fn code(code: &Code, spans: &[Span]) -> Result<TokenStream, LexError> {
+    let places: BTreeMap<&str, Span> = code
+        .names
+        .iter()
+        .filter_map(|(name, span)| Some((name.as_str(), *spans.get(span.first as usize)?)))
+        .map(|(name, span)| (name, span.resolved_at(Span::call_site())))
+        .collect();
+    let mut output = respan(code.before.parse()?, &places, 0);
+    output.extend(code.module.parse::<TokenStream>()?);
+    let mut content = respan(code.public.parse()?, &places, 2);
+    content.extend(code.implementation.parse::<TokenStream>()?);
+    output.extend([TokenTree::Group(Group::new(proc_macro::Delimiter::Brace, content))]);
+    Ok(output)
+}
+
+fn respan(code: TokenStream, places: &BTreeMap<&str, Span>, depth: usize) -> TokenStream {
+    let respan = |tree| match tree {
+        TokenTree::Ident(ident) => match places.get(ident.to_string().as_str()) {
+            Some(&span) => TokenTree::Ident(Ident::new(&ident.to_string(), span)),
+            None => TokenTree::Ident(ident),
+        },
+        TokenTree::Group(group) if depth > 0 => {
+            let mut inner = Group::new(group.delimiter(), respan(group.stream(), places, depth - 1));
+            inner.set_span(group.span());
+            TokenTree::Group(inner)
+        }
+        other => other,
+    };
+    code.into_iter().map(respan).collect()
+}

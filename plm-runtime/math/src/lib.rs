@@ -1,0 +1,38 @@
+//! Elementary functions for `f32` and `f64` with the same bits on every target.
+//!
+//! Every result is made from IEEE 754 additions, subtractions, multiplications and divisions in round-to-nearest, and
+//! from integer operations; the order of the operations is fixed, nothing is fused, and no library of the platform is
+//! called. So x86-64 (SSE2 and later), ARM, RISC-V and WebAssembly agree to the last bit. The x87 unit of i586 and
+//! modes that flush subnormal numbers to zero are not IEEE arithmetic and are not supported.
+//!
+//! Only NaNs are excepted: which of its bit patterns comes out is left open, by processors and by Rust's own rules (the
+//! primitive type `f32`, "NaN bit patterns").
+//!
+//! No function allocates or panics. Special cases follow C99, Annex F. `ERRORS.md` has the measured errors.
+//!
+//! [`f64`] and [`f32`] hold the same functions. The f32 ones never compute in f64, which small targets lack.
+//!
+//! With the feature `std` square roots come from the processor; without it from integers, with the same bits.
+#![no_std]
+#![forbid(unsafe_code)]
+// Coefficients stand as tools/minimax.py prints them.
+#![allow(clippy::unreadable_literal)]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+mod asin;
+mod atan;
+mod exp;
+mod float;
+mod functions;
+mod hypot;
+mod ln;
+mod pair;
+mod powi;
+mod reduce;
+mod sin_cos;
+mod sqrt;
+mod tan;
+
+pub use functions::{f32, f64};

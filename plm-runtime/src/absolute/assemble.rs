@@ -1,0 +1,210 @@
+//! Assembly: a start position and velocity that the joints allow.
+//!
+//! The Planar Mechanical Library's manual, 4.4: generalised Newton iteration q <- q - phi_q^+ phi in SI units with unit
+//! weights, full steps and a new Jacobian each time, from the start values as they are. A lock q_i = q_i0 is an extra
+//! row, which is the same as removing the column. Velocities take one such solve.
+
+use super::Absolute;
+use super::assembly::{Assembly, Status};
+use super::newton::assembly_step;
+use super::redundancy::{Dependencies, beside};
+use super::settle::{descend, is_closed, widest};
+use crate::fault::{Cause, Fault, Names};
+use crate::linalg::largest;
+use crate::scalar::Real;
+use crate::start::Start;
+
+/// What to say of locks that are too many.
+type LockCause = fn(usize, Names, Names) -> Cause;
+const POSITION: LockCause = |count, locks, joints| Cause::Redundant { count, locks, joints };
+const VELOCITY: LockCause = |count, locks, joints| Cause::VelocityRedundant { count, locks, joints };
+
+/// Newton steps after which the joints do not close any more.
+const ITERATIONS: u32 = 100;
+
+/// Finds the position and velocity at the time `t` that the joints allow and that is reached from the start values with
+/// the shortest steps.
+///
+/// Joints that repeat each other are accepted and flagged. Locks that repeat joints or other locks are not.
+///
+/// # Errors
+/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::VelocityRedundant`],
+/// [`Cause::VelocityOpen`]; the part is the joint that stays open widest.
+pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+) -> Result<Assembly<S, NQ, NC>, Fault> {
+    let start = m.start_position();
+    let free = start.map(freedom_of);
+    let pose = close(m, t, &start, &free)?;
+    let q = pose.q;
+    let here = Dependencies::at(m, t, &q, &free).ok_or(singular(t, NC))?;
+    reject_locks(m, t, &q, &free, &here, POSITION)?;
+    let v = start_velocity(m, t, &q)?;
+    let neighbour = neighbour(m, t, &q, &here);
+    let locks = start.iter().filter(|s| s.locked).count();
+    let (rank, rows) = (here.free_rank + locks, NC + locks);
+    let status = match () {
+        () if neighbour.of_joints > 0 => Status::Redundant,
+        () if rows == NQ => Status::Sufficient,
+        () => Status::Insufficient,
+    };
+    Ok(Assembly {
+        q,
+        v,
+        moved: core::array::from_fn(|i| q[i] - start[i].value),
+        locked: start.map(|s| s.locked),
+        redundant: neighbour.rows,
+        rank,
+        rows,
+        locks,
+        freedom: NQ as i32 - NC as i32,
+        status,
+        singular: neighbour.of_joints < here.of_joints || here.of_locks > 0,
+        iterations: pose.iterations,
+        gap: largest(&pose.residual),
+        coordinates: &M::COORDINATES,
+        row_names: &M::ROWS,
+    })
+}
+
+/// Where Newton's iteration ended.
+struct Pose<S, const NQ: usize, const NC: usize> {
+    q: [S; NQ],
+    iterations: u32,
+    residual: [S; NC],
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
+    fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
+        is_closed(&self.residual, m.length())
+    }
+}
+
+/// Closes the joints from the start values.
+fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    start: &[Start<S>; NQ],
+    free: &[S; NQ],
+) -> Result<Pose<S, NQ, NC>, Fault> {
+    let q0 = start.map(|s| s.value);
+    check_finite::<S, M, NQ, NC>(t, &q0)?;
+    let pose = newton(m, t, &q0, free);
+    if pose.is_closed(m) {
+        return Ok(pose);
+    }
+    // Locks that are too many are the likelier mistake than joints that do not fit.
+    if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
+        reject_locks(m, t, &q0, free, &at_start, POSITION)?;
+    }
+    let (part, gap) = (widest(&pose.residual, &M::PARTS), largest(&pose.residual).to_f64());
+    Err(Fault::of_part(t.to_f64(), part, Cause::Open { gap }))
+}
+
+/// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.
+fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q0: &[S; NQ],
+    free: &[S; NQ],
+) -> Pose<S, NQ, NC> {
+    let mut pose = Pose { q: *q0, iterations: 0, residual: m.phi(t, q0) };
+    while pose.iterations < ITERATIONS && !pose.is_closed(m) {
+        let Some(dq) = assembly_step(m, t, &pose.q, free, &pose.residual) else { return pose };
+        for i in 0..NQ {
+            pose.q[i] = pose.q[i] - dq[i];
+        }
+        pose.residual = m.phi(t, &pose.q);
+        pose.iterations += 1;
+        if largest(&dq) <= S::EPSILON * largest(&pose.q) {
+            return pose;
+        }
+    }
+    if pose.is_closed(m) {
+        let size = m.length().max(largest(&pose.q));
+        pose.residual = descend(size, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
+    }
+    pose
+}
+
+/// The start velocity, corrected as little as possible; velocity locks are kept.
+fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+) -> Result<[S; NQ], Fault> {
+    let start = m.start_velocity(q);
+    let free = start.map(freedom_of);
+    let mut v = start.map(|s| s.value);
+    check_finite::<S, M, NQ, NC>(t, &v)?;
+    let here = Dependencies::at(m, t, q, &free).ok_or(singular(t, NC))?;
+    reject_locks(m, t, q, &free, &here, VELOCITY)?;
+    let size = largest(&v).max(S::lit(1.0)) * m.length().max(S::lit(1.0));
+    let r = descend(size, &mut v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
+    if is_closed(&r, size) {
+        return Ok(v);
+    }
+    let (part, gap) = (widest(&r, &M::PARTS), largest(&r).to_f64());
+    Err(Fault::of_part(t.to_f64(), part, Cause::VelocityOpen { gap }))
+}
+
+/// An error if locks are redundant here and beside this position (at a dead point they only seem to be).
+fn reject_locks<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    free: &[S; NQ],
+    here: &Dependencies<NQ, NC>,
+    cause: LockCause,
+) -> Result<(), Fault> {
+    if here.of_locks == 0 {
+        return Ok(());
+    }
+    let beside = Dependencies::at(m, t, &beside(q, free), free).ok_or(singular(t, NC))?;
+    let count = here.of_locks.min(beside.of_locks);
+    if count == 0 {
+        return Ok(());
+    }
+    // A pose of zeros ties more than there is; the general one shows what is meant.
+    let found = if beside.of_locks < here.of_locks { &beside } else { here };
+    let locks = Names::marked(&M::COORDINATES, &found.locks);
+    let joints = Names::marked(&M::PARTS, &found.ties);
+    Err(Fault::new(t.to_f64(), cause(count, locks, joints)))
+}
+
+/// Dependencies among joints at a neighbouring closed position: those that do not come from this position alone.
+fn neighbour<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    here: &Dependencies<NQ, NC>,
+) -> Dependencies<NQ, NC> {
+    if here.of_joints == 0 {
+        return *here;
+    }
+    let free = [S::lit(1.0); NQ];
+    let pose = newton(m, t, &beside(q, &free), &free);
+    if !pose.is_closed(m) {
+        return *here;
+    }
+    Dependencies::at(m, t, &pose.q, &free).unwrap_or(*here)
+}
+
+fn check_finite<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    t: S,
+    values: &[S; NQ],
+) -> Result<(), Fault> {
+    match M::COORDINATES.iter().zip(values).find(|(_, value)| !value.is_finite()) {
+        Some((name, _)) => Err(Fault::of_part(t.to_f64(), name, Cause::NotFinite)),
+        None => Ok(()),
+    }
+}
+
+fn freedom_of<S: Real>(start: Start<S>) -> S {
+    S::lit(if start.locked { 0.0 } else { 1.0 })
+}
+
+fn singular<S: Real>(t: S, rows: usize) -> Fault {
+    Fault::new(t.to_f64(), Cause::Singular { rows })
+}

@@ -1,0 +1,82 @@
+//! What assembly found.
+
+use core::fmt;
+
+use crate::scalar::Real;
+
+/// A start that the joints allow, and how it relates to the one that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assembly<S, const NQ: usize, const NC: usize> {
+    /// Position, m and rad.
+    pub q: [S; NQ],
+    /// Velocity, m/s and rad/s.
+    pub v: [S; NQ],
+    /// How far assembly moved each coordinate.
+    pub moved: [S; NQ],
+    /// Which coordinates were locked.
+    pub locked: [bool; NQ],
+    /// Constraint rows that say nothing new, here and wherever the mechanism moves: it runs by rank.
+    pub redundant: [bool; NC],
+    /// Rank of the rows of joints and locks at this position.
+    pub rank: usize,
+    /// Rows of joints and locks.
+    pub rows: usize,
+    /// Number of locks on position.
+    pub locks: usize,
+    /// Number of coordinates less number of joint rows: F = 3N - M.
+    pub freedom: i32,
+    /// Do joints and locks determine the position?
+    pub status: Status,
+    /// The rank is lower here than at neighbouring positions: a dead point or a change point.
+    pub singular: bool,
+    /// Newton steps.
+    pub iterations: u32,
+    /// What the joints are open by, m or rad.
+    pub gap: S,
+    pub(super) coordinates: &'static [&'static str; NQ],
+    pub(super) row_names: &'static [&'static str; NC],
+}
+
+/// Do joints and locks determine the position?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// They do: as many independent rows as coordinates.
+    Sufficient,
+    /// They do not: assembly moved the free coordinates as little as possible.
+    Insufficient,
+    /// Some joint rows say nothing new (and do not contradict the others).
+    Redundant,
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sufficient => "sufficient",
+            Self::Insufficient => "insufficient",
+            Self::Redundant => "redundant",
+        })
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> fmt::Display for Assembly<S, NQ, NC> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { freedom, locks, rank, rows, status, iterations, .. } = self;
+        writeln!(
+            f,
+            "F = 3N - M = {NQ} - {NC} = {freedom}; {locks} locked; rank {rank} of {rows} rows: {status}"
+        )?;
+        writeln!(f, "closed to {:e} in {iterations} iterations", self.gap.to_f64())?;
+        if self.singular {
+            writeln!(f, "singular position: the rank is higher beside it")?;
+        }
+        for (name, _) in self.row_names.iter().zip(self.redundant).filter(|(_, redundant)| *redundant) {
+            writeln!(f, "{name}: says nothing that other joints do not say")?;
+        }
+        for i in 0..NQ {
+            let (name, q, moved) = (self.coordinates[i], self.q[i].to_f64(), self.moved[i].to_f64());
+            let lock = if self.locked[i] { ", locked" } else { "" };
+            writeln!(f, "{name} = {q} (moved by {moved}{lock})")?;
+        }
+        Ok(())
+    }
+}

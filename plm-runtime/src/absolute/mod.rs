@@ -1,0 +1,74 @@
+//! Constrained absolute coordinates: q = (x, y, theta) of every centre of gravity, phi(t, q) = 0 for the joints.
+//!
+//! | function | does |
+//! |---|---|
+//! | [`assemble`] | finds a start position and velocity that the joints allow |
+//! | [`settle`] | projects a state that drifted back onto the constraints |
+//! | [`accelerate`] | accelerations and multipliers by rank, where elimination without pivoting is unhealthy |
+
+mod accelerate;
+mod assemble;
+mod assembly;
+mod independent;
+mod newton;
+mod redundancy;
+mod settle;
+
+pub use accelerate::{Acceleration, accelerate};
+pub use assemble::assemble;
+pub use assembly::{Assembly, Status};
+pub use settle::{drift, settle, settle_state};
+
+use crate::scalar::Real;
+use crate::start::Start;
+use crate::system::Health;
+
+/// The constraints of a mechanism in absolute coordinates; implemented by generated code.
+pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
+    /// Name of each constraint row, as `shoulder.x`.
+    const ROWS: [&'static str; NC];
+    /// Name of the part that each constraint row belongs to, as `shoulder`.
+    const PARTS: [&'static str; NC];
+    /// Name of each coordinate, as `arm.x`, `arm.angle`.
+    const COORDINATES: [&'static str; NQ];
+
+    /// Residuals of position, m or rad.
+    fn phi(&self, t: S, q: &[S; NQ]) -> [S; NC];
+
+    /// Residuals of velocity, phi_q v - nu, m/s or rad/s.
+    fn phi_dot(&self, t: S, q: &[S; NQ], v: &[S; NQ]) -> [S; NC];
+
+    /// The Jacobian of `phi`, zeros included.
+    fn phi_q(&self, t: S, q: &[S; NQ], out: &mut [[S; NQ]; NC]);
+
+    /// dq = W phi_q^T (phi_q W phi_q^T)^-1 r with W = diag(w), w >= 0: of all dq with phi_q dq = r the one that is
+    /// smallest in the metric W^-1. Straight-line code without pivoting; it says how healthy that was.
+    fn min_norm(&self, t: S, q: &[S; NQ], w: &[S; NQ], r: &[S; NC], dq: &mut [S; NQ]) -> Health<S>;
+
+    /// Inverses of the masses and moments of inertia, 1/kg and 1/(kg m^2).
+    fn inverse_mass(&self) -> [S; NQ];
+
+    /// Start position of the centres of gravity, m and rad, with its locks.
+    fn start_position(&self) -> [Start<S>; NQ];
+
+    /// Start velocity of the centres of gravity at the assembled position, m/s and rad/s, with its locks.
+    fn start_velocity(&self, q: &[S; NQ]) -> [Start<S>; NQ];
+
+    /// Size of the mechanism, m.
+    fn length(&self) -> S;
+}
+
+/// Position and velocity of a state [q, v, first-order states].
+pub fn split<S: Real, const NX: usize, const NQ: usize>(x: &[S; NX]) -> ([S; NQ], [S; NQ]) {
+    use crate::vector::Vector;
+    (Vector::from_fn(|i| x.at(i)), Vector::from_fn(|i| x.at(NQ + i)))
+}
+
+/// Puts position and velocity into a state [q, v, first-order states].
+pub fn join<S: Real, const NX: usize, const NQ: usize>(q: &[S; NQ], v: &[S; NQ], x: &mut [S; NX]) {
+    use crate::vector::Vector;
+    for i in 0..NQ {
+        x.set(i, q[i]);
+        x.set(NQ + i, v[i]);
+    }
+}

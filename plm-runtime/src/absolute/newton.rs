@@ -1,0 +1,68 @@
+//! The linear solves of assembly and projection.
+
+use super::Absolute;
+use super::independent::Independent;
+use crate::linalg::pseudo_solve;
+use crate::scalar::Real;
+
+/// A step of assembly: the shortest dq with phi_q dq = r in which the coordinates with `free` = 0 stay, those with
+/// `free` = 1 move; phi_q^+ r where the rank is not full. `None` if nothing finite comes out.
+pub(super) fn assembly_step<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    free: &[S; NQ],
+    r: &[S; NC],
+) -> Option<[S; NQ]> {
+    without_pivoting(m, t, q, free, r).or_else(|| finite(pseudo_solve(weighted_jacobian(m, t, q, free), r)?))
+}
+
+/// A step of projection: the dq with phi_q dq = r that is shortest in the metric of the masses, in the directions that
+/// are not lost at a singular position. `None` if nothing finite comes out.
+pub(super) fn projection_step<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    inverse_mass: &[S; NQ],
+    r: &[S; NC],
+) -> Option<[S; NQ]> {
+    without_pivoting(m, t, q, inverse_mass, r).or_else(|| {
+        let roots = inverse_mass.map(S::sqrt);
+        let (y, _) = Independent::rows(&weighted_jacobian(m, t, q, &roots))?.solve(r);
+        finite(core::array::from_fn(|i| roots[i] * y[i]))
+    })
+}
+
+/// The straight-line solution, if it is healthy.
+fn without_pivoting<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    w: &[S; NQ],
+    r: &[S; NC],
+) -> Option<[S; NQ]> {
+    let mut dq = [S::lit(0.0); NQ];
+    let health = m.min_norm(t, q, w, r, &mut dq);
+    if health.is_good() { finite(dq) } else { None }
+}
+
+fn finite<S: Real, const N: usize>(v: [S; N]) -> Option<[S; N]> {
+    v.iter().all(|s| s.is_finite()).then_some(v)
+}
+
+/// The Jacobian with its columns multiplied by `weights`.
+pub(super) fn weighted_jacobian<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    weights: &[S; NQ],
+) -> [[S; NQ]; NC] {
+    let mut jacobian = [[S::lit(0.0); NQ]; NC];
+    m.phi_q(t, q, &mut jacobian);
+    for row in &mut jacobian {
+        for (entry, weight) in row.iter_mut().zip(weights) {
+            *entry = *entry * *weight;
+        }
+    }
+    jacobian
+}

@@ -1,0 +1,113 @@
+//! Projection of a state onto position and velocity constraints.
+
+use super::newton::projection_step;
+use super::{Absolute, join, split};
+use crate::fault::{Cause, Fault};
+use crate::linalg::largest;
+use crate::scalar::Real;
+use crate::system::Drift;
+
+/// Newton steps and velocity corrections that are enough from any drift worth projecting.
+const ITERATIONS: usize = 12;
+
+/// Moves `q`, then `v`, onto phi = 0 and phi_q v = nu by the shortest way in the metric of the masses, so that no
+/// motion is added (E. Eich, Convergence results for a coordinate projection method, SIAM J. Numer. Anal. 30, 1993).
+///
+/// Both residuals are brought down to rounding.
+///
+/// # Errors
+/// [`Cause::Drift`] if they stay above 1e-10 of the mechanism's size (and speed).
+pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &mut [S; NQ],
+    v: &mut [S; NQ],
+) -> Result<(), Fault> {
+    let w = m.inverse_mass();
+    let length = m.length().max(largest(q));
+    let phi = descend(length, q, |q| m.phi(t, q), |q, r| projection_step(m, t, q, &w, r));
+    let speed = largest(v).max(S::lit(1.0)) * length.max(S::lit(1.0));
+    let phi_dot = descend(speed, v, |v| m.phi_dot(t, q, v), |_, r| projection_step(m, t, q, &w, r));
+    for (residual, size) in [(&phi, length), (&phi_dot, speed)] {
+        if !is_closed(residual, size) {
+            let part = widest(residual, &M::PARTS);
+            let (phi, phi_dot) = (largest(&phi).to_f64(), largest(&phi_dot).to_f64());
+            return Err(Fault::of_part(t.to_f64(), part, Cause::Drift { phi, phi_dot }));
+        }
+    }
+    Ok(())
+}
+
+/// [`settle`] for a state [q, v, first-order states].
+///
+/// # Errors
+/// As [`settle`].
+pub fn settle_state<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
+    m: &M,
+    t: S,
+    x: &mut [S; NX],
+) -> Result<(), Fault> {
+    let (mut q, mut v) = split(x);
+    settle(m, t, &mut q, &mut v)?;
+    join(&q, &v, x);
+    Ok(())
+}
+
+/// Largest residuals of a state [q, v, first-order states].
+#[inline]
+pub fn drift<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
+    m: &M,
+    t: S,
+    x: &[S; NX],
+) -> Drift<S> {
+    let (q, v) = split(x);
+    Drift { phi: largest(&m.phi(t, &q)), phi_dot: largest(&m.phi_dot(t, &q, &v)) }
+}
+
+/// Is the residual small enough for joints of the given size (m, or m/s) to count as closed?
+pub(super) fn is_closed<S: Real, const NC: usize>(residual: &[S; NC], size: S) -> bool {
+    let tolerance = S::lit(1e-10).max(S::lit(16.0) * S::EPSILON);
+    largest(residual) <= tolerance * size.max(S::lit(1.0))
+}
+
+/// The name that belongs to the largest residual.
+pub(super) fn widest<S: Real, const NC: usize>(
+    residual: &[S; NC],
+    names: &[&'static str; NC],
+) -> &'static str {
+    let mut widest = ("", S::lit(-1.0));
+    for (r, name) in residual.iter().zip(names) {
+        let size = if r.is_finite() { r.abs() } else { S::INFINITY };
+        if size > widest.1 {
+            widest = (name, size);
+        }
+    }
+    widest.0
+}
+
+/// Corrects `u` until its residual is rounding of numbers of the given size, or falls no more. Returns the residual.
+pub(super) fn descend<S: Real, const NQ: usize, const NC: usize>(
+    size: S,
+    u: &mut [S; NQ],
+    residual: impl Fn(&[S; NQ]) -> [S; NC],
+    correction: impl Fn(&[S; NQ], &[S; NC]) -> Option<[S; NQ]>,
+) -> [S; NC] {
+    let mut r = residual(u);
+    for _ in 0..ITERATIONS {
+        if largest(&r) <= S::EPSILON * size {
+            break;
+        }
+        let Some(du) = correction(u, &r) else { break };
+        let mut next = *u;
+        for i in 0..NQ {
+            next[i] = next[i] - du[i];
+        }
+        let after = residual(&next);
+        if largest(&after) < largest(&r) {
+            (*u, r) = (next, after);
+        } else {
+            break;
+        }
+    }
+    r
+}

@@ -1,0 +1,67 @@
+//! What is read of a body, and how the start of its origin becomes that of its centre of gravity.
+
+use crate::scalar::{Real, Scalar};
+use crate::start::{BodyStart, Start};
+
+/// Pose and velocity of the centre of gravity of a body, in absolute axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyState<S> {
+    /// Position, m.
+    pub x: S,
+    /// Position, m.
+    pub y: S,
+    /// Angle of the body axes, rad.
+    pub angle: S,
+    /// Velocity, m/s.
+    pub vx: S,
+    /// Velocity, m/s.
+    pub vy: S,
+    /// Angular velocity, rad/s.
+    pub omega: S,
+}
+
+impl<S: Scalar> BodyState<S> {
+    /// Absolute position of a point of the body that stands at (`x`, `y`) from G in the body's axes, m.
+    pub fn point(&self, x: S, y: S) -> [S; 2] {
+        let (s, c) = self.angle.sin_cos();
+        [self.x + (c * x - s * y), self.y + (s * x + c * y)]
+    }
+}
+
+impl<S: Real> BodyStart<S> {
+    /// Start of (x, y, angle) of G, which stands at `centre` from the origin O in the body's axes:
+    /// G = O + R(angle) centre. A lock of O's x locks G's x (manual, section 4.3.4: states stand at G).
+    pub fn of_centre(&self, centre: [S; 2]) -> [Start<S>; 3] {
+        let [dx, dy] = turned(centre, self.angle.value);
+        [moved(self.x, dx), moved(self.y, dy), self.angle]
+    }
+
+    /// Start of (vx, vy, omega) of G at the assembled `angle`: v_G = v_O + omega x (G - O).
+    pub fn velocity_of_centre(&self, centre: [S; 2], angle: S) -> [Start<S>; 3] {
+        let [dx, dy] = turned(centre, angle);
+        let omega = self.omega.value;
+        [moved(self.vx, -(omega * dy)), moved(self.vy, omega * dx), self.omega]
+    }
+}
+
+/// A vector of the body's axes in absolute axes.
+fn turned<S: Scalar>([x, y]: [S; 2], angle: S) -> [S; 2] {
+    let (s, c) = angle.sin_cos();
+    [c * x - s * y, s * x + c * y]
+}
+
+fn moved<S: Scalar>(start: Start<S>, by: S) -> Start<S> {
+    Start { value: start.value + by, locked: start.locked }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn velocities_of_the_origin_are_carried_over_to_the_centre() {
+        let start = BodyStart { omega: Start::free(2.0), vx: Start::locked(1.0), ..BodyStart::default() };
+        let [vx, vy, omega] = start.velocity_of_centre([0.5, 0.0], 0.0);
+        assert_eq!((vx, vy, omega), (Start::locked(1.0), Start::free(1.0), Start::free(2.0)));
+    }
+}

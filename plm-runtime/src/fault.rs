@@ -1,0 +1,205 @@
+//! Errors as values: when, where and why a run or an assembly stopped.
+
+use core::fmt;
+
+/// Why a run or an assembly stopped, at which time, in which part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fault {
+    /// The time, s.
+    pub time: f64,
+    /// The part by its name in the declaration; empty where no single part is to blame.
+    pub part: &'static str,
+    /// What happened.
+    pub cause: Cause,
+}
+
+/// What happened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Cause {
+    /// A state or its rate is infinite or not a number.
+    NotFinite,
+    /// The equations of motion could not be decomposed.
+    Singular {
+        /// Number of constraint rows.
+        rows: usize,
+    },
+    /// The error stayed above the tolerance down to the smallest step.
+    StepTooSmall {
+        /// The last step tried, s.
+        step: f64,
+    },
+    /// The interval needed more internal steps than allowed.
+    TooManySteps {
+        /// The number allowed.
+        steps: u64,
+    },
+    /// An interval ends before it begins, or is not a number.
+    Interval {
+        /// Its length, s.
+        length: f64,
+    },
+    /// The projection onto the constraints did not converge.
+    Drift {
+        /// Largest residual of position, m or rad.
+        phi: f64,
+        /// Largest residual of velocity, m/s or rad/s.
+        phi_dot: f64,
+    },
+    /// Locks repeat what joints or other locks already say about the start position.
+    Redundant {
+        /// How many locks are too many.
+        count: usize,
+        /// The locked coordinates that depend on each other.
+        locks: Names,
+        /// The joints through which they do.
+        joints: Names,
+    },
+    /// The joints cannot be closed; the part is the one that stays open widest.
+    Open {
+        /// What remains, m or rad.
+        gap: f64,
+    },
+    /// Locks repeat what joints or other locks already say about the start velocity.
+    VelocityRedundant {
+        /// How many locks are too many.
+        count: usize,
+        /// The locked coordinates that depend on each other.
+        locks: Names,
+        /// The joints through which they do.
+        joints: Names,
+    },
+    /// The start velocities contradict the joints; the part is the one that is violated most.
+    VelocityOpen {
+        /// What remains, m/s or rad/s.
+        gap: f64,
+    },
+}
+
+impl Fault {
+    /// A fault that no single part is to blame for.
+    pub fn new(time: f64, cause: Cause) -> Self {
+        Self { time, part: "", cause }
+    }
+
+    /// A fault of a part.
+    pub fn of_part(time: f64, part: &'static str, cause: Cause) -> Self {
+        Self { time, part, cause }
+    }
+}
+
+impl core::error::Error for Fault {}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "t = {} s: ", self.time)?;
+        if !self.part.is_empty() {
+            write!(f, "{}: ", self.part)?;
+        }
+        write!(f, "{}", self.cause)
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite => write!(f, "the state or its rate is infinite or not a number"),
+            Self::Singular { rows } => {
+                write!(f, "the {rows} constraint rows could not be decomposed")
+            }
+            Self::StepTooSmall { step } => {
+                write!(f, "the error stays above the tolerance down to a step of {step:e} s")
+            }
+            Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
+            Self::Drift { phi, phi_dot } => {
+                write!(f, "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s")
+            }
+            Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
+            Self::VelocityRedundant { count, locks, joints } => {
+                redundant(f, *count, "velocity", locks, joints)
+            }
+            Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
+            Self::VelocityOpen { gap } => {
+                write!(f, "the start velocities contradict the joints by {gap:e} m/s or rad/s")
+            }
+        }
+    }
+}
+
+fn redundant(
+    f: &mut fmt::Formatter<'_>,
+    count: usize,
+    what: &str,
+    locks: &Names,
+    joints: &Names,
+) -> fmt::Result {
+    let plural = if count == 1 { "" } else { "s" };
+    write!(f, "{count} redundant {what} constraint{plural}: {locks:#}")?;
+    if !joints.is_empty() {
+        write!(f, ", tied by {joints}")?;
+    }
+    Ok(())
+}
+
+/// A few names out of a table, and how many more there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Names {
+    table: &'static [&'static str],
+    listed: [u16; Names::CAPACITY],
+    len: u16,
+}
+
+impl Names {
+    /// How many names are kept; of the others only their number is.
+    pub const CAPACITY: usize = 8;
+
+    /// The names of the table that are marked, each once.
+    pub fn marked(table: &'static [&'static str], marks: &[bool]) -> Self {
+        let mut names = Self { table, listed: [0; Self::CAPACITY], len: 0 };
+        for (i, (name, _)) in table.iter().zip(marks).enumerate().filter(|(_, (_, mark))| **mark) {
+            if !names.iter().any(|listed| listed == *name) {
+                names.push(i as u16);
+            }
+        }
+        names
+    }
+
+    fn push(&mut self, index: u16) {
+        if let Some(place) = self.listed.get_mut(usize::from(self.len)) {
+            *place = index;
+        }
+        self.len = self.len.saturating_add(1);
+    }
+
+    /// The names that were kept, in the order of the declaration.
+    pub fn iter(&self) -> impl Iterator<Item = &'static str> {
+        let listed = self.listed.into_iter().take(usize::from(self.len));
+        listed.filter_map(|i| self.table.get(usize::from(i)).copied())
+    }
+
+    /// How many names were given that were not kept.
+    pub fn unlisted(&self) -> usize {
+        usize::from(self.len).saturating_sub(Self::CAPACITY)
+    }
+
+    /// No name at all.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+}
+
+impl fmt::Display for Names {
+    /// `shoulder.x, elbow.y`; with `#`, as locks: `arm.x (locked), arm.y (locked)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lock = if f.alternate() { " (locked)" } else { "" };
+        for (i, name) in self.iter().enumerate() {
+            let comma = if i == 0 { "" } else { ", " };
+            write!(f, "{comma}{name}{lock}")?;
+        }
+        match self.unlisted() {
+            0 => Ok(()),
+            more => write!(f, " and {more} more"),
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! What the programs that `plm` generates stand on: contracts, integrators, assembly, small linear algebra.
+//!
+//! Nothing here allocates, prints, reads a clock or panics; sizes are constants of the types. Generated code
+//! implements [`System`] (and [`Absolute`] where it works with absolute coordinates and multipliers), users hold a
+//! [`Sim`].
+//!
+//! | module | content |
+//! |---|---|
+//! | [`scalar`], [`vector`] | numbers (`f32`, `f64`, later lanes of them) and fixed arrays of them |
+//! | [`system`], [`mechanism`], [`start`] | what generated code provides |
+//! | [`fault`] | errors as values that name the time and the part |
+//! | [`method`] | semi-implicit Euler, Runge-Kutta 4, Dormand-Prince 5(4) |
+//! | [`sim`] | a running simulation |
+//! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
+//! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space |
+//!
+//! Symbols: q coordinates, v = q', a = v', phi(t, q) = 0 constraints, phi_q their Jacobian, phi_q v = nu,
+//! phi_q a = gamma, M a + phi_q^T lambda = Q; the reaction of the joints is -phi_q^T lambda.
+#![no_std]
+
+pub mod absolute;
+mod body;
+pub mod fault;
+pub mod linalg;
+pub mod mechanism;
+pub mod method;
+mod operations;
+pub mod scalar;
+pub mod sim;
+pub mod start;
+pub mod system;
+pub mod vector;
+
+pub use absolute::{Absolute, Assembly};
+pub use body::BodyState;
+pub use fault::{Cause, Fault, Names};
+pub use mechanism::{Mechanism, Moment};
+pub use method::{Dopri5, Method, Rk4, SemiImplicitEuler};
+pub use operations::Operations;
+pub use scalar::{Real, Scalar};
+pub use sim::{Notice, Sim, Snapshot, Stats};
+pub use start::{BodyStart, Start};
+pub use system::{Drift, Health, System};
+pub use vector::Vector;

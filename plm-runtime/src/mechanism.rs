@@ -1,0 +1,65 @@
+//! What a generated mechanism offers beyond its equations: a start, and states that people can read.
+
+use crate::fault::Fault;
+use crate::method::{Dopri5, Method};
+use crate::scalar::Real;
+use crate::sim::Sim;
+use crate::system::System;
+
+/// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.
+pub trait Moment: Copy {
+    /// The mechanism.
+    type M: System;
+
+    /// The mechanism at `time` under `input` in the state `x`.
+    fn new(
+        mechanism: Self::M,
+        input: <Self::M as System>::U,
+        time: <Self::M as System>::S,
+        x: <Self::M as System>::X,
+    ) -> Self;
+    /// The mechanism and its parameters.
+    fn mechanism(&self) -> &Self::M;
+    /// The inputs.
+    fn input(&self) -> &<Self::M as System>::U;
+    /// The time, s.
+    fn time(&self) -> <Self::M as System>::S;
+    /// The state.
+    fn x(&self) -> &<Self::M as System>::X;
+    /// Moves on to another time and state.
+    fn set(&mut self, time: <Self::M as System>::S, x: &<Self::M as System>::X);
+}
+
+/// A mechanism that can be started.
+pub trait Mechanism: System<S: Real> + Copy {
+    /// The generated readable state.
+    type State: Moment<M = Self>;
+
+    /// The inputs as declared.
+    fn start_input(&self) -> Self::U;
+
+    /// The assembled state at the time `t`.
+    ///
+    /// # Errors
+    /// When the mechanism cannot be assembled, or when locks are redundant.
+    fn start_state(&self, t: Self::S) -> Result<Self::X, Fault>;
+
+    /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 5(4).
+    ///
+    /// # Errors
+    /// As [`start_state`](Self::start_state).
+    fn start(self) -> Result<Sim<Self>, Fault> {
+        self.start_with(Dopri5::default())
+    }
+
+    /// Assembles the mechanism at time zero and makes it ready to run with a method of choice.
+    ///
+    /// # Errors
+    /// As [`start_state`](Self::start_state).
+    fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {
+        use crate::scalar::Scalar as _;
+        let time = Self::S::lit(0.0);
+        let state = Self::State::new(self, self.start_input(), time, self.start_state(time)?);
+        Ok(Sim::new(state, method))
+    }
+}

@@ -1,0 +1,43 @@
+//! The first step.
+
+use crate::fault::Fault;
+use crate::method::Course;
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::vector::Vector;
+
+/// A first step from the sizes of the state, of its rate and of an estimate of the second derivative
+/// (Hairer, Nørsett, Wanner I, II.4, "starting step size", a to f). It takes one evaluation.
+pub(super) fn first_step<M: System<S: Real>>(
+    course: &mut Course<'_, M>,
+    rate: &M::X,
+    rtol: M::S,
+) -> Result<M::S, Fault> {
+    let lit = M::S::lit;
+    let typical = course.system.typical();
+    let x = course.x;
+    let size = |v: &M::X| {
+        let mut sum = lit(0.0);
+        for i in 0..M::X::LEN {
+            let ratio = v.at(i) / (rtol * (typical.at(i) + x.at(i).abs()));
+            sum = ratio.mul_add(ratio, sum);
+        }
+        (sum / lit(M::X::LEN.max(1) as f64)).sqrt()
+    };
+    let least = lit(1e-10);
+    let (state, slope) = (size(&x), size(rate));
+    let first = if state < least || slope < least { lit(1e-6) } else { lit(0.01) * (state / slope) };
+    let first = first.min(course.end - course.time);
+
+    let mut rate_after = *rate;
+    course.rate(course.time + first, &M::X::combine(&x, [(first, rate)]), &mut rate_after)?;
+    let bend = size(&rate_after.map2(rate, |after, before| after - before)) / first;
+    let steepest = bend.max(slope);
+    // The local error of order 5 grows with h^5.
+    let second = if steepest < lit(1e-15) {
+        (lit(1e-3) * first).max(lit(1e-6))
+    } else {
+        ((lit(0.01) / steepest).ln() * lit(0.2)).exp()
+    };
+    Ok((lit(100.0) * first).min(second))
+}

@@ -1,0 +1,29 @@
+//! The semi-implicit (symplectic) Euler method.
+
+use super::fixed::{FixedStep, Formula};
+use crate::scalar::Scalar;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// The semi-implicit Euler method with steps of equal length: order 1, one rate a step, bounded energy error.
+pub type SemiImplicitEuler<S> = FixedStep<S, SemiImplicitEulerFormula>;
+
+/// The formula: v by its rate, q by the new v, first-order states by their rate (E. Hairer, C. Lubich, G. Wanner,
+/// Geometric Numerical Integration, I.1.2, eq. (1.9)).
+#[derive(Clone, Copy, Debug)]
+pub struct SemiImplicitEulerFormula;
+
+impl Formula for SemiImplicitEulerFormula {
+    const STAGES: u64 = 1;
+
+    #[inline]
+    fn step<M: System>(t: M::S, h: M::S, x: &M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) -> M::X {
+        let mut k = M::X::fill(M::S::lit(0.0));
+        rate(t, x, &mut k);
+        let mut next = M::X::combine(x, [(h, &k)]);
+        for i in 0..M::NQ {
+            next.set(i, h.mul_add(next.at(M::NQ + i), x.at(i)));
+        }
+        next
+    }
+}

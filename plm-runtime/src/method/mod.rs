@@ -1,0 +1,124 @@
+//! Integration methods: how a state is carried over an interval.
+//!
+//! | method | order | step |
+//! |---|---|---|
+//! | [`SemiImplicitEuler`] | 1 | fixed |
+//! | [`Rk4`] | 4 | fixed |
+//! | [`Dopri5`] | 5, dense output of order 4 | by error control |
+//!
+//! A method owns what it remembers from step to step (its proposal for the next one, the last rate), so that a saved
+//! copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
+
+mod dopri5;
+mod euler;
+mod fixed;
+mod rk4;
+
+pub use dopri5::Dopri5;
+pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
+pub use fixed::{FixedStep, Formula};
+pub use rk4::{Rk4, Rk4Formula};
+
+use core::cmp::Ordering;
+
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::sim::Stats;
+use crate::system::{Drift, System};
+use crate::vector::Vector;
+
+/// A method that carries a state over an interval, step by step.
+pub trait Method<M: System>: Copy {
+    /// Whether [`interpolate`](Self::interpolate) gives states inside the last step.
+    const DENSE: bool;
+
+    /// Plans the interval from `course.time` to `course.end`.
+    ///
+    /// # Errors
+    /// When the step size does not allow it.
+    fn begin(&mut self, course: &Course<'_, M>) -> Result<(), Fault>;
+
+    /// One accepted step, at most to `course.end`, and exactly there in the last one.
+    ///
+    /// # Errors
+    /// When no step can be accepted; time and state of the course are then those before the step.
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault>;
+
+    /// The state at a time within the last step.
+    fn interpolate(&self, time: M::S) -> M::X;
+
+    /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
+    fn restart(&mut self);
+
+    /// The drift above which a state is settled.
+    fn drift_limit(&self, system: &M) -> Drift<M::S>;
+}
+
+/// A state on its way through an interval.
+pub struct Course<'a, M: System> {
+    /// The equations.
+    pub system: &'a M,
+    /// The inputs, held.
+    pub input: &'a M::U,
+    /// The time reached, s.
+    pub time: M::S,
+    /// The state reached.
+    pub x: M::X,
+    /// The end of the interval, s.
+    pub end: M::S,
+    /// What was done so far.
+    pub stats: &'a mut Stats,
+}
+
+impl<M: System> Course<'_, M> {
+    /// A fault at the time reached.
+    fn fault(&self, cause: Cause) -> Fault {
+        Fault::new(self.time.to_f64(), cause)
+    }
+
+    /// The rate at `(t, x)`, by rank where it is unhealthy.
+    fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
+        self.stats.evaluations += 1;
+        if self.system.rate(t, self.input, x, dx).is_good() {
+            return Ok(());
+        }
+        self.stats.by_rank += 1;
+        self.system.rate_by_rank(t, self.input, x, dx)
+    }
+
+    /// Projects the state onto the constraints.
+    fn settle(&mut self) -> Result<(), Fault> {
+        self.stats.settled += 1;
+        self.system.settle(self.time, &mut self.x)
+    }
+}
+
+/// A fault that names the part of the first component which is not finite.
+fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
+    let index = (0..M::X::LEN).find(|i| !x.at(*i).is_finite());
+    let part = index.map_or("", |i| system.part_of_state(i));
+    Fault::of_part(t.to_f64(), part, Cause::NotFinite)
+}
+
+/// Drift of the size `fraction` of the largest typical coordinate and velocity.
+fn drift_of_size<M: System<S: Real>>(system: &M, fraction: M::S) -> Drift<M::S> {
+    let typical = system.typical();
+    let largest = |from: usize| (from..from + M::NQ).fold(M::S::lit(0.0), |size, i| typical.at(i).max(size));
+    Drift { phi: fraction * largest(0), phi_dot: fraction * largest(M::NQ) }
+}
+
+/// The larger of the two residuals, each as a multiple of its limit; zero where there is nothing to project.
+fn excess<S: Real>(drift: Drift<S>, limit: Drift<S>) -> S {
+    let zero = S::lit(0.0);
+    let ratio = |size: S, limit: S| if size == zero { zero } else { size / limit };
+    larger(ratio(drift.phi, limit.phi), ratio(drift.phi_dot, limit.phi_dot))
+}
+
+/// The larger of two numbers; NaN if one of them is.
+fn larger<S: Real>(a: S, b: S) -> S {
+    match a.partial_cmp(&b) {
+        Some(Ordering::Less) => b,
+        Some(_) => a,
+        None => a + b,
+    }
+}

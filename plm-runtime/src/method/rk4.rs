@@ -1,0 +1,31 @@
+//! The classical Runge-Kutta method of order 4.
+
+use super::fixed::{FixedStep, Formula};
+use crate::scalar::Scalar;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// The classical Runge-Kutta method of order 4 with steps of equal length.
+pub type Rk4<S> = FixedStep<S, Rk4Formula>;
+
+/// The formula (W. Kutta, Beitrag zur näherungsweisen Integration totaler Differentialgleichungen, Z. Math. Phys. 46,
+/// 1901; E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, table II.1.2, left).
+#[derive(Clone, Copy, Debug)]
+pub struct Rk4Formula;
+
+impl Formula for Rk4Formula {
+    const STAGES: u64 = 4;
+
+    #[inline]
+    fn step<M: System>(t: M::S, h: M::S, x: &M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) -> M::X {
+        let lit = M::S::lit;
+        let half = lit(0.5) * h;
+        let [mut k1, mut k2, mut k3, mut k4] = [M::X::fill(lit(0.0)); 4];
+        rate(t, x, &mut k1);
+        rate(t + half, &M::X::combine(x, [(half, &k1)]), &mut k2);
+        rate(t + half, &M::X::combine(x, [(half, &k2)]), &mut k3);
+        rate(t + h, &M::X::combine(x, [(h, &k3)]), &mut k4);
+        let (third, sixth) = (lit(1.0 / 3.0) * h, lit(1.0 / 6.0) * h);
+        M::X::combine(x, [(sixth, &k1), (third, &k2), (third, &k3), (sixth, &k4)])
+    }
+}

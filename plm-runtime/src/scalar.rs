@@ -1,0 +1,264 @@
+//! Numbers that generated code computes with.
+//!
+//! [`Scalar`] is what a right-hand side needs: arithmetic, elementary functions, and selection instead of branches, so
+//! that several trajectories in the lanes of one vector register are a scalar too. [`Real`] is one real number
+//! (`f32`, `f64`), on which step control and assembly can decide.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use plm_math as math;
+
+/// A number, or several in lanes, with the operations of a right-hand side.
+pub trait Scalar:
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// The outcome of a comparison, lane by lane.
+    type Mask: Copy;
+
+    /// Smallest pivot ratio ([`Health`](crate::Health)) at which a solution without pivoting is kept.
+    ///
+    /// With the ratio r such a solution is good to about eps / r, the one by rank to eps / sqrt(r). At
+    /// r = eps^(1/3) the first still has two thirds of all digits, which no step of usual accuracy notices.
+    const HEALTHY: f64;
+
+    /// The constant `x`, rounded to this type, in every lane.
+    fn lit(x: f64) -> Self;
+    /// The value as `f64`; of the first lane where there are several (times are equal in all lanes).
+    fn to_f64(self) -> f64;
+    /// Neither infinite nor NaN, in every lane.
+    fn is_finite(self) -> bool;
+
+    /// `self * a + b`: two roundings, or one with the feature `fma`.
+    #[must_use]
+    fn mul_add(self, a: Self, b: Self) -> Self;
+    /// Sine and cosine of an angle in rad.
+    fn sin_cos(self) -> (Self, Self);
+    /// Sines and cosines of several angles, the same bits as one by one, in vector instructions where there are some.
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+    /// Square root, correctly rounded; NaN below zero.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// Tangent of an angle in rad.
+    #[must_use]
+    fn tan(self) -> Self;
+    /// Arc sine in rad, in [-pi/2, pi/2]; NaN outside [-1, 1].
+    #[must_use]
+    fn asin(self) -> Self;
+    /// Arc cosine in rad, in [0, pi]; NaN outside [-1, 1].
+    #[must_use]
+    fn acos(self) -> Self;
+    /// Angle of the point (`x`, `self`) from the positive x axis, in rad, in [-pi, pi].
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+    /// Exponential function.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// Natural logarithm; NaN below zero.
+    #[must_use]
+    fn ln(self) -> Self;
+    /// Absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// `self < other`.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `a` where the mask is set, `b` elsewhere.
+    fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// Is the mask set in some lane?
+    fn any(mask: Self::Mask) -> bool;
+    /// Is the mask set in every lane?
+    fn all(mask: Self::Mask) -> bool;
+
+    /// Sine of an angle in rad.
+    #[inline]
+    #[must_use]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// Cosine of an angle in rad.
+    #[inline]
+    #[must_use]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// -1, 0 or 1 by the sign of the number; 0 at both zeros and at NaN (`f64::signum` has no zero).
+    #[inline]
+    #[must_use]
+    fn signum0(self) -> Self {
+        let zero = Self::lit(0.0);
+        let upper = Self::select(Self::lt(zero, self), Self::lit(1.0), zero);
+        Self::select(self.lt(zero), Self::lit(-1.0), upper)
+    }
+    /// The smaller number; `other` if one of the two is NaN.
+    #[inline]
+    #[must_use]
+    fn min(self, other: Self) -> Self {
+        Self::select(self.lt(other), self, other)
+    }
+    /// The larger number; `other` if one of the two is NaN.
+    #[inline]
+    #[must_use]
+    fn max(self, other: Self) -> Self {
+        Self::select(other.lt(self), self, other)
+    }
+    /// `self` to the power `n`, by repeated squaring.
+    #[inline]
+    #[must_use]
+    fn powi(self, n: i32) -> Self {
+        let mut power = Self::lit(1.0);
+        let mut square = self;
+        let mut rest = n.unsigned_abs();
+        while rest > 0 {
+            if rest & 1 == 1 {
+                power = power * square;
+            }
+            square = square * square;
+            rest >>= 1;
+        }
+        if n < 0 { Self::lit(1.0) / power } else { power }
+    }
+}
+
+/// One real number: `f32` or `f64`.
+pub trait Real: Scalar<Mask = bool> + PartialOrd {
+    /// Distance from 1 to the next larger number.
+    const EPSILON: Self;
+    /// Singular values below this fraction of the largest count as zero: the square root of [`EPSILON`](Self::EPSILON).
+    ///
+    /// To keep a direction with the relative singular value s amplifies rounding to eps / s; to drop it leaves an
+    /// error of order s. The two are equal at s = sqrt(eps).
+    const RANK_TOLERANCE: Self;
+    /// Larger than every finite number.
+    const INFINITY: Self;
+    /// The largest integer that is not above the number.
+    #[must_use]
+    fn floor(self) -> Self;
+}
+
+macro_rules! real {
+    ($real:ident, $healthy:literal, $rank_tolerance:literal) => {
+        impl Scalar for $real {
+            type Mask = bool;
+
+            const HEALTHY: f64 = $healthy;
+
+            #[inline]
+            fn lit(x: f64) -> Self {
+                x as $real
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $real::is_finite(self)
+            }
+            #[inline]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                #[cfg(feature = "fma")]
+                return fused::$real(self, a, b);
+                #[cfg(not(feature = "fma"))]
+                return self * a + b;
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                math::$real::sin_cos(self)
+            }
+            #[inline]
+            fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+                math::$real::sin_cos_lanes(angles)
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                math::$real::sqrt(self)
+            }
+            #[inline]
+            fn tan(self) -> Self {
+                math::$real::tan(self)
+            }
+            #[inline]
+            fn asin(self) -> Self {
+                math::$real::asin(self)
+            }
+            #[inline]
+            fn acos(self) -> Self {
+                math::$real::acos(self)
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                math::$real::atan2(self, x)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                math::$real::exp(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                math::$real::ln(self)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                $real::abs(self)
+            }
+            #[inline]
+            fn lt(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline]
+            fn select(mask: bool, a: Self, b: Self) -> Self {
+                if mask { a } else { b }
+            }
+            #[inline]
+            fn any(mask: bool) -> bool {
+                mask
+            }
+            #[inline]
+            fn all(mask: bool) -> bool {
+                mask
+            }
+        }
+
+        impl Real for $real {
+            const EPSILON: Self = $real::EPSILON;
+            const RANK_TOLERANCE: Self = $rank_tolerance;
+            const INFINITY: Self = $real::INFINITY;
+
+            #[inline]
+            fn floor(self) -> Self {
+                let whole = self as i64 as $real;
+                // Beyond 2^53 every number is whole (and the conversion saturates beyond 2^63).
+                let small = $real::abs(self) < 9.0e15;
+                let below = if whole > self { whole - 1.0 } else { whole };
+                if small { below } else { self }
+            }
+        }
+    };
+}
+
+real!(f64, 6e-6, 1.490_116_119_384_765_6e-8);
+real!(f32, 5e-3, 3.452_669_8e-4);
+
+#[cfg(feature = "fma")]
+mod fused {
+    extern crate std;
+    macro_rules! fused {
+        ($real:ident) => {
+            #[inline]
+            pub(super) fn $real(x: $real, a: $real, b: $real) -> $real {
+                x.mul_add(a, b)
+            }
+        };
+    }
+    fused!(f64);
+    fused!(f32);
+}

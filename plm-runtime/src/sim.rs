@@ -1,0 +1,225 @@
+//! A running simulation: a mechanism at a moment, a method, and what was done.
+
+use core::ops::{Deref, DerefMut};
+
+use crate::fault::{Cause, Fault};
+use crate::mechanism::{Mechanism, Moment};
+use crate::method::{Course, Dopri5, Method};
+use crate::scalar::Scalar;
+use crate::system::Drift;
+
+/// A running simulation.
+///
+/// It dereferences to the mechanism's state: `sim.arm_angle()`, `sim.input.drive = 1.0`. Any mutable access makes the
+/// method forget the rate that it had kept, because state, parameters or inputs may have been changed.
+#[derive(Clone, Copy)]
+pub struct Sim<M: Mechanism, I = Dopri5<M>> {
+    state: M::State,
+    method: I,
+    stats: Stats,
+}
+
+/// A simulation as it was at one moment; resuming from it gives the same bits again.
+#[derive(Clone, Copy)]
+pub struct Snapshot<M: Mechanism, I = Dopri5<M>>(Sim<M, I>);
+
+/// What a simulation has done since it began.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stats {
+    /// Accepted internal steps.
+    pub steps: u64,
+    /// Rejected internal steps.
+    pub rejected: u64,
+    /// Evaluations of the rate.
+    pub evaluations: u64,
+    /// Projections onto the constraints.
+    pub settled: u64,
+    /// Evaluations that were done again by rank.
+    pub by_rank: u64,
+    /// Longest accepted step, s.
+    pub longest_step: f64,
+}
+
+impl Stats {
+    #[inline]
+    pub(crate) fn count_step(&mut self, h: f64) {
+        self.steps += 1;
+        self.longest_step = self.longest_step.max(h);
+    }
+}
+
+/// Something that the user should know although the run goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Notice {
+    /// The longest step times Baumgarte's decay rate is above 0.5: the stabilisation costs accuracy (and above 2.785
+    /// Runge-Kutta 4 is unstable). Shorten the step or lengthen the time constant.
+    StiffStabilisation {
+        /// Step times decay rate.
+        h_alpha: f64,
+    },
+}
+
+impl<M: Mechanism, I: Method<M>> Sim<M, I> {
+    /// A simulation that begins in `state`.
+    pub fn new(state: M::State, method: I) -> Self {
+        Self { state, method, stats: Stats::default() }
+    }
+
+    /// Runs for the communication interval `dt`, in s, and ends exactly there.
+    ///
+    /// # Errors
+    /// When the interval cannot be integrated; the state is then that of the last accepted step.
+    #[inline]
+    pub fn step(&mut self, dt: M::S) -> Result<(), Fault> {
+        self.advance(self.state.time() + dt, |_, _| Ok(()))
+    }
+
+    /// Runs until the time `until` and gives a sample at the current time and after every `every`, in s.
+    ///
+    /// Methods with dense output are not made to step shorter by samples. A sample that drifted is settled.
+    ///
+    /// # Errors
+    /// When the run cannot be continued; the samples before that moment have been given.
+    pub fn run(&mut self, until: M::S, every: M::S, mut sample: impl FnMut(&M::State)) -> Result<(), Fault> {
+        let start = self.state.time();
+        let count = ((until - start) / every * M::S::lit(1.0 + 1e-9)).to_f64();
+        if !(count >= 0.0 && count.is_finite()) {
+            return Err(self.bad_interval(every));
+        }
+        let time_of = |k: u64| (start + M::S::lit(k as f64) * every).min(until);
+        sample(&self.state);
+        if !I::DENSE {
+            for k in 1..=count as u64 {
+                self.advance(time_of(k), |_, _| Ok(()))?;
+                sample(&self.state);
+            }
+            return self.advance(until, |_, _| Ok(()));
+        }
+        let (mut k, last) = (1, count as u64);
+        let mut moment = self.state;
+        self.advance(until, |method, course| {
+            while k <= last && time_of(k) <= course.time {
+                sample_at(method, course, time_of(k), &mut moment)?;
+                sample(&moment);
+                k += 1;
+            }
+            Ok(())
+        })
+    }
+
+    /// Projects the state onto its constraints.
+    ///
+    /// # Errors
+    /// When the projection does not converge.
+    pub fn settle(&mut self) -> Result<(), Fault> {
+        let (time, mut x) = (self.state.time(), *self.state.x());
+        self.state.mechanism().settle(time, &mut x)?;
+        self.state.set(time, &x);
+        self.stats.settled += 1;
+        self.method.restart();
+        Ok(())
+    }
+
+    /// How far the state is from its constraints.
+    pub fn drift(&self) -> Drift<M::S> {
+        self.state.mechanism().drift(self.state.time(), self.state.x())
+    }
+
+    /// The mechanism at the current moment.
+    pub fn state(&self) -> &M::State {
+        &self.state
+    }
+
+    /// The method and its options.
+    pub fn method(&self) -> &I {
+        &self.method
+    }
+
+    /// The method, to change its options.
+    pub fn method_mut(&mut self) -> &mut I {
+        &mut self.method
+    }
+
+    /// What was done so far.
+    pub fn stats(&self) -> Stats {
+        self.stats
+    }
+
+    /// What the user should know although the run goes on.
+    pub fn notice(&self) -> Option<Notice> {
+        let alpha = self.state.mechanism().baumgarte_rate()?;
+        let h_alpha = self.stats.longest_step * alpha;
+        (h_alpha > 0.5).then_some(Notice::StiffStabilisation { h_alpha })
+    }
+
+    /// Everything that decides how the run goes on.
+    pub fn save(&self) -> Snapshot<M, I> {
+        Snapshot(*self)
+    }
+
+    /// Goes on from a saved moment.
+    pub fn resume(&mut self, snapshot: &Snapshot<M, I>) {
+        *self = snapshot.0;
+    }
+
+    /// Advances to `end`; `observe` sees every accepted step.
+    fn advance(
+        &mut self,
+        end: M::S,
+        mut observe: impl FnMut(&I, &Course<'_, M>) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let time = self.state.time();
+        if !(end >= time && end.is_finite()) {
+            return Err(self.bad_interval(end - time));
+        }
+        let Self { state, method, stats } = self;
+        let (system, input, x) = (state.mechanism(), state.input(), *state.x());
+        let mut course = Course { system, input, time, x, end, stats };
+        let mut outcome = if time < end { method.begin(&course) } else { Ok(()) };
+        while outcome.is_ok() && course.time < end {
+            outcome = method.advance(&mut course);
+            if outcome.is_ok() {
+                outcome = observe(method, &course);
+            }
+        }
+        let (time, x) = (course.time, course.x);
+        state.set(time, &x);
+        outcome
+    }
+
+    fn bad_interval(&self, length: M::S) -> Fault {
+        Fault::new(self.state.time().to_f64(), Cause::Interval { length: length.to_f64() })
+    }
+}
+
+/// Puts `moment` at a time within the last step, onto the constraints.
+fn sample_at<M: Mechanism, I: Method<M>>(
+    method: &I,
+    course: &Course<'_, M>,
+    time: M::S,
+    moment: &mut M::State,
+) -> Result<(), Fault> {
+    let mut x = if time < course.time { method.interpolate(time) } else { course.x };
+    let (drift, limit) = (course.system.drift(time, &x), method.drift_limit(course.system));
+    if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
+        course.system.settle(time, &mut x)?;
+    }
+    moment.set(time, &x);
+    Ok(())
+}
+
+impl<M: Mechanism, I> Deref for Sim<M, I> {
+    type Target = M::State;
+
+    fn deref(&self) -> &M::State {
+        &self.state
+    }
+}
+
+impl<M: Mechanism, I: Method<M>> DerefMut for Sim<M, I> {
+    fn deref_mut(&mut self) -> &mut M::State {
+        self.method.restart();
+        &mut self.state
+    }
+}

@@ -1,0 +1,46 @@
+//! Where a body starts, and what assembly may not change.
+
+/// A start value, and whether assembly must keep it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start<S> {
+    /// The value, SI units.
+    pub value: S,
+    /// Kept as it is (a lock) rather than moved to close the joints.
+    pub locked: bool,
+}
+
+impl<S> Start<S> {
+    /// A value that assembly may change.
+    pub const fn free(value: S) -> Self {
+        Self { value, locked: false }
+    }
+
+    /// A value that assembly must keep.
+    pub const fn locked(value: S) -> Self {
+        Self { value, locked: true }
+    }
+}
+
+impl<S: Default> Default for Start<S> {
+    /// Zero and free.
+    fn default() -> Self {
+        Self { value: S::default(), locked: false }
+    }
+}
+
+/// Start pose and velocity of a body's origin O, in absolute axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyStart<S> {
+    /// Position of O, m.
+    pub x: Start<S>,
+    /// Position of O, m.
+    pub y: Start<S>,
+    /// Angle of the body axes, rad.
+    pub angle: Start<S>,
+    /// Velocity of O, m/s.
+    pub vx: Start<S>,
+    /// Velocity of O, m/s.
+    pub vy: Start<S>,
+    /// Angular velocity, rad/s.
+    pub omega: Start<S>,
+}

@@ -1,0 +1,103 @@
+//! The contract between generated equations of motion and the methods that integrate them.
+
+use crate::fault::Fault;
+use crate::scalar::Scalar;
+use crate::vector::Vector;
+
+/// A system of first-order differential equations x' = f(t, u, x) with the state x = [q, v, first-order states].
+pub trait System {
+    /// The numbers it computes with.
+    type S: Scalar;
+    /// The state and its rate: [q (NQ), v (NQ), first-order states], SI units.
+    type X: Vector<Self::S>;
+    /// The inputs, held over a step.
+    type U: Copy;
+    /// The switching conditions.
+    type G: Vector<Self::S>;
+
+    /// Number of coordinates; the first `NQ` rates are the velocities: q' = v.
+    const NQ: usize;
+
+    /// The rate `dx` of the state, as straight-line code without pivoting.
+    fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
+
+    /// The rate where [`rate`](Self::rate) is unhealthy: by a rank-revealing decomposition.
+    ///
+    /// # Errors
+    /// When the equations have no finite solution there.
+    fn rate_by_rank(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Result<(), Fault> {
+        self.rate(t, u, x, dx);
+        Ok(())
+    }
+
+    /// Projects the state onto phi = 0 and phi_dot = 0.
+    ///
+    /// # Errors
+    /// When the projection does not converge.
+    fn settle(&self, t: Self::S, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, x);
+        Ok(())
+    }
+
+    /// How far the state is from its constraints; zero where there is nothing to project.
+    fn drift(&self, t: Self::S, x: &Self::X) -> Drift<Self::S> {
+        let _ = (t, x);
+        Drift { phi: Self::S::lit(0.0), phi_dot: Self::S::lit(0.0) }
+    }
+
+    /// Values that change sign where the equations switch.
+    fn guards(&self, t: Self::S, x: &Self::X, g: &mut Self::G) {
+        let _ = (t, x, g);
+    }
+
+    /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.
+    fn typical(&self) -> Self::X {
+        Self::X::fill(Self::S::lit(1.0))
+    }
+
+    /// The decay rate alpha of Baumgarte's stabilisation, 1/s, where the system is stabilised by it.
+    fn baumgarte_rate(&self) -> Option<f64> {
+        None
+    }
+
+    /// The part that the state with this index belongs to, as diagnostics name it.
+    fn part_of_state(&self, index: usize) -> &'static str {
+        let _ = index;
+        ""
+    }
+}
+
+/// Smallest pivot of a solution without pivoting, over its diagonal entry before elimination: 1 is perfect, 0 singular.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Health<S>(pub S);
+
+impl<S: Scalar> Health<S> {
+    /// Nothing could go wrong: no equation was solved.
+    #[inline]
+    #[must_use]
+    pub fn perfect() -> Self {
+        Self(S::lit(1.0))
+    }
+
+    /// Above [`Scalar::HEALTHY`] in every lane; false for NaN.
+    #[inline]
+    pub fn is_good(self) -> bool {
+        S::all(S::lit(S::HEALTHY).lt(self.0))
+    }
+
+    /// The worse of two, lane by lane; `other` where it is NaN.
+    #[inline]
+    #[must_use]
+    pub fn worst(self, other: Self) -> Self {
+        Self(self.0.min(other.0))
+    }
+}
+
+/// Largest residuals of the constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift<S> {
+    /// Of position, in m or rad.
+    pub phi: S,
+    /// Of velocity, in m/s or rad/s.
+    pub phi_dot: S,
+}

@@ -1,0 +1,99 @@
+//! Fixed arrays of scalars: states and their rates.
+//!
+//! Generated code names its state type by an associated type, so that no user sees the number of states; methods
+//! reach the components through [`Vector`]. Every loop has a constant bound, and no index can fail.
+
+use crate::scalar::Scalar;
+
+/// A fixed number of scalars.
+pub trait Vector<S: Scalar>: Copy {
+    /// Number of components.
+    const LEN: usize;
+
+    /// Every component is `s`.
+    fn fill(s: S) -> Self;
+    /// Component `i` is `f(i)`.
+    fn from_fn(f: impl FnMut(usize) -> S) -> Self;
+    /// Component `i`; zero beyond the end.
+    fn at(&self, i: usize) -> S;
+    /// Gives component `i` the value `s`; nothing happens beyond the end.
+    fn set(&mut self, i: usize, s: S);
+    /// `f` of each component.
+    #[must_use]
+    fn map(&self, f: impl FnMut(S) -> S) -> Self;
+    /// `f` of each pair of components.
+    #[must_use]
+    fn map2(&self, other: &Self, f: impl FnMut(S, S) -> S) -> Self;
+    /// `f` from the first component to the last, beginning with `start`.
+    fn fold<T>(&self, start: T, f: impl FnMut(T, S) -> T) -> T;
+    /// `base + sum of factor * vector`, added in the order of the terms.
+    fn combine<const K: usize>(base: &Self, terms: [(S, &Self); K]) -> Self;
+    /// Neither infinite nor NaN in any component.
+    fn is_finite(&self) -> bool;
+}
+
+impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
+    const LEN: usize = N;
+
+    #[inline]
+    fn fill(s: S) -> Self {
+        [s; N]
+    }
+
+    #[inline]
+    fn from_fn(f: impl FnMut(usize) -> S) -> Self {
+        core::array::from_fn(f)
+    }
+
+    #[inline]
+    fn at(&self, i: usize) -> S {
+        match self.get(i) {
+            Some(s) => *s,
+            None => S::lit(0.0),
+        }
+    }
+
+    #[inline]
+    fn set(&mut self, i: usize, s: S) {
+        if let Some(place) = self.get_mut(i) {
+            *place = s;
+        }
+    }
+
+    #[inline]
+    fn map(&self, mut f: impl FnMut(S) -> S) -> Self {
+        core::array::from_fn(|i| f(self[i]))
+    }
+
+    #[inline]
+    fn map2(&self, other: &Self, mut f: impl FnMut(S, S) -> S) -> Self {
+        core::array::from_fn(|i| f(self[i], other[i]))
+    }
+
+    #[inline]
+    fn fold<T>(&self, start: T, mut f: impl FnMut(T, S) -> T) -> T {
+        self.iter().fold(start, |sum, s| f(sum, *s))
+    }
+
+    #[inline]
+    fn combine<const K: usize>(base: &Self, terms: [(S, &Self); K]) -> Self {
+        let mut sum = *base;
+        for (i, s) in sum.iter_mut().enumerate() {
+            for (factor, vector) in terms {
+                *s = factor.mul_add(vector[i], *s);
+            }
+        }
+        sum
+    }
+
+    #[inline]
+    fn is_finite(&self) -> bool {
+        // Zero times NaN or infinity is NaN; four sums, so that the additions do not wait for each other.
+        let zero = S::lit(0.0);
+        let mut probe = [zero; 4];
+        for (i, s) in self.iter().enumerate() {
+            probe[i % 4] = probe[i % 4] + *s * zero;
+        }
+        ((probe[0] + probe[1]) + (probe[2] + probe[3])).is_finite()
+    }
+}

@@ -1,0 +1,103 @@
+//! Errors are values that say when, where and why.
+
+use plm_runtime::{Cause, Dopri5, Fault, Health, Mechanism, Rk4, System};
+
+use crate::linkage::At;
+use crate::oscillator::oscillator;
+
+/// x' = x^2 from x = 1: infinite at t = 1.
+#[derive(Clone, Copy, Debug)]
+struct BlowUp;
+
+impl System for BlowUp {
+    type S = f64;
+    type X = [f64; 1];
+    type U = ();
+    type G = [f64; 0];
+    const NQ: usize = 0;
+
+    fn rate(&self, _t: f64, (): &(), x: &[f64; 1], dx: &mut [f64; 1]) -> Health<f64> {
+        *dx = [x[0] * x[0]];
+        Health::perfect()
+    }
+    fn part_of_state(&self, _index: usize) -> &'static str {
+        "tank"
+    }
+}
+
+impl Mechanism for BlowUp {
+    type State = At<Self>;
+
+    fn start_input(&self) {}
+    fn start_state(&self, _t: f64) -> Result<[f64; 1], Fault> {
+        Ok([1.0])
+    }
+}
+
+#[test]
+fn a_pole_makes_the_step_too_small() {
+    let mut sim = BlowUp.start_with(Dopri5::new(1e-9)).unwrap();
+    let fault = sim.step(2.0).unwrap_err();
+    assert!((fault.time - 1.0).abs() < 1e-6, "{fault}");
+    assert!(matches!(fault.cause, Cause::StepTooSmall { .. } | Cause::NotFinite), "{fault}");
+    // The state of the last accepted step is kept, and it is on the solution 1 / (1 - t).
+    assert!(sim.time < 1.0 && sim.x[0].is_finite());
+    assert!((sim.time + 1.0 / sim.x[0] - 1.0).abs() < 1e-7);
+}
+
+#[test]
+fn samples_before_a_failure_are_given() {
+    let mut sim = BlowUp.start_with(Dopri5::new(1e-9)).unwrap();
+    let mut times = Vec::new();
+    sim.run(2.0, 0.125, |moment| times.push(moment.time)).unwrap_err();
+    assert_eq!(times, [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875]);
+}
+
+#[test]
+fn overflow_of_a_fixed_step_names_the_part() {
+    let mut sim = BlowUp.start_with(Rk4::new(0.1)).unwrap();
+    let fault = sim.step(3.0).unwrap_err();
+    assert_eq!((fault.part, fault.cause), ("tank", Cause::NotFinite));
+    assert!(sim.x[0].is_finite());
+    assert!(fault.time > 1.0 && fault.time < 2.0, "{fault}");
+    assert!(fault.to_string().ends_with("s: tank: the state or its rate is infinite or not a number"));
+}
+
+#[test]
+fn a_state_that_is_not_a_number_is_named_at_once() {
+    let mut sim = oscillator::<f64>().start().unwrap();
+    sim.x[2] = f64::NAN;
+    let fault = sim.step(1.0).unwrap_err();
+    assert_eq!((fault.time, fault.part, fault.cause), (0.0, "filter", Cause::NotFinite));
+}
+
+#[test]
+fn too_many_steps_are_counted() {
+    let mut sim = oscillator().start_with(Dopri5::new(1e-12).with_most_steps(10)).unwrap();
+    let fault = sim.step(10.0).unwrap_err();
+    assert_eq!(fault.cause, Cause::TooManySteps { steps: 10 });
+    // The next interval may take as many again.
+    sim.step(0.01).unwrap();
+}
+
+#[test]
+fn intervals_that_make_no_sense_are_refused() {
+    let mut sim = oscillator::<f64>().start().unwrap();
+    for dt in [-1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(sim.step(dt).unwrap_err().cause, Cause::Interval { .. }));
+    }
+    for every in [0.0, -0.1, f64::NAN] {
+        assert!(matches!(sim.run(1.0, every, |_| ()).unwrap_err().cause, Cause::Interval { .. }));
+    }
+    assert_eq!(sim.stats().evaluations, 0);
+    sim.step(0.0).unwrap();
+}
+
+#[test]
+fn steps_that_make_no_sense_are_refused() {
+    for h in [0.0, -1.0, f64::NAN, 1e-300] {
+        let mut sim = oscillator().start_with(Rk4::new(h)).unwrap();
+        *sim = At { time: 1.0, ..*sim };
+        assert!(matches!(sim.step(1.0).unwrap_err().cause, Cause::StepTooSmall { .. }), "{h}");
+    }
+}

@@ -1,0 +1,17 @@
+//! Tests of the runtime against exact solutions, published references and an independent linear algebra.
+#![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs)]
+
+mod assembly;
+mod dense;
+mod faults;
+mod linalg;
+mod linkage;
+mod mechanisms;
+mod order;
+mod oscillator;
+mod projection;
+mod random;
+mod redundant;
+mod references;
+mod resume;
+mod single;

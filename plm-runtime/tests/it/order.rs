@@ -1,0 +1,76 @@
+//! Orders of convergence, by halving the step.
+
+use plm_runtime::method::Method;
+use plm_runtime::{Dopri5, Mechanism, Rk4, SemiImplicitEuler};
+
+use crate::oscillator::{Oscillator, error, oscillator};
+
+/// Error at t = 2 with steps of at most `h`.
+fn error_with(method: impl Method<Oscillator<f64>>) -> f64 {
+    let mut sim = oscillator().start_with(method).unwrap();
+    sim.step(2.0).unwrap();
+    assert_eq!(sim.time, 2.0);
+    error(2.0, &sim.x)
+}
+
+/// Observed order between steps of 1/50 and 1/100 s.
+fn order(error_with_step: impl Fn(f64) -> f64) -> f64 {
+    (error_with_step(0.02) / error_with_step(0.01)).log2()
+}
+
+#[test]
+fn semi_implicit_euler_has_order_1() {
+    let order = order(|h| error_with(SemiImplicitEuler::new(h)));
+    assert!((order - 1.0).abs() < 0.05, "{order}");
+}
+
+#[test]
+fn rk4_has_order_4() {
+    let order = order(|h| error_with(Rk4::new(h)));
+    assert!((order - 4.0).abs() < 0.05, "{order}");
+}
+
+/// Dormand-Prince with a tolerance that lets every step of `h` pass.
+fn fixed_dopri5(h: f64) -> Dopri5<Oscillator<f64>> {
+    Dopri5::new(1.0).with_longest_step(h)
+}
+
+#[test]
+fn dopri5_has_order_5() {
+    let order = order(|h| error_with(fixed_dopri5(2.0 * h)));
+    assert!((order - 5.0).abs() < 0.2, "{order}");
+}
+
+#[test]
+fn dense_output_of_dopri5_has_order_4_or_more() {
+    // The error inside a step is that of its ends (order 5) and of the polynomial (local error of order 5).
+    let worst = |h: f64| {
+        let mut sim = oscillator().start_with(fixed_dopri5(h)).unwrap();
+        let mut worst = 0.0;
+        sim.run(2.0, 0.013, |moment| worst = f64::max(worst, error(moment.time, &moment.x))).unwrap();
+        assert!(sim.stats().longest_step > 0.9 * h);
+        worst
+    };
+    let order = order(|h| worst(2.0 * h));
+    assert!((4.8..5.3).contains(&order), "{order}");
+}
+
+#[test]
+fn dopri5_keeps_its_tolerance() {
+    for (rtol, most_evaluations) in [(1e-4, 150), (1e-8, 700), (1e-12, 4000)] {
+        let mut sim = oscillator().start_with(Dopri5::new(rtol)).unwrap();
+        sim.step(2.0).unwrap();
+        // The tolerance is per step; the solution neither grows nor decays.
+        assert!(error(2.0, &sim.x) < 30.0 * rtol, "{rtol}: {}", error(2.0, &sim.x));
+        assert!(sim.stats().evaluations < most_evaluations, "{rtol}: {:?}", sim.stats());
+    }
+}
+
+#[test]
+fn semi_implicit_euler_uses_the_new_velocity() {
+    let mut sim = oscillator().start_with(SemiImplicitEuler::new(0.5)).unwrap();
+    let [q, v, z] = sim.x;
+    sim.step(0.5).unwrap();
+    let v_new = v + 0.5 * (3.0 - q);
+    assert_eq!(sim.x, [q + 0.5 * v_new, v_new, z]);
+}

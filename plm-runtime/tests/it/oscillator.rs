@@ -1,0 +1,51 @@
+//! A driven oscillator with an exact solution that reaches every term of a formula: time, v, first-order states.
+
+use plm_runtime::{Fault, Health, Mechanism, Real, System};
+
+use crate::linkage::At;
+
+/// q'' = -q + 3 cos 2t, z' = -2 t z.
+#[derive(Clone, Copy, Debug)]
+pub struct Oscillator<S>(pub core::marker::PhantomData<S>);
+
+impl<S: Real> System for Oscillator<S> {
+    type S = S;
+    type X = [S; 3];
+    type U = f64;
+    type G = [S; 0];
+    const NQ: usize = 1;
+
+    fn rate(&self, t: S, u: &f64, x: &[S; 3], dx: &mut [S; 3]) -> Health<S> {
+        let drive = S::lit(3.0) * (t + t).cos() + S::lit(*u);
+        *dx = [x[1], drive - x[0], -(t + t) * x[2]];
+        Health::perfect()
+    }
+    fn part_of_state(&self, index: usize) -> &'static str {
+        ["oscillator", "oscillator", "filter"][index]
+    }
+}
+
+impl<S: Real> Mechanism for Oscillator<S> {
+    type State = At<Self>;
+
+    fn start_input(&self) -> f64 {
+        0.0
+    }
+    fn start_state(&self, _t: S) -> Result<[S; 3], Fault> {
+        Ok(exact(0.0).map(S::lit))
+    }
+}
+
+/// q = sin t - cos 2t, v, z = exp(-t^2).
+pub fn exact(t: f64) -> [f64; 3] {
+    [t.sin() - (2.0 * t).cos(), t.cos() + 2.0 * (2.0 * t).sin(), (-t * t).exp()]
+}
+
+pub fn oscillator<S: Real>() -> Oscillator<S> {
+    Oscillator(core::marker::PhantomData)
+}
+
+/// Largest difference to the exact solution.
+pub fn error(t: f64, x: &[f64; 3]) -> f64 {
+    exact(t).iter().zip(x).fold(0.0, |worst, (a, b)| f64::max(worst, (a - b).abs()))
+}

@@ -1,0 +1,123 @@
+//! Redundant joints and singular poses: what runs by rank.
+
+use plm_runtime::absolute::{Status, accelerate, assemble};
+use plm_runtime::{Absolute, Cause, Dopri5, Mechanism, Rk4, Start};
+
+use crate::mechanisms::{bars, parallelogram};
+
+#[test]
+fn a_third_crank_is_flagged() {
+    let found = assemble(&parallelogram(0.8), 0.0).unwrap();
+    assert_eq!((found.rank, found.rows, found.freedom), (11, 12, 0));
+    assert_eq!((found.status, found.singular), (Status::Redundant, false));
+    // The dependency is along the cranks at joints that carry it; every crank takes part.
+    assert!(found.redundant.iter().filter(|r| **r).count() >= 6, "{:?}", found.redundant);
+}
+
+#[test]
+fn a_third_crank_closes_from_a_rough_start() {
+    let mut m = parallelogram(0.8);
+    for (i, body) in m.0.start.iter_mut().take(4).enumerate() {
+        body.angle.value += [0.05, -0.1, 0.1, 0.03][i];
+        body.x.value += 0.02;
+    }
+    let found = assemble(&m, 0.0).unwrap();
+    assert_eq!((found.rank, found.status), (11, Status::Redundant));
+    assert!(found.gap < 1e-13, "{}", found.gap);
+}
+
+#[test]
+fn one_lock_on_a_redundant_mechanism_is_enough_and_two_are_too_many() {
+    let mut m = parallelogram(0.8);
+    m.0.start[1].angle.locked = true;
+    let found = assemble(&m, 0.0).unwrap();
+    assert_eq!((found.rank, found.rows, found.status), (12, 13, Status::Redundant));
+    m.0.start[3].angle.locked = true;
+    let fault = assemble(&m, 0.0).unwrap_err();
+    let Cause::Redundant { count, locks, .. } = fault.cause else { panic!("{fault}") };
+    assert_eq!(count, 1);
+    assert_eq!(locks.iter().collect::<Vec<_>>(), ["crank1.angle", "crank3.angle"]);
+}
+
+#[test]
+fn a_flat_pose_is_singular_and_not_redundant() {
+    let m = bars([0.5, 1.0, 0.5], [0.0, 0.0, 0.0]);
+    let found = assemble(&m, 0.0).unwrap();
+    assert_eq!((found.status, found.singular, found.rank), (Status::Sufficient, true, 8));
+    assert_eq!(found.redundant, [false; 8]);
+}
+
+#[test]
+fn a_crank_with_a_coupler_that_never_turns_swings_like_a_pendulum() {
+    // Bar m = 2 kg translates on a circle of r = 0.5 m, three cranks 0.5 kg each turn about their ends:
+    // theta'' = -g (m r + 3 m_c r / 2) / (m r^2 + 3 m_c r^2 / 3) cos(theta).
+    let m = parallelogram(0.3);
+    let (bar, crank, r) = (2.0, 0.5, 0.5);
+    let inertia = bar * r * r + crank * r * r;
+    let expected = -9.81 * (bar * r + 1.5 * crank * r) / inertia * 0.3_f64.cos();
+    let found = assemble(&m, 0.0).unwrap();
+    let a = m.0.acceleration_by_rank(0.0, &found.q, &found.v).unwrap();
+    for crank in [5, 8, 11] {
+        assert!((a[crank] - expected).abs() < 1e-12 * expected.abs(), "{} {expected}", a[crank]);
+    }
+    assert!(a[2].abs() < 1e-12);
+}
+
+#[test]
+fn a_redundant_mechanism_keeps_its_energy() {
+    let m = parallelogram(0.3);
+    let mut fixed = m.start_with(Rk4::new(1e-3)).unwrap();
+    let mut adaptive = m.start_with(Dopri5::new(1e-10)).unwrap();
+    let energy = m.0.energy(&fixed.x);
+    fixed.step(2.0).unwrap();
+    adaptive.step(2.0).unwrap();
+    // 11 J are exchanged.
+    assert!((m.0.energy(&fixed.x) - energy).abs() < 1e-8, "{:e}", m.0.energy(&fixed.x) - energy);
+    assert!((m.0.energy(&adaptive.x) - energy).abs() < 1e-7, "{:e}", m.0.energy(&adaptive.x) - energy);
+    assert!((fixed.x[5] - adaptive.x[5]).abs() < 1e-8, "{:e}", fixed.x[5] - adaptive.x[5]);
+    assert_eq!(fixed.stats().by_rank, 4 * 2000);
+}
+
+#[test]
+fn multipliers_are_the_shortest_and_their_doubt_is_said() {
+    let m = parallelogram(0.8);
+    let found = assemble(&m, 0.0).unwrap();
+    let force = m.0.force;
+    let mut phi_q = [[0.0; 12]; 12];
+    m.phi_q(0.0, &found.q, &mut phi_q);
+    let solved = accelerate(0.0, &m.inverse_mass(), &force, &[0.0; 12], &phi_q).unwrap();
+    assert_eq!(solved.rank, 11);
+    assert_eq!(solved.undetermined, found.redundant);
+    let jacobian = nalgebra::SMatrix::<f64, 12, 12>::from_fn(|i, j| phi_q[i][j]);
+    let rest = nalgebra::SVector::<f64, 12>::from_fn(|i, _| force[i] - m.0.mass[i] * solved.a[i]);
+    let lambda = jacobian.transpose().pseudo_inverse(1e-9).unwrap() * rest;
+    for j in 0..12 {
+        assert!((lambda[j] - solved.lambda[j]).abs() < 1e-11, "{} {}", lambda[j], solved.lambda[j]);
+    }
+}
+
+#[test]
+fn a_four_bar_near_its_flat_pose_loses_no_digits() {
+    // Close to flat the condition number of phi_q is large, and that of phi_q M^-1 phi_q^T is its square. Equal and
+    // opposite accelerations of the cranks of a parallelogram are exact: the coupler does not turn.
+    for angle in [1e-2, 1e-4, 1e-6] {
+        let m = bars([0.5, 1.0, 0.5], [angle, 0.0, angle]);
+        let (q, v) = (m.0.start_position().map(|s| s.value), [0.0; 9]);
+        let by_rank = m.0.acceleration_by_rank(0.0, &q, &v).unwrap();
+        // Kinetic energy 1/2 (m r^2 + 2 (1/3) m_c r^2) theta'^2 with m = 1, m_c = r = 1/2.
+        let expected = -9.81 * (0.5 + 0.25) / (0.25 + 1.0 / 12.0) * angle.cos();
+        let error = (by_rank[2] - expected).abs().max((by_rank[8] - expected).abs()) / expected.abs();
+        assert!(error < 1e-15 / angle, "{angle}: {error:e}");
+    }
+}
+
+#[test]
+fn velocity_locks_are_felt_through_redundant_joints() {
+    let mut m = parallelogram(0.8);
+    m.0.start[1].omega = Start::locked(2.0);
+    let found = assemble(&m, 0.0).unwrap();
+    for crank in [5, 8, 11] {
+        assert!((found.v[crank] - 2.0).abs() < 1e-14);
+    }
+    assert!(found.v[2].abs() < 1e-14);
+}

@@ -1,0 +1,32 @@
+//! Results of a run: a recording, its table (CSV) and its curves (SVG); figures beside the published ones.
+//!
+//! ```
+//! use plm_view::{Chart, Recording};
+//!
+//! let mut recording = Recording::new([("arm.angle", "deg"), ("shoulder.force.x", "N")]);
+//! for step in 0..=100 {
+//!     let time = f64::from(step) / 100.0;
+//!     recording.push(time, [45.0 * time.cos(), 98.1 * time.sin()]);
+//! }
+//!
+//! let folder = std::env::temp_dir().join("plm-view-doc");
+//! recording.write_csv(folder.join("arm.csv"))?;
+//! Chart::over_time(&recording).titled("Arm").write_svg(folder.join("arm.svg"))?;
+//! # std::fs::remove_dir_all(folder).ok();
+//! # Ok::<(), plm_view::Error>(())
+//! ```
+//!
+//! A recording belongs to the caller, not to the run: when a run fails, everything that was recorded before
+//! the failure is still there to be written and looked at.
+//!
+//! The crate knows numbers, names and units, and nothing of mechanisms.
+
+mod chart;
+mod error;
+mod figures;
+mod recording;
+
+pub use chart::Chart;
+pub use error::Error;
+pub use figures::{Figure, Figures};
+pub use recording::{Column, Recording};

@@ -1,0 +1,45 @@
+//! Planar mechanisms, declared in Rust source and compiled to exact, allocation-free simulations.
+//!
+//! [`mechanism!`] parses bodies and joints, derives the equations of motion symbolically while rustc compiles, and emits
+//! straight-line code for them; the runtime assembles the mechanism and steps it. Mistakes are reported by rustc at the
+//! joint that makes them.
+//!
+//! ```
+//! plm::mechanism! {
+//!     /// A pendulum of 1 kg on a bar of 1 m.
+//!     pub Pendulum {
+//!         gravity: 9.81 m/s^2;
+//!         ground { port o: (0, 0) m; }
+//!         body bob {
+//!             mass: 1 kg;
+//!             inertia: 0.01 kg*m^2;
+//!             port pivot: (0, 1) m;
+//!             start angle: 30 deg, locked;
+//!         }
+//!         revolute hinge(ground.o, bob.pivot);
+//!         output hinge.force;
+//!     }
+//! }
+//!
+//! fn main() -> Result<(), plm::Fault> {
+//!     let mut sim = Pendulum::new().start()?;
+//!     sim.step(0.5)?;
+//!     let energy = sim.kinetic_energy() + sim.gravity_energy();
+//!     assert!((energy + 9.81 * 30_f64.to_radians().cos()).abs() < 1e-6);
+//!     Ok(())
+//! }
+//! ```
+#![no_std]
+
+// Emitted paths begin with `::plm`, in this package's own tests too.
+extern crate self as plm;
+
+pub use plm_macros::mechanism;
+#[doc(no_inline)]
+pub use plm_runtime as runtime;
+pub use plm_runtime::{
+    BodyStart, BodyState, Cause, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations, Real, Rk4, Scalar,
+    SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,
+};
+#[cfg(feature = "view")]
+pub use plm_view as view;

@@ -1,0 +1,115 @@
+//! Assembly (manual, section 4.4): where it lands, what it refuses, what it says.
+
+use plm::{Cause, Start};
+
+use crate::scenes::{s1, s2};
+
+mod pendulum {
+    plm::mechanism! {
+        /// The pendulum of PLMASSEMBLY: the length is a parameter, so that only the run can judge its locks.
+        pub Pendulum {
+            param length: m = 0.5 m;
+            ground { port o: (0, 0) m; }
+            body bob {
+                mass: 1 kg;
+                inertia: 0.01 kg*m^2;
+                port o: (-length, 0);
+                start angle: 30 deg;
+            }
+            revolute hinge(ground.o, bob.o);
+        }
+    }
+}
+
+mod parallel_cranks {
+    plm::mechanism! {
+        /// Three parallel cranks: the third says what the first two say.
+        pub ParallelCranks {
+            allow(W0001);
+            gravity: 9.81 m/s^2;
+            ground { port a: (0, 0) m; port b: (1, 0) m; port c: (2, 0) m; }
+            body one   { mass: 1 kg; inertia: 0.02 kg*m^2; port low: (-0.25, 0) m; port high: (0.25, 0) m; start angle: 60 deg, locked; }
+            body two   { mass: 1 kg; inertia: 0.02 kg*m^2; port low: (-0.25, 0) m; port high: (0.25, 0) m; start x: 1 m; start angle: 60 deg; }
+            body three { mass: 1 kg; inertia: 0.02 kg*m^2; port low: (-0.25, 0) m; port high: (0.25, 0) m; start x: 2 m; start angle: 60 deg; }
+            body beam  { mass: 2 kg; inertia: 0.6 kg*m^2; port a: (-1, 0) m; port b: (0, 0) m; port c: (1, 0) m; start x: 1 m; start y: 0.4 m; }
+            revolute a(ground.a, one.low);
+            revolute b(ground.b, two.low);
+            revolute c(ground.c, three.low);
+            revolute d(one.high, beam.a);
+            revolute e(two.high, beam.b);
+            revolute f(three.high, beam.c);
+            output a.force, f.force;
+        }
+    }
+}
+
+#[test]
+fn the_manuals_unlocked_pendulum_lands_where_the_manual_says() {
+    let mut pendulum = s1::DoublePendulum::new();
+    pendulum.start.arm.angle.locked = false;
+    pendulum.start.forearm.angle.locked = false;
+    let found = pendulum.assemble().unwrap();
+    assert!((found.q[2].to_degrees() - 68.193_440_038_797_87).abs() < 1e-9);
+    assert!((found.q[5].to_degrees() + 25.758_589_765_783_96).abs() < 1e-9);
+    assert_eq!((found.freedom, found.rank, found.rows, found.locks), (2, 4, 4, 0));
+}
+
+#[test]
+fn locks_hold_and_the_rest_follows() {
+    let found = s1::DoublePendulum::new().assemble().unwrap();
+    assert!((found.q[2] - std::f64::consts::FRAC_PI_4).abs() == 0.0 && found.q[5] == 0.0);
+    assert!(found.gap <= 1e-15);
+    assert_eq!((found.freedom, found.rank, found.rows, found.locks), (2, 6, 6, 2));
+}
+
+#[test]
+fn three_locks_on_a_pendulum_are_two_too_many() {
+    let mut pendulum = pendulum::Pendulum::new();
+    for start in [&mut pendulum.start.bob.x, &mut pendulum.start.bob.y, &mut pendulum.start.bob.angle] {
+        start.locked = true;
+    }
+    let fault = pendulum.start().err().unwrap();
+    let Cause::Redundant { count, .. } = fault.cause else { panic!("{fault}") };
+    assert_eq!(count, 2);
+    let text = fault.to_string();
+    assert!(text.contains("2 redundant") && text.contains("bob.x") && text.contains("bob.y"), "{text}");
+}
+
+#[test]
+fn a_loop_that_is_too_short_stays_open_at_a_named_joint() {
+    let mut four_bar = s2::FourBar::new();
+    four_bar.start.crank.angle = Start::locked(0.0);
+    four_bar.start.rocker.angle = Start::locked(0.0);
+    let fault = four_bar.start().err().unwrap();
+    let Cause::Open { gap } = fault.cause else { panic!("{fault}") };
+    assert!(gap > 0.1 && ["crank_coupler", "coupler_rocker"].contains(&fault.part), "{fault}");
+}
+
+#[test]
+fn velocities_follow_the_locked_one() {
+    let mut four_bar = s2::FourBar::new();
+    four_bar.start.crank.omega = Start::locked(2.0);
+    let sim = four_bar.start().unwrap();
+    assert_eq!(sim.crank().omega, 2.0);
+    assert!(sim.drift().phi_dot < 1e-14, "{:?}", sim.drift());
+    // Freudenstein's relation differentiated: the coupler's end moves across the rocker.
+    let (crank, coupler, rocker) = (sim.crank(), sim.coupler(), sim.rocker());
+    let expected = 0.3 * 2.0 * (coupler.angle - crank.angle).sin() / (0.7 * (coupler.angle - rocker.angle).sin());
+    assert!((rocker.omega - expected).abs() < 1e-13, "{} {expected}", rocker.omega);
+}
+
+#[test]
+fn redundant_joints_that_agree_run_by_rank() {
+    let cranks = parallel_cranks::ParallelCranks::new();
+    let found = cranks.assemble().unwrap();
+    assert_eq!(found.freedom, 0);
+    assert_eq!(found.redundant.iter().filter(|row| **row).count(), 1);
+    let mut sim = cranks.start().unwrap();
+    let energy = |sim: &plm::Sim<parallel_cranks::ParallelCranks>| sim.kinetic_energy() + sim.gravity_energy();
+    let before = energy(&sim);
+    sim.step(0.5).unwrap();
+    assert!((energy(&sim) - before).abs() < 1e-5 * before.abs(), "{}", energy(&sim) - before);
+    assert!(sim.stats().by_rank > 0);
+    assert!(sim.undetermined().iter().any(|row| *row) && !sim.undetermined().iter().all(|row| *row));
+    assert!((sim.one().angle - sim.three().angle).abs() < 1e-12);
+}

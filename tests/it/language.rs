@@ -1,0 +1,115 @@
+//! What the language says, seen in what runs.
+
+mod drawing {
+    plm::mechanism! {
+        /// Example 4 of the manual, section 4.3.5: drawn at 20 deg, started at 45 deg.
+        pub Drawn {
+            gravity: 9.81 m/s^2;
+            ground { port o: (0, 0) m; }
+            body beam {
+                coordinates: absolute;
+                drawing_angle: 20 deg;
+                mass: 100 kg;
+                inertia: 0.01 kg*m^2;
+                centre: (0.5*cos(20 deg), 0.5*sin(20 deg)) m;
+                port o: (0, 0) m;
+                start angle: 45 deg, locked;
+            }
+            revolute hinge(ground.o, beam.o);
+        }
+    }
+}
+
+mod own_part {
+    plm::mechanism! {
+        /// A part of the user's own, and a chain by repetition.
+        pub Rope {
+            gravity: 9.81 m/s^2;
+            param count_mass: kg = 0.2 kg;
+
+            /// A torsional spring that stiffens.
+            part stiffener(a: frame, b: frame) {
+                param k: N*m/rad = 1 N*m/rad;
+                let angle = b.angle - a.angle;
+                torque on b from a: -k*angle*(1 + angle^2);
+                output energy = k*(angle^2/2 + angle^4/4);
+            }
+
+            ground { port o: (0, 0) m; }
+            repeat i in 0..5 {
+                body bar[i] {
+                    mass: count_mass;
+                    inertia: 0.001 kg*m^2;
+                    port a: (-0.1, 0) m;
+                    port b: (0.1, 0) m;
+                    start x: (0.1 + 0.2*i) * 1 m;
+                }
+            }
+            revolute hook(ground.o, bar[0].a);
+            repeat i in 1..5 {
+                revolute pin[i](bar[i - 1].b, bar[i].a);
+                stiffener spring[i](bar[i - 1].b, bar[i].a) { k: 2 N*m/rad; }
+            }
+            output hook.force, tip = bar[4].b.y, spring[4].energy;
+        }
+    }
+}
+
+mod first_order {
+    plm::mechanism! {
+        /// A lag of first order drives a crank.
+        pub Lagged {
+            input target: N*m = 1 N*m;
+            param tau: s = 0.5 s;
+            state torque: N*m = 0;
+            rate torque = (target - torque) / tau;
+            ground { port o: (0, 0) m; }
+            body crank { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start angle: 0, locked; }
+            revolute bearing(ground.o, crank.o) { drive: torque; }
+        }
+    }
+}
+
+#[test]
+fn drawing_coordinates_place_the_body_as_the_manual_says() {
+    let found = drawing::Drawn::new().assemble().unwrap();
+    let h = 0.5 * std::f64::consts::FRAC_1_SQRT_2;
+    let expected = [h, h, 45.0_f64.to_radians()];
+    for (value, expected) in found.q.iter().zip(expected) {
+        assert!((value - expected).abs() < 1e-15, "{:?}", found.q);
+    }
+}
+
+#[test]
+fn parts_of_the_users_own_act_and_tell() {
+    let mut sim = own_part::Rope::new().start_with(plm::Dopri5::with_tolerance(1e-11)).unwrap();
+    // Spring energy of all pins is part of the balance; here only the last is an output, so the springs' power counts.
+    let before = sim.kinetic_energy() + sim.gravity_energy();
+    let mut work = 0.0;
+    for _ in 0..400 {
+        let start = sim.load_power();
+        sim.step(5e-4).unwrap();
+        let middle = sim.load_power();
+        sim.step(5e-4).unwrap();
+        work += 1e-3 / 6.0 * (start + 4.0 * middle + sim.load_power());
+    }
+    let gained = sim.kinetic_energy() + sim.gravity_energy() - before;
+    assert!((gained - work).abs() < 1e-9, "{gained} {work}");
+    assert!(sim.tip() < -0.05 && sim.spring_4_energy() > 0.0);
+}
+
+#[test]
+fn parameters_change_between_runs_without_compiling() {
+    let light = own_part::Rope::new().start().unwrap().hook_force();
+    let heavy = own_part::Rope { count_mass: 0.4, ..own_part::Rope::new() }.start().unwrap().hook_force();
+    assert!(heavy[1].abs() > 1.5 * light[1].abs(), "{light:?} {heavy:?}");
+}
+
+#[test]
+fn states_follow_their_rates() {
+    let mut sim = first_order::Lagged::new().start_with(plm::Dopri5::with_tolerance(1e-11)).unwrap();
+    sim.step(1.0).unwrap();
+    // torque = 1 - exp(-t/tau), omega its integral over J = 1 kg m^2.
+    let expected = 1.0 - 0.5 * (1.0 - (-2.0_f64).exp());
+    assert!((sim.crank().omega - expected).abs() < 1e-9, "{} {expected}", sim.crank().omega);
+}

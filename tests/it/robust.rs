@@ -1,0 +1,110 @@
+//! Runs near poses where elimination without pivoting loses digits, resumed runs, faults, single precision.
+
+use plm::{Cause, Dopri5, Rk4, Start};
+
+use crate::scenes::{s1, s2};
+
+mod flat {
+    plm::mechanism! {
+        /// A parallelogram: at the flat pose the rank of phi_q falls from 8 to 7.
+        pub Parallelogram {
+            ground { port a: (0, 0) m; port d: (1, 0) m; }
+            body left  { mass: 1 kg; inertia: 1 kg*m^2/12; port low: (-0.5, 0) m; port high: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
+            body top   { mass: 1 kg; inertia: 1 kg*m^2/12; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 0.5 m; start y: 1 m; }
+            body right { mass: 1 kg; inertia: 1 kg*m^2/12; port low: (-0.5, 0) m; port high: (0.5, 0) m; start x: 1 m; start angle: 90 deg; }
+            revolute a(ground.a, left.low);
+            revolute b(left.high, top.a);
+            revolute c(top.b, right.high);
+            revolute d(ground.d, right.low);
+        }
+    }
+}
+
+#[test]
+fn near_the_flat_pose_the_rank_revealing_solution_keeps_the_digits() {
+    use plm::{Mechanism, Moment, System};
+    // Without gravity the parallelogram turns at constant speed whatever the pose: a = 0 but for the centripetal part.
+    for distance in [1e-3, 1e-5, 1e-7] {
+        let mut mechanism = flat::Parallelogram::new();
+        mechanism.start.left.angle = Start::locked(distance);
+        mechanism.start.top.y = Start::free(distance);
+        mechanism.start.right.angle = Start::free(distance);
+        let x = mechanism.start_state(0.0).unwrap();
+        let state = <flat::parallelogram::State as Moment>::new(mechanism, mechanism.start_input(), 0.0, x);
+        let mut dx = x;
+        if !mechanism.rate(0.0, state.input(), &x, &mut dx).is_good() {
+            mechanism.rate_by_rank(0.0, state.input(), &x, &mut dx).unwrap();
+        }
+        let angular = [dx[11], dx[14], dx[17]];
+        assert!(angular.iter().all(|alpha| alpha.abs() < 1e-8), "{distance}: {angular:?}");
+    }
+}
+
+#[test]
+fn a_run_resumes_to_the_bit() {
+    let mut sim = s2::FourBar::new().start().unwrap();
+    sim.step(0.37).unwrap();
+    let saved = sim.save();
+    sim.step(0.5).unwrap();
+    let first = sim.coupler();
+    let mut other = s2::FourBar::new().start().unwrap();
+    other.resume(&saved);
+    other.step(0.5).unwrap();
+    assert_eq!(first, other.coupler());
+    assert_eq!(sim.stats().steps, other.stats().steps);
+}
+
+#[test]
+fn what_is_not_a_number_ends_the_run_with_its_part_and_time() {
+    let mut sim = s1::DoublePendulum::new().start_with(Rk4::new(1e-3)).unwrap();
+    sim.step(0.1).unwrap();
+    sim.mechanism.start.arm.x = Start::free(0.0);
+    let mut poisoned = driven::Driven::new().start_with(Rk4::new(1e-3)).unwrap();
+    poisoned.input.torque = f64::NAN;
+    let fault = poisoned.step(0.1).err().unwrap();
+    assert_eq!(fault.cause, Cause::NotFinite);
+    assert_eq!(fault.part, "bar");
+    assert!(fault.time <= 0.1);
+}
+
+mod driven {
+    plm::mechanism! {
+        pub Driven {
+            input torque: N*m = 0;
+            ground { port o: (0, 0) m; }
+            body bar { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; start angle: 0, locked; }
+            revolute hinge(ground.o, bar.o) { drive: torque; }
+        }
+    }
+}
+
+#[test]
+fn inputs_act_from_the_next_step_on() {
+    let mut sim = driven::Driven::new().start_with(Dopri5::with_tolerance(1e-10)).unwrap();
+    sim.step(0.2).unwrap();
+    assert_eq!(sim.bar().omega, 0.0);
+    sim.input.torque = 0.35;
+    sim.step(0.5).unwrap();
+    // J about the hinge is 0.1 + 0.25 kg m^2: 1 rad/s^2.
+    assert!((sim.bar().omega - 0.5).abs() < 1e-10 && (sim.bar().angle - 0.125).abs() < 1e-10, "{:?}", sim.bar());
+}
+
+#[test]
+fn single_precision_follows_double_precision() {
+    let mut double = s2::FourBar::new().start_with(Rk4::new(1e-3)).unwrap();
+    let mut single = s2::FourBar::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
+    double.step(0.5).unwrap();
+    single.step(0.5).unwrap();
+    assert!((double.coupler().angle - f64::from(single.coupler().angle)).abs() < 1e-4);
+    assert!(f64::from(single.drift().phi) < 1e-5, "{:?}", single.drift());
+}
+
+#[test]
+fn sampling_gives_what_was_before_a_failure() {
+    let mut sim = driven::Driven::new().start().unwrap();
+    sim.input.torque = f64::NAN;
+    let mut samples = Vec::new();
+    let result = sim.run(1.0, 0.1, |state| samples.push(state.time()));
+    assert!(result.is_err());
+    assert_eq!(samples, [0.0]);
+}

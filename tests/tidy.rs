@@ -1,0 +1,269 @@
+//! Rules of the house that a machine can read: sizes, places, links, pages. CONTRIBUTING.md says why.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use plm_compiler::diag::Code;
+
+/// A file above this is shown (`cargo test --test tidy -- --nocapture`): it may be two rooms.
+const LONG_FILE: usize = 400;
+/// A file above this fails.
+const LONGEST_FILE: usize = 600;
+
+/// Files of the compiler that may hold a hash map, each with the reason why its order reaches no output.
+const MAY_HASH: [(&str, &str); 0] = [];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All files of the repository with one of these extensions, in the order of their paths.
+fn files(extensions: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![root().to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap().map(Result::unwrap) {
+            let name = entry.file_name().into_string().unwrap();
+            let path = entry.path();
+            if path.is_dir() {
+                if !["target", ".git", "book"].contains(&name.as_str()) {
+                    folders.push(path);
+                }
+            } else if path.extension().is_some_and(|e| extensions.iter().any(|wanted| e == *wanted)) {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The path from the root, with slashes.
+fn shown(path: &Path) -> String {
+    let parts = path.strip_prefix(root()).unwrap().components();
+    parts.map(|part| part.as_os_str().to_str().unwrap()).collect::<Vec<_>>().join("/")
+}
+
+/// Every line of every file, with the place to name in a message.
+fn lines(files: Vec<PathBuf>) -> impl Iterator<Item = (String, String, String)> {
+    files.into_iter().flat_map(|file| {
+        let text = fs::read_to_string(&file).unwrap();
+        let shown = shown(&file);
+        let numbered = text.lines().enumerate();
+        numbered
+            .map(|(index, line)| (shown.clone(), format!("{shown}:{}", index + 1), line.to_owned()))
+            .collect::<Vec<_>>()
+    })
+}
+
+fn fail_with(what: &str, wrong: &[String]) {
+    assert!(wrong.is_empty(), "{what}:\n  {}", wrong.join("\n  "));
+}
+
+#[test]
+fn files_are_short() {
+    let mut wrong = Vec::new();
+    for file in files(&["rs", "plm"]) {
+        let length = fs::read_to_string(&file).unwrap().lines().count();
+        if length > LONGEST_FILE {
+            wrong.push(format!("{}: {length} lines", shown(&file)));
+        } else if length > LONG_FILE {
+            println!("{}: {length} lines; is it two rooms?", shown(&file));
+        }
+    }
+    fail_with(&format!("files of more than {LONGEST_FILE} lines"), &wrong);
+}
+
+#[test]
+fn nothing_is_left_open() {
+    // Put together here, so that this list is not found itself.
+    let open = [
+        concat!("TO", "DO"),
+        concat!("FIX", "ME"),
+        concat!("XX", "X"),
+        concat!("to", "do!"),
+        concat!("unimple", "mented!"),
+        concat!("#[", "ignore"),
+        concat!("(to be ", "written)"),
+    ];
+    let mut wrong = Vec::new();
+    for (_, place, line) in lines(files(&["rs", "plm", "toml", "md", "sh"])) {
+        if open.iter().any(|word| line.contains(word)) {
+            wrong.push(format!("{place}: {}", line.trim()));
+        }
+    }
+    fail_with("left open", &wrong);
+}
+
+#[test]
+fn no_hash_decides_an_order_in_the_compiler() {
+    let mut wrong = Vec::new();
+    for (file, place, line) in lines(files(&["rs"])) {
+        let compiler = file.starts_with("plm-macros/");
+        let hashes = ["HashMap", "HashSet", "RandomState"].iter().any(|name| line.contains(name));
+        if compiler && hashes && !MAY_HASH.iter().any(|(allowed, _)| *allowed == file) {
+            wrong.push(format!("{place}: {}", line.trim()));
+        }
+    }
+    fail_with("hash maps in the compiler (BTreeMap, or an entry with its reason in MAY_HASH)", &wrong);
+}
+
+#[test]
+fn unsafe_code_stands_in_one_file() {
+    // The program without std has to enter, print and leave by itself; nothing that is shipped has a reason.
+    let allowed = "tests/no_std/src/machine.rs";
+    let wrong: Vec<String> = lines(files(&["rs"]))
+        .filter(|(file, _, line)| {
+            let code = line.split("//").next().unwrap_or("");
+            let forms = [concat!("unsafe", " "), concat!("#[unsafe", "("), concat!("unsafe", "{")];
+            file != allowed && forms.iter().any(|form| code.contains(form))
+        })
+        .map(|(_, place, line)| format!("{place}: {}", line.trim()))
+        .collect();
+    fail_with("code that is not safe", &wrong);
+}
+
+#[test]
+fn no_path_of_a_machine_stands_in_the_tree() {
+    let paths = [
+        concat!("/wo", "rk/"),
+        concat!("/t", "mp/"),
+        concat!("/ro", "ot/"),
+        concat!("/ho", "me/"),
+        concat!("../sha", "red"),
+    ];
+    let mut wrong = Vec::new();
+    let texts = ["rs", "plm", "toml", "md", "sh", "json", "stderr", "txt", "svg", "lock"];
+    let mut files = files(&texts);
+    files.push(root().join(".ci/run"));
+    for (_, place, line) in lines(files) {
+        if paths.iter().any(|path| line.contains(path)) {
+            wrong.push(format!("{place}: {}", line.trim()));
+        }
+    }
+    fail_with("paths of a machine", &wrong);
+}
+
+#[test]
+fn every_package_takes_the_lints_of_the_workspace() {
+    let mut wrong = Vec::new();
+    for file in files(&["toml"]) {
+        let text = fs::read_to_string(&file).unwrap();
+        let is_member = text.contains("version.workspace = true");
+        if is_member && !text.contains("[lints]\nworkspace = true") {
+            wrong.push(shown(&file));
+        }
+    }
+    fail_with("packages without `[lints] workspace = true`", &wrong);
+}
+
+#[test]
+fn paths_in_the_architecture_exist() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let named = paths_in_code(&text);
+    assert!(named.len() >= 10, "the reader of paths found only {named:?}");
+    let wrong: Vec<String> = named.into_iter().filter(|path| !exists(path)).collect();
+    fail_with("ARCHITECTURE.md names paths that do not exist", &wrong);
+}
+
+/// What looks like a path in code spans and code blocks: it ends like one of our files or folders, or begins with a
+/// folder at the root.
+fn paths_in_code(markdown: &str) -> BTreeSet<String> {
+    let mut named = BTreeSet::new();
+    let mut in_block = false;
+    for line in markdown.lines() {
+        if line.trim_start().starts_with("```") {
+            in_block = !in_block;
+            continue;
+        }
+        // In prose the odd pieces between backticks are code; in a block of the layout every word may be a path.
+        let step = if in_block { 1 } else { 2 };
+        for code in line.split('`').skip(step - 1).step_by(step) {
+            for word in code.split([' ', ',', ';', '(', ')', '"']) {
+                if is_path(word) {
+                    named.insert(word.to_owned());
+                }
+            }
+        }
+    }
+    named
+}
+
+fn is_path(word: &str) -> bool {
+    let characters = word.chars().all(|c| c.is_ascii_alphanumeric() || "/._-*<>".contains(c));
+    let first = word.split('/').next().unwrap_or("");
+    let ends = ["/", ".rs", ".md", ".plm", ".toml", ".sh", ".json"].iter().any(|end| word.ends_with(end));
+    characters && first.len() > 1 && (ends || word.contains('/') && root().join(first).exists())
+}
+
+/// A path from the root, from a package or from its sources; what stands after a wildcard is not looked at.
+fn exists(path: &str) -> bool {
+    let known = match path.find(['*', '<']) {
+        None => path,
+        Some(wildcard) => path[..wildcard].rsplit_once('/').map_or("", |(folders, _)| folders),
+    };
+    let manifests = files(&["toml"]).into_iter().filter(|file| file.ends_with("Cargo.toml"));
+    let packages: Vec<PathBuf> = manifests.map(|file| file.parent().unwrap().to_owned()).collect();
+    packages.iter().any(|base| base.join(known).exists() || base.join("src").join(known).exists())
+}
+
+#[test]
+fn links_in_our_pages_lead_somewhere() {
+    let mut wrong = Vec::new();
+    for file in files(&["md"]) {
+        let text = fs::read_to_string(&file).unwrap();
+        for target in links(&text) {
+            let path = target.split('#').next().unwrap_or("");
+            let elsewhere = path.is_empty() || path.contains("://") || path.starts_with("mailto:");
+            if !elsewhere && !file.parent().unwrap().join(path).exists() {
+                wrong.push(format!("{}: {target}", shown(&file)));
+            }
+        }
+    }
+    fail_with("links that lead nowhere", &wrong);
+}
+
+/// The targets of `[text](target)`, outside code.
+fn links(markdown: &str) -> Vec<&str> {
+    let prose = markdown.split("```").step_by(2);
+    let prose = prose.flat_map(|text| text.split('`').step_by(2));
+    let after = prose.flat_map(|text| text.split("](").skip(1));
+    after.filter_map(|rest| rest.split(')').next()).collect()
+}
+
+#[test]
+fn the_book_lists_every_page() {
+    let book = root().join("docs/src");
+    let summary = fs::read_to_string(book.join("SUMMARY.md")).expect("docs/src/SUMMARY.md");
+    let listed: BTreeSet<PathBuf> = links(&summary).into_iter().map(|link| book.join(link)).collect();
+    assert!(!listed.is_empty(), "the reader of links found none in SUMMARY.md");
+    let pages = files(&["md"]).into_iter().filter(|file| file.starts_with(&book));
+    let forgotten = pages.filter(|page| !page.ends_with("SUMMARY.md") && !listed.contains(page));
+    fail_with("pages that SUMMARY.md does not list", &forgotten.map(|page| shown(&page)).collect::<Vec<_>>());
+}
+
+#[test]
+fn every_diagnostic_has_a_page_and_a_case() {
+    let is_case = |file: &Path| {
+        let file = shown(file);
+        file.starts_with("plm-macros/compiler/tests/") || file.starts_with("tests/ui/")
+    };
+    let cases = files(&["rs", "plm", "stderr"]).into_iter().filter(|file| is_case(file));
+    let cases: String = cases.map(|file| fs::read_to_string(file).unwrap()).collect();
+
+    let mut wrong = Vec::new();
+    for code in Code::ALL.iter().map(|code| code.id()) {
+        let page = root().join(format!("docs/src/diagnostics/{code}.md"));
+        match fs::read_to_string(&page) {
+            Ok(text) if text.starts_with(&format!("# {code}")) => {}
+            Ok(_) => wrong.push(format!("{}: the heading does not begin with the code", shown(&page))),
+            Err(_) => wrong.push(format!("{code} has no page {}", shown(&page))),
+        }
+        if !cases.contains(code) {
+            wrong.push(format!("{code} has no case in plm-macros/compiler/tests or tests/ui"));
+        }
+    }
+    fail_with("the catalogue of diagnostics", &wrong);
+}
