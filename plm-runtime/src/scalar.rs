@@ -144,6 +144,16 @@ pub trait Real: Scalar<Mask = bool> + PartialOrd {
     fn floor(self) -> Self;
 }
 
+/// `lanes` of N values in L >= N lanes; the last value fills up.
+#[inline]
+fn padded<T: Copy, const N: usize, const L: usize>(
+    x: [T; N],
+    lanes: impl FnOnce([T; L]) -> ([T; L], [T; L]),
+) -> ([T; N], [T; N]) {
+    let (a, b) = lanes(core::array::from_fn(|i| x[i.min(N - 1)]));
+    (core::array::from_fn(|i| a[i]), core::array::from_fn(|i| b[i]))
+}
+
 macro_rules! real {
     ($real:ident, $healthy:literal, $rank_tolerance:literal) => {
         impl Scalar for $real {
@@ -176,7 +186,12 @@ macro_rules! real {
             }
             #[inline]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-                math::$real::sin_cos_lanes(angles)
+                // Vectors have two, four or eight lanes: what lies between is filled up.
+                match N {
+                    3 => padded::<_, N, 4>(angles, math::$real::sin_cos_lanes),
+                    5..=7 => padded::<_, N, 8>(angles, math::$real::sin_cos_lanes),
+                    _ => math::$real::sin_cos_lanes(angles),
+                }
             }
             #[inline]
             fn sqrt(self) -> Self {

@@ -40,14 +40,6 @@ pub struct Stats {
     pub longest_step: f64,
 }
 
-impl Stats {
-    #[inline]
-    pub(crate) fn count_step(&mut self, h: f64) {
-        self.steps += 1;
-        self.longest_step = self.longest_step.max(h);
-    }
-}
-
 /// Something that the user should know although the run goes on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -176,7 +168,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let Self { state, method, stats } = self;
         let (system, input, x) = (state.mechanism(), state.input(), *state.x());
         let mut course = Course { system, input, time, x, end, stats };
-        let mut outcome = if time < end { method.begin(&course) } else { Ok(()) };
+        let mut outcome = if time < end { method.begin(&mut course) } else { Ok(()) };
         while outcome.is_ok() && course.time < end {
             outcome = method.advance(&mut course);
             if outcome.is_ok() {

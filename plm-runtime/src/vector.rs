@@ -26,8 +26,10 @@ pub trait Vector<S: Scalar>: Copy {
     fn map2(&self, other: &Self, f: impl FnMut(S, S) -> S) -> Self;
     /// `f` from the first component to the last, beginning with `start`.
     fn fold<T>(&self, start: T, f: impl FnMut(T, S) -> T) -> T;
-    /// `base + sum of factor * vector`, added in the order of the terms.
-    fn combine<const K: usize>(base: &Self, terms: [(S, &Self); K]) -> Self;
+    /// Becomes `base + sum of factor * vector`, added in the order of the terms.
+    fn combine<const K: usize>(&mut self, base: &Self, terms: [(S, &Self); K]);
+    /// Adds `sum of factor * vector`, in the order of the terms.
+    fn add<const K: usize>(&mut self, terms: [(S, &Self); K]);
     /// Neither infinite nor NaN in any component.
     fn is_finite(&self) -> bool;
 }
@@ -76,14 +78,23 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
     }
 
     #[inline]
-    fn combine<const K: usize>(base: &Self, terms: [(S, &Self); K]) -> Self {
-        let mut sum = *base;
-        for (i, s) in sum.iter_mut().enumerate() {
+    fn combine<const K: usize>(&mut self, base: &Self, terms: [(S, &Self); K]) {
+        for i in 0..N {
+            let mut sum = base[i];
             for (factor, vector) in terms {
-                *s = factor.mul_add(vector[i], *s);
+                sum = factor.mul_add(vector[i], sum);
+            }
+            self[i] = sum;
+        }
+    }
+
+    #[inline]
+    fn add<const K: usize>(&mut self, terms: [(S, &Self); K]) {
+        for i in 0..N {
+            for (factor, vector) in terms {
+                self[i] = factor.mul_add(vector[i], self[i]);
             }
         }
-        sum
     }
 
     #[inline]
@@ -91,8 +102,14 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
         // Zero times NaN or infinity is NaN; four sums, so that the additions do not wait for each other.
         let zero = S::lit(0.0);
         let mut probe = [zero; 4];
-        for (i, s) in self.iter().enumerate() {
-            probe[i % 4] = probe[i % 4] + *s * zero;
+        let (quads, rest) = self.as_chunks::<4>();
+        for quad in quads {
+            for (sum, s) in probe.iter_mut().zip(quad) {
+                *sum = *sum + *s * zero;
+            }
+        }
+        for (sum, s) in probe.iter_mut().zip(rest) {
+            *sum = *sum + *s * zero;
         }
         ((probe[0] + probe[1]) + (probe[2] + probe[3])).is_finite()
     }

@@ -1,5 +1,5 @@
 //! Tests across the crates: declared mechanisms, compiled and run.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod assembly;
 mod language;

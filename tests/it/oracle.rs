@@ -1,6 +1,6 @@
 //! Emitted code against the interpreter of the compiler: the same operations in the same order, so the same bits.
 
-use plm::{Mechanism, Moment, System};
+use plm::{Mechanism, Moment};
 use plm_compiler::compile;
 use plm_compiler::token::Sources;
 
@@ -9,13 +9,13 @@ macro_rules! twice {
     ($module:ident, $($declaration:tt)*) => {
         mod $module {
             plm::mechanism! { $($declaration)* }
-            pub const TEXT: &str = stringify!($($declaration)*);
+            pub(super) const TEXT: &str = stringify!($($declaration)*);
         }
     };
 }
 
+// Every function of the language, parameters, inputs, states, all joints.
 twice! { everything,
-    /// Every function of the language, parameters, inputs, states, all joints.
     pub Everything {
         gravity: 9.81 m/s^2;
         param length: m = 0.7 m;
@@ -66,6 +66,8 @@ fn compare<M: Mechanism<S = f64>>(mechanism: M, text: &str) {
     let mut sources = Sources::new();
     sources.add_text("declaration", text);
     let expansion = compile(&mut sources);
+    let problems: Vec<String> = expansion.diagnostics.iter().map(|problem| problem.render(&sources)).collect();
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
     let oracle = expansion.oracle.unwrap();
     let mut sim = mechanism.start().unwrap();
     for _ in 0..20 {

@@ -48,7 +48,7 @@ fn difference<const N: usize>(found: [BodyState<f64>; N], expected: &Poses<N>) -
 }
 
 fn tight<M: plm::System<S = f64>>() -> Dopri5<M> {
-    Dopri5::with_tolerance(1e-13)
+    Dopri5::new(1e-13)
 }
 
 /// Runs a scene to an end and gives the poses there and the largest drift of phi and phi_dot on the way.

@@ -23,21 +23,29 @@ mod flat {
 #[test]
 fn near_the_flat_pose_the_rank_revealing_solution_keeps_the_digits() {
     use plm::{Mechanism, Moment, System};
-    // Without gravity the parallelogram turns at constant speed whatever the pose: a = 0 but for the centripetal part.
-    for distance in [1e-3, 1e-5, 1e-7] {
+    let mut lost = 0.0_f64;
+    for distance in [1e-1, 1e-2, 1e-3, 1e-5, 1e-7] {
         let mut mechanism = flat::Parallelogram::new();
         mechanism.start.left.angle = Start::locked(distance);
         mechanism.start.top.y = Start::free(distance);
         mechanism.start.right.angle = Start::free(distance);
         let x = mechanism.start_state(0.0).unwrap();
         let state = <flat::parallelogram::State as Moment>::new(mechanism, mechanism.start_input(), 0.0, x);
-        let mut dx = x;
-        if !mechanism.rate(0.0, state.input(), &x, &mut dx).is_good() {
-            mechanism.rate_by_rank(0.0, state.input(), &x, &mut dx).unwrap();
+        let (mut straight, mut by_rank) = (x, x);
+        let health = mechanism.rate(0.0, state.input(), &x, &mut straight);
+        mechanism.rate_by_rank(0.0, state.input(), &x, &mut by_rank).unwrap();
+        // It turns at constant speed; what is left of 1 rad/s^2 is the rounding of the pose over the distance.
+        let angular = [by_rank[11], by_rank[14], by_rank[17]];
+        assert!(angular.iter().all(|alpha| alpha.abs() < 1e-6), "{distance}: {angular:?}");
+        let difference = (straight[11] - by_rank[11]).abs();
+        if health.is_good() {
+            assert!(difference < 1e-9, "{distance}: {difference:e} at {health:?}");
+        } else {
+            lost = lost.max(difference);
         }
-        let angular = [dx[11], dx[14], dx[17]];
-        assert!(angular.iter().all(|alpha| alpha.abs() < 1e-8), "{distance}: {angular:?}");
     }
+    // Where health says no, the straight-line solution has indeed lost its digits.
+    assert!(lost > 1e-6, "{lost:e}");
 }
 
 #[test]
@@ -80,7 +88,7 @@ mod driven {
 
 #[test]
 fn inputs_act_from_the_next_step_on() {
-    let mut sim = driven::Driven::new().start_with(Dopri5::with_tolerance(1e-10)).unwrap();
+    let mut sim = driven::Driven::new().start_with(Dopri5::new(1e-10)).unwrap();
     sim.step(0.2).unwrap();
     assert_eq!(sim.bar().omega, 0.0);
     sim.input.torque = 0.35;

@@ -47,6 +47,7 @@ mod tape;
 pub use graph::Graph;
 pub use node::{Expr, Function, Node};
 pub use number::Number;
+pub use print::Infix;
 pub use rules::{Condition, RULES, Rule};
 pub use sexpr::ParseError;
 pub use share::share;

@@ -144,7 +144,11 @@ impl Infix<'_> {
         };
         let (mut above, mut below) = (Vec::new(), Vec::new());
         if !coefficient.is_one() {
-            let (numerator, denominator) = coefficient.fraction_text();
+            let divided = factors.iter().any(|f| f.1 < 0);
+            let (numerator, denominator) = match coefficient {
+                Number::Exact { num: 1, den, pi: 0 } if divided => ("1".to_owned(), Some(den.to_string())),
+                other => other.fraction_text(),
+            };
             if numerator != "1" {
                 above.push((Pending::Text(numerator), 1));
             }

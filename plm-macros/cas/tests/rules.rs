@@ -4,7 +4,7 @@
 
 mod support;
 
-use plm_cas::{Condition, Graph, RULES};
+use plm_cas::{Condition, Graph, RULES, Tape};
 use support::{close, direct};
 
 const POINTS: [f64; 11] =
@@ -48,6 +48,25 @@ fn every_rule_keeps_the_value_where_its_condition_holds() {
             }
         }
         assert!(tried > 0, "{}", rule.name);
+    }
+}
+
+/// The other half of the comparison: what the constructors made, lowered and run, at the same points.
+#[test]
+fn the_tape_of_every_result_has_its_value() {
+    for rule in RULES {
+        let mut g = xyz();
+        let result = g.parse_sexpr(rule.pattern).unwrap();
+        let tape = Tape::new(&g, &[result]);
+        let symbols = ["x", "y", "z"].map(|name| g.find_name(name).unwrap());
+        for x in POINTS {
+            for y in POINTS {
+                let point = [x, y, 0.25];
+                let bindings: Vec<_> = symbols.iter().copied().zip(point).collect();
+                let (expected, found) = (direct::text(rule.result, point), tape.eval(&bindings).unwrap()[0]);
+                assert!(close(expected, found, 1e-14), "{} at {x}, {y}: {expected} {found}", rule.name);
+            }
+        }
     }
 }
 

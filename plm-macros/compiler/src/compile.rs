@@ -45,7 +45,9 @@ pub fn compile(sources: &mut Sources) -> Expansion {
         None => Expansion::default(),
     };
     if sink.has_errors() {
-        expansion = Expansion { code: stub(&declaration), ..Expansion::default() };
+        // A mechanism that is complete but for its start has all its names; without them a stub has to do.
+        let code = expansion.code.or_else(|| stub(&declaration));
+        expansion = Expansion { code, ..Expansion::default() };
     }
     expansion.diagnostics = sink;
     expansion

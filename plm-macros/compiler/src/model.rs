@@ -12,6 +12,7 @@ use crate::span::Span;
 use crate::units::DisplayUnit;
 
 /// A mechanism with every name bound.
+#[derive(Debug)]
 pub struct Model {
     /// Name of the type, as written.
     pub name: Name,
@@ -49,14 +50,6 @@ pub struct Model {
     pub outputs: Vec<Output>,
     /// Warning codes that the declaration allows, e.g. `W0003`.
     pub allowed: Vec<String>,
-}
-
-/// Its name and sizes; the graph alone would fill pages.
-impl std::fmt::Debug for Model {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let sizes = (self.bodies.len(), self.parts.len(), self.rows.len());
-        f.debug_struct("Model").field("name", &self.name.text).field("bodies, parts, rows", &sizes).finish()
-    }
 }
 
 /// A name and where it stands.

@@ -8,14 +8,14 @@ macro_rules! functions {
 
             /// (sin x, cos x) of an angle in radians, by one reduction. NaN for infinite x.
             ///
-            #[doc = concat!("No branch is taken for |x| <= ", stringify!($bound), "; larger angles are exact, too, but slower.")]
+            #[doc = concat!("No branch is taken for |x| <= ", stringify!($bound), "; larger angles are as exact, but slower.")]
             #[inline]
             pub fn sin_cos(x: $float) -> ($float, $float) {
                 sin_cos::sin_cos(x)
             }
 
             /// Sines and cosines of several angles, with the bits of [`sin_cos`]: one straight path for all of them,
-            /// which compilers turn into vector instructions.
+            /// which compilers turn into vector instructions. Two, four or eight angles at a time fill them.
             #[inline]
             pub fn sin_cos_lanes<const N: usize>(x: [$float; N]) -> ([$float; N], [$float; N]) {
                 sin_cos::sin_cos_lanes(x)

@@ -10,9 +10,10 @@
 //!
 //! No function allocates or panics. Special cases follow C99, Annex F. `ERRORS.md` has the measured errors.
 //!
-//! [`f64`] and [`f32`] hold the same functions. The f32 ones never compute in f64, which small targets lack.
+//! [`mod@f64`] and [`mod@f32`] hold the same functions. The f32 ones never compute in f64, which small targets lack.
 //!
-//! With the feature `std` square roots come from the processor; without it from integers, with the same bits.
+//! With the feature `std` square roots come from the processor; without it they are found and corrected in integers, with
+//! the same bits.
 #![no_std]
 #![forbid(unsafe_code)]
 // Coefficients stand as tools/minimax.py prints them.

@@ -1,4 +1,4 @@
-//! Square root, correctly rounded: by the processor with the feature `std`, else by integers.
+//! Square root, correctly rounded: by the processor with the feature `std`, else by a first guess that integers correct.
 
 #[cfg(feature = "std")]
 macro_rules! root {

@@ -33,7 +33,8 @@ class Type:
         exponent = max(mp.frexp(x)[1] - self.digits, self.bottom)
         scaled = abs(x) * mpf(2) ** -exponent
         whole = floor(scaled)
-        return self.pack(whole * mpf(2) ** exponent * (1 if x > 0 else -1)), int((scaled - whole) * 4096)
+        sign = 0 if x > 0 else self.pack(mpf("-inf")) ^ self.pack(mpf("inf"))
+        return self.pack(whole * mpf(2) ** exponent) | sign, int((scaled - whole) * 4096)
 
     def nearest(self, x):
         """The number of this type next to x, towards zero, by its bits."""

@@ -17,13 +17,12 @@ impl Formula for SemiImplicitEulerFormula {
     const STAGES: u64 = 1;
 
     #[inline]
-    fn step<M: System>(t: M::S, h: M::S, x: &M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) -> M::X {
-        let mut k = M::X::fill(M::S::lit(0.0));
+    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) {
+        let (q, mut k) = (*x, M::X::fill(M::S::lit(0.0)));
         rate(t, x, &mut k);
-        let mut next = M::X::combine(x, [(h, &k)]);
+        x.add([(h, &k)]);
         for i in 0..M::NQ {
-            next.set(i, h.mul_add(next.at(M::NQ + i), x.at(i)));
+            x.set(i, h.mul_add(x.at(M::NQ + i), q.at(i)));
         }
-        next
     }
 }

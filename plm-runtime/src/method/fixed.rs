@@ -13,14 +13,14 @@ pub trait Formula: Copy {
     /// Rates per step.
     const STAGES: u64;
 
-    /// The state one step of length `h` after `(t, x)`; `rate(t, x, dx)` writes the rate.
-    fn step<M: System>(t: M::S, h: M::S, x: &M::X, rate: impl FnMut(M::S, &M::X, &mut M::X)) -> M::X;
+    /// Takes the state `x` from `t` to `t + h`; `rate(t, x, dx)` writes the rate.
+    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, rate: impl FnMut(M::S, &M::X, &mut M::X));
 
     /// One step for any scalar, with the worst health of its stages and without a second try.
     #[inline]
     fn plain_step<M: System>(system: &M, t: M::S, u: &M::U, x: &mut M::X, h: M::S) -> Health<M::S> {
         let mut worst = Health::perfect();
-        *x = Self::step::<M>(t, h, x, |t, x, dx| worst = worst.worst(system.rate(t, u, x, dx)));
+        Self::step::<M>(t, h, x, |t, x, dx| worst = worst.worst(system.rate(t, u, x, dx)));
         worst
     }
 }
@@ -52,16 +52,21 @@ pub struct FixedStep<S, F> {
 #[derive(Clone, Copy, Debug)]
 struct Plan<S> {
     start: S,
+    end: S,
     h: S,
-    steps: u64,
-    done: u64,
+    /// The time after the next step.
+    next_time: S,
+    steps: u32,
+    /// Steps up to that time.
+    done: u32,
 }
 
 impl<S: Real, F: Formula> FixedStep<S, F> {
     /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
     pub fn new(longest_step: S) -> Self {
         let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
-        let plan = Plan { start: S::lit(0.0), h: S::lit(0.0), steps: 0, done: 0 };
+        let zero = S::lit(0.0);
+        let plan = Plan { start: zero, end: zero, h: zero, next_time: zero, steps: 0, done: 0 };
         Self {
             longest_step,
             tolerance,
@@ -79,48 +84,53 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         Self { tolerance, ..self }
     }
 
-    /// The next state, by rank where needed.
-    fn next<M: System<S = S>>(&mut self, course: &mut Course<'_, M>) -> Result<M::X, Fault> {
-        let (t, h) = (course.time, self.plan.h);
+    /// Makes one step, by rank where needed.
+    #[inline]
+    fn step<M: System<S = S>>(&mut self, course: &mut Course<'_, M>, x: &mut M::X) -> Result<(), Fault> {
         if !self.careful {
-            let (system, u) = (course.system, course.input);
-            let mut worst = Health::perfect();
-            let next = F::step::<M>(t, h, &course.x, |t, x, dx| {
-                worst = worst.worst(system.rate(t, u, x, dx));
-            });
+            let health = F::plain_step(course.system, course.time, course.input, x, self.plan.h);
             course.stats.evaluations += F::STAGES;
-            if worst.is_good() {
-                return Ok(next);
+            if health.is_good() {
+                return Ok(());
             }
+            *x = course.x;
         }
-        self.next_by_rank(course)
+        self.step_by_rank(course, x)
     }
 
     #[cold]
-    fn next_by_rank<M: System<S = S>>(&mut self, course: &mut Course<'_, M>) -> Result<M::X, Fault> {
-        let (t, h, x) = (course.time, self.plan.h, course.x);
-        let by_rank = course.stats.by_rank;
+    fn step_by_rank<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        x: &mut M::X,
+    ) -> Result<(), Fault> {
+        let (t, h, by_rank) = (course.time, self.plan.h, course.stats.by_rank);
         let mut outcome = Ok(());
-        let next = F::step::<M>(t, h, &x, |t, x, dx| {
+        F::step::<M>(t, h, x, |t, x, dx| {
             if outcome.is_ok() {
                 outcome = course.rate(t, x, dx);
             }
         });
         self.careful = course.stats.by_rank > by_rank;
-        outcome.map(|()| next)
+        outcome
     }
 
-    /// Settles the state if its drift is due to be looked at and too large; by rank, after every step.
-    fn limit_drift<M: System<S = S>>(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    /// Settles a new state if its drift is due to be looked at and too large; by rank, after every step.
+    #[inline]
+    fn limit_drift<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        next: &mut M::X,
+    ) -> Result<(), Fault> {
         if self.until_check > 1 && !self.careful {
             self.until_check -= 1;
             return Ok(());
         }
-        let drift = course.system.drift(course.time, &course.x);
+        let drift = course.system.drift(self.plan.next_time, next);
         let limit = if self.careful { S::lit(0.0) } else { S::lit(1.0) };
         if excess(drift, self.drift_limit(course.system)) > limit {
             self.until_check = 1;
-            course.settle()
+            course.settle(self.plan.next_time, next)
         } else {
             self.until_check = self.check_every;
             Ok(())
@@ -128,40 +138,56 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     }
 }
 
+impl<S: Real> Plan<S> {
+    /// Divides an interval into whole steps of at most `longest` (and a millionth, so that rounding in the length of the
+    /// interval does not cost another step). None if such steps do not move the time or cannot be counted.
+    fn new(start: S, end: S, longest: S) -> Option<Self> {
+        let ratio = ((end - start) / longest).to_f64() * (1.0 - 1e-6);
+        // False for a step that is negative or not a number.
+        if !(0.0..f64::from(u32::MAX)).contains(&ratio) {
+            return None;
+        }
+        let whole = ratio as u32;
+        let steps = if ratio > f64::from(whole) { whole + 1 } else { whole.max(1) };
+        let h = (end - start) / S::lit(f64::from(steps));
+        let mut plan = Self { start, end, h, next_time: start, steps, done: 0 };
+        plan.next();
+        (plan.next_time > start).then_some(plan)
+    }
+
+    /// The time after the next step.
+    #[inline]
+    fn next(&mut self) {
+        self.done = self.done.wrapping_add(1);
+        let inside = self.start + S::lit(f64::from(self.done)) * self.h;
+        self.next_time = if self.done < self.steps { inside } else { self.end };
+    }
+}
+
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     const DENSE: bool = false;
 
-    fn begin(&mut self, course: &Course<'_, M>) -> Result<(), Fault> {
-        let span = course.end - course.time;
-        // Rounding in `span` must not cost another step.
-        let ratio = (span / self.longest_step).to_f64() * (1.0 - 1e-6);
-        let whole = ratio as u64;
-        let steps = if ratio > whole as f64 { whole.saturating_add(1) } else { whole };
-        let h = span / M::S::lit(steps as f64);
-        // False for a step that is zero, negative, or not a number.
-        let moves = self.longest_step > M::S::lit(0.0) && course.time + h > course.time;
-        if !moves {
+    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let Some(plan) = Plan::new(course.time, course.end, self.longest_step) else {
             return Err(course.fault(Cause::StepTooSmall { step: self.longest_step.to_f64() }));
-        }
-        self.plan = Plan { start: course.time, h, steps, done: 0 };
+        };
+        self.plan = plan;
+        course.stats.longest_step = course.stats.longest_step.max(plan.h.to_f64());
         Ok(())
     }
 
+    #[inline]
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let next = self.next(course)?;
-        self.plan.done += 1;
-        let time = if self.plan.done < self.plan.steps {
-            self.plan.start + M::S::lit(self.plan.done as f64) * self.plan.h
-        } else {
-            course.end
-        };
+        let mut next = course.x;
+        self.step(course, &mut next)?;
         if !next.is_finite() {
-            return Err(not_finite(course.system, time, &next));
+            return Err(not_finite(course.system, self.plan.next_time, &next));
         }
-        course.stats.count_step(self.plan.h.to_f64());
-        course.time = time;
-        course.x = next;
-        self.limit_drift(course)
+        self.limit_drift(course, &mut next)?;
+        course.stats.steps += 1;
+        (course.time, course.x) = (self.plan.next_time, next);
+        self.plan.next();
+        Ok(())
     }
 
     fn interpolate(&self, _time: M::S) -> M::X {

@@ -36,7 +36,7 @@ pub trait Method<M: System>: Copy {
     ///
     /// # Errors
     /// When the step size does not allow it.
-    fn begin(&mut self, course: &Course<'_, M>) -> Result<(), Fault>;
+    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault>;
 
     /// One accepted step, at most to `course.end`, and exactly there in the last one.
     ///
@@ -82,14 +82,18 @@ impl<M: System> Course<'_, M> {
         if self.system.rate(t, self.input, x, dx).is_good() {
             return Ok(());
         }
+        // What is not a number makes every matrix look singular; it is named for what it is.
+        if !x.is_finite() {
+            return Err(not_finite(self.system, t, x));
+        }
         self.stats.by_rank += 1;
         self.system.rate_by_rank(t, self.input, x, dx)
     }
 
-    /// Projects the state onto the constraints.
-    fn settle(&mut self) -> Result<(), Fault> {
+    /// Projects a state onto the constraints.
+    fn settle(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
         self.stats.settled += 1;
-        self.system.settle(self.time, &mut self.x)
+        self.system.settle(t, x)
     }
 }
 

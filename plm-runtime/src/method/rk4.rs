@@ -17,15 +17,18 @@ impl Formula for Rk4Formula {
     const STAGES: u64 = 4;
 
     #[inline]
-    fn step<M: System>(t: M::S, h: M::S, x: &M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) -> M::X {
+    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) {
         let lit = M::S::lit;
-        let half = lit(0.5) * h;
+        let (half, mut stage) = (lit(0.5) * h, *x);
         let [mut k1, mut k2, mut k3, mut k4] = [M::X::fill(lit(0.0)); 4];
         rate(t, x, &mut k1);
-        rate(t + half, &M::X::combine(x, [(half, &k1)]), &mut k2);
-        rate(t + half, &M::X::combine(x, [(half, &k2)]), &mut k3);
-        rate(t + h, &M::X::combine(x, [(h, &k3)]), &mut k4);
+        stage.combine(x, [(half, &k1)]);
+        rate(t + half, &stage, &mut k2);
+        stage.combine(x, [(half, &k2)]);
+        rate(t + half, &stage, &mut k3);
+        stage.combine(x, [(h, &k3)]);
+        rate(t + h, &stage, &mut k4);
         let (third, sixth) = (lit(1.0 / 3.0) * h, lit(1.0 / 6.0) * h);
-        M::X::combine(x, [(sixth, &k1), (third, &k2), (third, &k3), (sixth, &k4)])
+        x.add([(sixth, &k1), (third, &k2), (third, &k3), (sixth, &k4)]);
     }
 }

@@ -1,6 +1,9 @@
 //! The double pendulum S1 and the four-bar S2 against quadruple-precision references
 //! (benchmarks, references.json: "S1@1", "S2@1": two formulations that agree to 21 digits).
 
+// The digits of the source.
+#![allow(clippy::excessive_precision)]
+
 use plm_runtime::{Dopri5, Mechanism, Rk4};
 
 use crate::mechanisms::{double_pendulum, four_bar};

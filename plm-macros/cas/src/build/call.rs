@@ -8,8 +8,7 @@ use crate::number::Number;
 use super::trigonometry::finite;
 
 impl Graph {
-    /// A function by its name; `arguments` must be as many as [`Function::arity`] says, else the call stands as it
-    /// is and evaluates to NaN.
+    /// A function by its name. The arguments must be as many as [`Function::arity`] says; else the result is NaN.
     pub fn call(&mut self, function: Function, arguments: &[Expr]) -> Expr {
         match (function, arguments) {
             (Function::Sin, &[x]) => self.sin(x),

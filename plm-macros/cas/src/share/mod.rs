@@ -1,8 +1,8 @@
 //! What several expressions have in common, computed once.
 //!
 //! Hash-consing shares equal nodes; flat sums and products hide what they share inside: `x + a - b` and `a - b`.
-//! The pass works on flat rows of items (see `rows`) in four steps, each of which lowers the count of operations:
-//! common factors leave the terms of a sum; pairs of factors, then pairs of terms, that occur in several rows
+//! The pass works on flat rows of items (see `rows`) in steps, each of which lowers the count of operations:
+//! coefficients go into sums; common factors leave the terms of a sum; pairs of factors, then pairs of terms, that occur in several rows
 //! become rows of their own, the most frequent first (M. A. Breuer, "Generation of optimal code for expressions
 //! via factorization", Comm. ACM 12 (1969), 333-340); a divisor of several quotients is inverted once.
 //!
@@ -13,6 +13,7 @@ mod factor;
 mod pairs;
 mod rebuild;
 mod rows;
+mod scale;
 
 use crate::graph::Graph;
 use crate::node::Expr;
@@ -21,6 +22,7 @@ use rows::{Item, Kind, Rows, base, divides, literal};
 /// Rewrites `roots` so that they compute less: the same values, in the same order.
 pub fn share(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut rows = Rows::load(graph, roots);
+    scale::distribute(&mut rows);
     factor::factor_sums(&mut rows);
     pairs::extract(&mut rows, Kind::Product);
     pairs::extract(&mut rows, Kind::Sum);

@@ -156,7 +156,7 @@ impl Search<'_> {
         let complete = having.iter().find(|&&row| self.rows.items(row as usize).len() == 2);
         let shared = match complete {
             Some(&row) => row as usize,
-            None => self.new_row(pair, having[0] as usize),
+            None => self.new_row(pair, having),
         };
         let Some((at, _)) = self.find(shared, pair) else { return };
         let unit = self.rows.items(shared)[at].coefficient;
@@ -188,10 +188,20 @@ impl Search<'_> {
         }
     }
 
-    /// The pair with the coefficients that it has in `model`, the first one positive.
-    fn new_row(&mut self, pair: Pair, model: usize) -> usize {
-        let Some((first, second)) = self.find(model, pair) else { return model };
-        let (mut a, mut b) = (self.rows.items(model)[first], self.rows.items(model)[second]);
+    /// The pair with the coefficients that it has in one of the rows, the simplest ones, the first positive.
+    fn new_row(&mut self, pair: Pair, having: &[u32]) -> usize {
+        let mut simplest: Option<(usize, Item, Item)> = None;
+        for &row in having {
+            if let Some((first, second)) = self.find(row as usize, pair) {
+                let items = self.rows.items(row as usize);
+                let scaled = |at: usize| usize::from(!Numbers::is_unit(items[at].coefficient));
+                let cost = scaled(first) + scaled(second);
+                if simplest.is_none_or(|(least, ..)| cost < least) {
+                    simplest = Some((cost, items[first], items[second]));
+                }
+            }
+        }
+        let Some((_, mut a, mut b)) = simplest else { return having[0] as usize };
         if self.rows.numbers.get(a.coefficient).is_negative() {
             a.coefficient = self.rows.numbers.product(Numbers::MINUS_ONE, a.coefficient);
             b.coefficient = self.rows.numbers.product(Numbers::MINUS_ONE, b.coefficient);

@@ -238,7 +238,8 @@ impl Rows {
     fn inlined(&self, row: usize, item: Item, uses: &[u32]) -> Option<usize> {
         let kind = self.kind(row);
         let inner = match kind {
-            Kind::Sum => item.id as usize,
+            // A common magnitude was taken out on purpose.
+            Kind::Sum if Numbers::is_unit(item.coefficient) => item.id as usize,
             Kind::Product if !divides(item.id) => base(item.id),
             _ => return None,
         };
@@ -260,6 +261,11 @@ impl Numbers {
     pub(super) const ONE: u32 = 0;
     /// Index of -1.
     pub(super) const MINUS_ONE: u32 = 1;
+
+    /// Is it 1 or -1?
+    pub(super) const fn is_unit(id: u32) -> bool {
+        id <= Self::MINUS_ONE
+    }
 
     fn new() -> Self {
         let mut numbers = Self { values: Vec::new(), memo: Table::new() };

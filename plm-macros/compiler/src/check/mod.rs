@@ -121,12 +121,12 @@ fn too_many_locks(
     let first = coordinates[dependent[0].0 - rows];
     let body = &model.bodies[first / 3];
     let start = if what == "position" { &body.start } else { &body.start_velocity };
-    let plural = if count == 1 { "constraint" } else { "constraints" };
+    let (verb, plural) = if count == 1 { ("is", "constraint") } else { ("are", "constraints") };
     diagnostics
         .error(
             Code::TooManyLocks,
             start[first % 3].span,
-            format!("there are {count} redundant {plural} among the {what} locks"),
+            format!("there {verb} {count} redundant {plural} among the {what} locks"),
         )
         .note(format!("these say the same: {}", listed.join(", ")))
         .note(format!(

@@ -18,7 +18,8 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 
 /// Number of letters to insert, delete, replace or swap with a neighbour (optimal string alignment), case ignored.
 fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
+    let (a, b): (Vec<char>, Vec<char>) =
+        (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
     let mut before = vec![0; b.len() + 1];
     let mut above: Vec<usize> = (0..=b.len()).collect();
     for i in 0..a.len() {
@@ -35,11 +36,12 @@ fn distance(a: &str, b: &str) -> usize {
     above[b.len()]
 }
 
-/// Adds the nearest name as help, and the list of names as a note. `what` is singular with its article's noun:
+/// Adds the nearest name as help, and the list of names as a note. `what` is one of them,
 /// "port", "name"; `all` begins the note: "ports of `arm`".
 pub fn help_similar(diagnostic: &mut Diagnostic, name: &str, what: &str, all: &str, names: &[&str]) {
     if let Some(near) = nearest(name, names.iter().copied()) {
-        diagnostic.help(format!("a {what} with a similar name exists: `{near}`"));
+        let article = if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+        diagnostic.help(format!("{article} {what} with a similar name exists: `{near}`"));
     }
     if !names.is_empty() {
         diagnostic.note(format!("{all}: {}", list(names)));

@@ -12,6 +12,8 @@ use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement; a longer one is cut by a `let`.
 const MOST_TERMS: usize = 12;
+/// Angles whose sines and cosines are computed together.
+const LANES: usize = 8;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(crate) type Bindings = BTreeMap<Expr, String>;
@@ -87,14 +89,17 @@ struct Lowering<'a> {
     is_result: Vec<bool>,
     /// Text of the instructions before `pieces.len()`.
     pieces: Vec<Piece>,
-    /// The cosine that was computed with the sine before it.
-    cosine: Option<Piece>,
+    /// Sines (by instruction) whose angles are coordinates, in groups that are computed together.
+    groups: Vec<Vec<usize>>,
+    /// What was lowered before its turn.
+    early: BTreeMap<usize, Piece>,
     lines: Lines,
 }
 
 impl<'a> Lowering<'a> {
     fn new(graph: &'a Graph, tape: &'a Tape, first_result: usize, bindings: &'a Bindings, reserved: &[&str]) -> Self {
         let uses = uses(tape, &tape.outputs[first_result..]);
+        let groups = angle_groups(tape, &uses);
         let needed = tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
         let lines =
             Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
@@ -104,7 +109,7 @@ impl<'a> Lowering<'a> {
             is_result[result.index()] = true;
         }
         let pieces = Vec::with_capacity(tape.ops.len());
-        Lowering { graph, tape, bindings, names, uses, is_result, pieces, cosine: None, lines }
+        Lowering { graph, tape, bindings, names, uses, is_result, pieces, groups, early: BTreeMap::new(), lines }
     }
 
     /// Announces a section; a section without statements leaves no title.
@@ -126,15 +131,15 @@ impl<'a> Lowering<'a> {
     }
 
     fn lower(&mut self, index: usize) -> Piece {
+        if let Some(piece) = self.early.remove(&index) {
+            return piece;
+        }
         let op = self.tape.ops[index].op;
-        match op {
-            Op::Sin(angle) if self.pair_of(index) => return self.bind_pair(angle),
-            Op::Cos(_) => {
-                if let Some(piece) = self.cosine.take() {
-                    return piece;
-                }
+        if let Op::Sin(angle) = op {
+            if is_pair(self.tape, &self.uses, index) {
+                self.bind_sines(index, angle);
+                return self.early.remove(&index).unwrap_or_default();
             }
-            _ => {}
         }
         let piece = self.piece(op);
         let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
@@ -142,25 +147,60 @@ impl<'a> Lowering<'a> {
         if again || reads_symbol || piece.terms > MOST_TERMS { self.bind(index, piece) } else { piece }
     }
 
-    /// Is the next instruction the cosine of the same angle, and wanted?
-    fn pair_of(&self, index: usize) -> bool {
-        let next = self.tape.ops.get(index + 1).map(|next| next.op);
-        let is_cosine = matches!((self.tape.ops[index].op, next), (Op::Sin(a), Some(Op::Cos(b))) if a == b);
-        is_cosine && self.uses[index + 1] > 0
+    /// Sine and cosine of an angle, with all angles of its group.
+    fn bind_sines(&mut self, index: usize, angle: Ref) {
+        let group = self.groups.iter().position(|group| group.contains(&index));
+        match group.map(|at| self.groups.swap_remove(at)) {
+            Some(sines) => self.bind_group(&sines),
+            None => {
+                let angle = self.pieces[angle.index()].clone();
+                let (sine, cosine) = self.local_pair(&angle);
+                let pattern = format!("({}, {})", sine.text, cosine.text);
+                let value = format!("{}.sin_cos()", angle.within(4));
+                let makes = vec![sine.reads[0], cosine.reads[0]];
+                self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
+                self.early.insert(index, sine);
+                self.early.insert(index + 1, cosine);
+            }
+        }
     }
 
-    /// `let (sin_angle, cos_angle) = angle.sin_cos();`
-    fn bind_pair(&mut self, angle: Ref) -> Piece {
-        let angle = self.pieces[angle.index()].clone();
+    /// `let ([sin_a, sin_b], [cos_a, cos_b]) = S::sin_cos_all([a, b]);`
+    fn bind_group(&mut self, sines: &[usize]) {
+        let (mut makes, mut reads) = (Vec::new(), Vec::new());
+        let mut texts: [Vec<String>; 3] = Default::default();
+        for &index in sines {
+            let Some(angle) = self.tape.ops[index].op.operands().next() else { continue };
+            let angle = self.angle(angle.index());
+            let (sine, cosine) = self.local_pair(&angle);
+            makes.extend([sine.reads[0], cosine.reads[0]]);
+            for (list, piece) in texts.iter_mut().zip([&sine, &cosine, &angle]) {
+                list.push(piece.text.clone());
+            }
+            reads.extend(angle.reads);
+            self.early.insert(index, sine);
+            self.early.insert(index + 1, cosine);
+        }
+        let [sines, cosines, angles] = texts.map(|list| list.join(", "));
+        let pattern = format!("([{sines}], [{cosines}])");
+        let value = format!("S::sin_cos_all([{angles}])");
+        self.lines.statements.push(Statement::Let { makes, pattern, value, reads });
+    }
+
+    /// A coordinate, before its turn if need be.
+    fn angle(&mut self, index: usize) -> Piece {
+        if let Some(piece) = self.pieces.get(index).or_else(|| self.early.get(&index)) {
+            return piece.clone();
+        }
+        let piece = self.piece(self.tape.ops[index].op);
+        let bound = self.bind(index, piece);
+        self.early.insert(index, bound.clone());
+        bound
+    }
+
+    fn local_pair(&mut self, angle: &Piece) -> (Piece, Piece) {
         let suffix = if angle.strength == 4 && angle.reads.len() == 1 { angle.text.as_str() } else { "angle" };
-        let sine = self.local(&format!("sin_{suffix}"));
-        let cosine = self.local(&format!("cos_{suffix}"));
-        let pattern = format!("({}, {})", sine.text, cosine.text);
-        let value = format!("{}.sin_cos()", angle.within(4));
-        let makes = vec![sine.reads[0], cosine.reads[0]];
-        self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
-        self.cosine = Some(cosine);
-        sine
+        (self.local(&format!("sin_{suffix}")), self.local(&format!("cos_{suffix}")))
     }
 
     /// Gives a value a name.
@@ -236,6 +276,23 @@ impl<'a> Lowering<'a> {
         }
         self.lines
     }
+}
+
+/// Is this a sine that is wanted with the cosine behind it?
+fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
+    let next = tape.ops.get(index + 1).map(|next| next.op);
+    let same = matches!((tape.ops[index].op, next), (Op::Sin(a), Some(Op::Cos(b))) if a == b);
+    same && uses[index] > 0 && uses[index + 1] > 0
+}
+
+/// Sines whose angles are inputs of the function, two to eight together.
+fn angle_groups(tape: &Tape, uses: &[u32]) -> Vec<Vec<usize>> {
+    let of_symbol = |index: &usize| match tape.ops[*index].op {
+        Op::Sin(angle) => matches!(tape.ops[angle.index()].op, Op::Symbol(_)) && is_pair(tape, uses, *index),
+        _ => false,
+    };
+    let sines: Vec<usize> = (0..tape.ops.len()).filter(of_symbol).collect();
+    sines.chunks(LANES).filter(|group| group.len() > 1).map(<[usize]>::to_vec).collect()
 }
 
 /// How often the results, and what they need, read each instruction.

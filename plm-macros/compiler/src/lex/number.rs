@@ -13,7 +13,8 @@ pub struct NumberText<'a> {
 /// by a second one or by a name does not belong to the number.
 pub fn split_number(text: &str) -> NumberText<'_> {
     let bytes = text.as_bytes();
-    let digits = |from: usize| from + bytes[from..].iter().take_while(|b| b.is_ascii_digit() || **b == b'_').count();
+    let digits =
+        |from: usize| from + bytes[from..].iter().take_while(|b| b.is_ascii_digit() || **b == b'_').count();
     let mut end = digits(0);
     if bytes.get(end) == Some(&b'.') && !begins_name_or_point(&text[end + 1..]) {
         end = digits(end + 1);

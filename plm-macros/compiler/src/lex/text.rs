@@ -61,7 +61,8 @@ impl<'a> Lexer<'a> {
         } else if let Some(token) = bracket(first) {
             self.push(1, token);
         } else if first.is_ascii_punctuation() {
-            let joint = rest[1..].chars().next().is_some_and(|c| c.is_ascii_punctuation() && bracket(c).is_none());
+            let joint =
+                rest[1..].chars().next().is_some_and(|c| c.is_ascii_punctuation() && bracket(c).is_none());
             self.push(1, Token::punct(first, joint));
         } else {
             self.push(first.len_utf8(), Token::new(TokenKind::Other, first));

@@ -114,7 +114,12 @@ impl<'a> Resolver<'a> {
     }
 
     /// The mass or the inertia, and where it stands. An assumed value keeps a mistake from causing others.
-    pub(super) fn body_quantity(&mut self, body: usize, name: &str, dimension: Dimension) -> Eval<(Expr, Span)> {
+    pub(super) fn body_quantity(
+        &mut self,
+        body: usize,
+        name: &str,
+        dimension: Dimension,
+    ) -> Eval<(Expr, Span)> {
         let (scope, declared) = (self.bodies[body].scope, self.bodies[body].name.clone());
         let Some(expr) = self.body_field(body, name) else {
             let message = format!("the body `{}` has no {name}", declared.text);
@@ -125,7 +130,8 @@ impl<'a> Resolver<'a> {
         let value = self.eval_number(scope, expr, dimension, Reads::FIXED)?;
         let number = self.graph.as_number(value);
         if let Some(number) = number.filter(|number| number.is_zero() || number.is_negative()) {
-            let found = super::expect::literal_text(expr).unwrap_or_else(|| Number::to_f64(number).to_string());
+            let found =
+                super::expect::literal_text(expr).unwrap_or_else(|| Number::to_f64(number).to_string());
             let message = format!("the {name} of `{}` must be positive, found {found}", declared.text);
             self.error(scope, Code::NotPositive, expr.span, message);
             return Err(Failed);
@@ -164,8 +170,13 @@ impl<'a> Resolver<'a> {
         let drawing_angle = match self.body_field(body, "drawing_angle") {
             Some(expr) if drawing => self.eval_number(scope, expr, Dimension::ANGLE, Reads::FIXED)?,
             Some(expr) => {
-                self.error(scope, Code::MisplacedItem, expr.span, "a drawing angle without drawing coordinates")
-                    .help("write `coordinates: absolute;`");
+                self.error(
+                    scope,
+                    Code::MisplacedItem,
+                    expr.span,
+                    "a drawing angle without drawing coordinates",
+                )
+                .help("write `coordinates: absolute;`");
                 return Err(Failed);
             }
             None => zero,
@@ -179,7 +190,8 @@ impl<'a> Resolver<'a> {
         for (k, start) in ast.starts.iter().enumerate() {
             let (text, span) = (start.coordinate.text.as_str(), start.coordinate.span);
             if !COORDINATES.contains(&text) {
-                let diagnostic = self.error(scope, Code::UnknownItem, span, format!("`{text}` cannot start anywhere"));
+                let diagnostic =
+                    self.error(scope, Code::UnknownItem, span, format!("`{text}` cannot start anywhere"));
                 help_similar(diagnostic, text, "coordinate", "coordinates", &COORDINATES);
             }
             if let Some(first) = ast.starts[..k].iter().find(|before| before.coordinate.text == text) {
@@ -208,7 +220,9 @@ impl<'a> Resolver<'a> {
         let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
         let mut result = Ok(());
         for start in &ast.starts {
-            let Some(i) = COORDINATES.iter().position(|name| *name == start.coordinate.text) else { continue };
+            let Some(i) = COORDINATES.iter().position(|name| *name == start.coordinate.text) else {
+                continue;
+            };
             match self.eval_number(scope, &start.value, DIMENSIONS[i], Reads::FIXED) {
                 Ok(value) => {
                     let span = start.coordinate.span.to(start.value.span);

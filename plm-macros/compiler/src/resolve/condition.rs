@@ -73,8 +73,13 @@ impl<'a> Resolver<'a> {
     ) -> Eval<Value> {
         let left = self.eval(scope, left)?;
         let (Value::Choice(choice), ExprKind::Name(option)) = (left, &right.kind) else {
-            self.error(scope, Code::WrongKind, span, "`==` and `!=` compare a choice with one of its options")
-                .help("numbers are compared with `<`, `<=`, `>` and `>=`");
+            self.error(
+                scope,
+                Code::WrongKind,
+                span,
+                "`==` and `!=` compare a choice with one of its options",
+            )
+            .help("numbers are compared with `<`, `<=`, `>` and `>=`");
             return Err(Failed);
         };
         let (chosen, options) = self.choices[choice].clone();

@@ -26,7 +26,9 @@ impl<'a> Resolver<'a> {
         for item in items {
             match &item.kind {
                 ItemKind::Gravity(value) => self.declare_gravity(scope, item, value),
-                ItemKind::Stabilisation(method, time) => self.declare_stabilisation(scope, method, time.as_ref()),
+                ItemKind::Stabilisation(method, time) => {
+                    self.declare_stabilisation(scope, method, time.as_ref())
+                }
                 ItemKind::Allow(codes) => self.declare_allowed(scope, codes),
                 ItemKind::Param(value) => self.declare_value(scope, item, value, Reads::PARAM),
                 ItemKind::Input(value) => self.declare_value(scope, item, value, Reads::INPUT),
@@ -95,7 +97,11 @@ impl<'a> Resolver<'a> {
                 let symbol = self.graph.symbol(&name.text);
                 let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
                 let state = ValueState { ast, docs: &item.docs, scope, name, symbol, unit };
-                if kind == Reads::PARAM { self.params.push(state) } else { self.inputs.push(state) }
+                if kind == Reads::PARAM {
+                    self.params.push(state)
+                } else {
+                    self.inputs.push(state)
+                }
                 self.known_slot(ast.name.ident.span, value)
             }
         };
@@ -145,7 +151,8 @@ impl<'a> Resolver<'a> {
             let span = name.ident.span;
             let Some(state) = self.states.iter_mut().find(|state| state.name.text == text) else {
                 let message = format!("there is no state `{key}`");
-                self.error(scope, Code::StateRate, span, message).help(format!("write `state {key}: unit = 0;`"));
+                self.error(scope, Code::StateRate, span, message)
+                    .help(format!("write `state {key}: unit = 0;`"));
                 continue;
             };
             match state.rate {
@@ -176,8 +183,13 @@ impl<'a> Resolver<'a> {
             let name = match (&output.name, &output.value.kind) {
                 (Some(name), _) | (None, ast::ExprKind::Name(name)) => name,
                 _ => {
-                    self.error(scope, Code::UnexpectedToken, output.value.span, "an output of a part has a name")
-                        .help("write `output name = …;`");
+                    self.error(
+                        scope,
+                        Code::UnexpectedToken,
+                        output.value.span,
+                        "an output of a part has a name",
+                    )
+                    .help("write `output name = …;`");
                     continue;
                 }
             };
@@ -220,8 +232,13 @@ impl<'a> Resolver<'a> {
         let repeated = self.scopes[scope].parent.is_some() && name.indices.is_empty();
         if repeated {
             let text = &name.ident.text;
-            self.error(scope, Code::NeedsIndex, name.ident.span, format!("`{text}` is repeated and needs an index"))
-                .help(format!("write `{text}[i]` with the index of the repetition"));
+            self.error(
+                scope,
+                Code::NeedsIndex,
+                name.ident.span,
+                format!("`{text}` is repeated and needs an index"),
+            )
+            .help(format!("write `{text}[i]` with the index of the repetition"));
         }
         repeated
     }

@@ -60,7 +60,9 @@ impl<'a> Resolver<'a> {
         wanted: Wanted,
     ) -> Eval<Value> {
         match (wanted, &value) {
-            (Wanted::Anything, _) | (Wanted::Frame, Value::Frame(_)) | (Wanted::Body, Value::Body(_)) => Ok(value),
+            (Wanted::Anything, _) | (Wanted::Frame, Value::Frame(_)) | (Wanted::Body, Value::Body(_)) => {
+                Ok(value)
+            }
             (Wanted::Frame, _) => Err(self.wrong_kind(scope, expr, "a frame", &value)),
             (Wanted::Body, _) => Err(self.wrong_kind(scope, expr, "a body", &value)),
             (Wanted::Number(dimension, reads), Value::Scalar(found, nature)) => {
@@ -110,7 +112,9 @@ impl<'a> Resolver<'a> {
         let (found, nature) = match value {
             Value::Vector(found, nature) => (found, nature),
             // `0` needs no unit, and no second component.
-            Value::Scalar(found, nature) if found == zero && nature.form == Form::Bare => ([zero, zero], nature),
+            Value::Scalar(found, nature) if found == zero && nature.form == Form::Bare => {
+                ([zero, zero], nature)
+            }
             other => return Err(self.wrong_kind(scope, expr, "a vector", &other)),
         };
         self.fits(scope, expr, found == [zero, zero], nature, dimension)?;
@@ -133,7 +137,12 @@ impl<'a> Resolver<'a> {
         match number.filter(|_| nature.dimension == Dimension::NUMBER) {
             Some(number) => Ok(number),
             None => {
-                self.error(scope, Code::NotInteger, expr.span, "a whole number is expected that is known here");
+                self.error(
+                    scope,
+                    Code::NotInteger,
+                    expr.span,
+                    "a whole number is expected that is known here",
+                );
                 Err(Failed)
             }
         }
@@ -186,8 +195,14 @@ impl<'a> Resolver<'a> {
                 let text = text.unwrap_or_else(|| "a number".to_string());
                 let per = wanted.si_unit().replacen("rad", "", 1);
                 let number = blank(&text);
-                let help = format!("say what it is: `{number} deg{per}`, `{number} rad{per}` or `{number} rev{per}`");
-                (Code::MissingAngleUnit, format!("expected {expected}, found {text} without a unit"), Some(help))
+                let help = format!(
+                    "say what it is: `{number} deg{per}`, `{number} rad{per}` or `{number} rev{per}`"
+                );
+                (
+                    Code::MissingAngleUnit,
+                    format!("expected {expected}, found {text} without a unit"),
+                    Some(help),
+                )
             }
         };
         let diagnostic = self.error(scope, code, expr.span, message);

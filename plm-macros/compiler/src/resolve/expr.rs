@@ -65,7 +65,10 @@ impl<'a> Resolver<'a> {
             }
             Value::Vector(pair, nature) => {
                 if nature.dimension != Dimension::NUMBER {
-                    let message = format!("a unit behind the pair, but its components are {}", nature.dimension.describe());
+                    let message = format!(
+                        "a unit behind the pair, but its components are {}",
+                        nature.dimension.describe()
+                    );
                     self.error(scope, Code::BadUnit, inner.span, message);
                     return Err(Failed);
                 }
@@ -97,8 +100,13 @@ impl<'a> Resolver<'a> {
         let (n, _) = self.eval_scalar(scope, exponent)?;
         let n = self.graph.as_number(n).and_then(plm_cas::Number::as_int).and_then(|n| i32::try_from(n).ok());
         let Some(n) = n.filter(|n| n.abs() <= 100) else {
-            self.error(scope, Code::NotInteger, exponent.span, "an exponent is a whole number that is known here")
-                .help("for a square root there is `sqrt(x)`, for anything else `exp(a*ln(x))`");
+            self.error(
+                scope,
+                Code::NotInteger,
+                exponent.span,
+                "an exponent is a whole number that is known here",
+            )
+            .help("for a square root there is `sqrt(x)`, for anything else `exp(a*ln(x))`");
             return Err(Failed);
         };
         if n < 0 && self.graph.is_zero(x) {
@@ -201,7 +209,8 @@ impl<'a> Resolver<'a> {
             return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_a });
         }
         if of_a.dimension.same(of_b.dimension) {
-            let bare_angle = |bare: Nature, other: Nature| bare.form == Form::Bare && other.dimension.is_angular();
+            let bare_angle =
+                |bare: Nature, other: Nature| bare.form == Form::Bare && other.dimension.is_angular();
             if bare_angle(of_a, of_b) || bare_angle(of_b, of_a) {
                 self.error(scope, Code::MissingAngleUnit, span, "an angle and a number without a unit")
                     .help("a literal that is an angle says deg, rad or rev");
@@ -209,7 +218,8 @@ impl<'a> Resolver<'a> {
             }
             return Ok(of_a.joined(of_b));
         }
-        let message = format!("{} and {} do not go together", of_a.dimension.describe(), of_b.dimension.describe());
+        let message =
+            format!("{} and {} do not go together", of_a.dimension.describe(), of_b.dimension.describe());
         self.error(scope, Code::MixedDimensions, span, message);
         Err(Failed)
     }

@@ -5,7 +5,9 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::value::{Eval, Failed, Reads, Value, all};
 use crate::diag::Code;
-use crate::model::{Body, FrameRef, Input, Load, Model, Name, Output, Param, Port, Row, Stabilisation, State};
+use crate::model::{
+    Body, FrameRef, Input, Load, Model, Name, Output, Param, Port, Row, Stabilisation, State,
+};
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -54,7 +56,8 @@ impl<'a> Resolver<'a> {
         all(states.into_iter().map(|state| {
             let default = self.default_of(&state)?;
             if self.graph.symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
-                let message = format!("the default of `{}` reads a parameter that stands below it", state.name.text);
+                let message =
+                    format!("the default of `{}` reads a parameter that stands below it", state.name.text);
                 self.error(state.scope, Code::NotConstant, state.name.span, message);
             }
             let docs = state.docs.to_vec();
@@ -174,7 +177,8 @@ impl<'a> Resolver<'a> {
             let Some((scope, rate, _)) = self.states[k].rate else {
                 let text = &ast.name.ident.text;
                 let message = format!("the state `{}` has no rate", name.text);
-                self.error(scope, Code::StateRate, name.span, message).help(format!("write `rate {text} = …;`"));
+                self.error(scope, Code::StateRate, name.span, message)
+                    .help(format!("write `rate {text} = …;`"));
                 continue;
             };
             let dimension = unit.dimension.over(Dimension::TIME);

@@ -106,10 +106,17 @@ impl<'a> Resolver<'a> {
     }
 
     /// Position and angle of a port as they were written.
-    fn written(&mut self, scope: ScopeId, port: &'a ast::Port, reads: Reads) -> Eval<([Expr; 2], Expr, Reads)> {
+    fn written(
+        &mut self,
+        scope: ScopeId,
+        port: &'a ast::Port,
+        reads: Reads,
+    ) -> Eval<([Expr; 2], Expr, Reads)> {
         let at = self.eval_vector(scope, &port.at, Dimension::LENGTH, reads);
         let angle = match &port.angle {
-            Some(angle) => self.eval_quantity(scope, angle, Dimension::ANGLE, reads).map(|(x, of)| (x, of.reads)),
+            Some(angle) => {
+                self.eval_quantity(scope, angle, Dimension::ANGLE, reads).map(|(x, of)| (x, of.reads))
+            }
             None => Ok((self.graph.zero(), Reads::NOTHING)),
         };
         let ((at, of_at), (angle, of_angle)) = (at?, angle?);

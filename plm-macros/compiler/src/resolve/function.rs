@@ -191,7 +191,9 @@ impl<'a> Resolver<'a> {
             self.reads_fixed(scope, at, of_at)?;
             let (y, of_y) = self.eval_scalar(scope, value)?;
             nature = Some(match (nature, points.last()) {
-                (Some(nature), Some((_, last))) => self.joined(scope, span, (&[*last], nature), (&[y], of_y))?,
+                (Some(nature), Some((_, last))) => {
+                    self.joined(scope, span, (&[*last], nature), (&[y], of_y))?
+                }
                 _ => of_y,
             });
             points.push((at_x, y));
@@ -221,9 +223,12 @@ impl<'a> Resolver<'a> {
 
     /// The multipliers of constraint rows of this part.
     fn reaction(&mut self, scope: ScopeId, arguments: &'a [ast::Expr]) -> Eval<Value> {
-        let first = self.multiplier(scope, &arguments[0])?;
-        let Some(second) = arguments.get(1) else { return Ok(Value::Scalar(first.0, first.1)) };
-        let second = self.multiplier(scope, second)?;
+        let first = self.multiplier(scope, &arguments[0]);
+        let Some(second) = arguments.get(1) else {
+            return first.map(|(lambda, nature)| Value::Scalar(lambda, nature));
+        };
+        let second = self.multiplier(scope, second);
+        let (first, second) = (first?, second?);
         let span = arguments[0].span.to(arguments[1].span);
         let nature = self.joined(scope, span, (&[first.0], first.1), (&[second.0], second.1))?;
         Ok(Value::Vector([first.0, second.0], nature))

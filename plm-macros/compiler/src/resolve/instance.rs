@@ -78,7 +78,8 @@ impl<'a> Resolver<'a> {
     fn unknown_part(&mut self, scope: ScopeId, ast: &Instance) {
         let kind = &ast.kind.text;
         let names: Vec<&str> = self.library.kinds().collect();
-        let diagnostic = self.error(scope, Code::UnknownPart, ast.kind.span, format!("unknown part `{kind}`"));
+        let diagnostic =
+            self.error(scope, Code::UnknownPart, ast.kind.span, format!("unknown part `{kind}`"));
         help_similar(diagnostic, kind, "part", "parts", &names);
     }
 
@@ -139,7 +140,8 @@ impl<'a> Resolver<'a> {
                 "body" => Wanted::Body,
                 other => {
                     let message = format!("unknown kind of port `{other}`");
-                    self.error(inside, Code::WrongKind, argument.kind.span, message).note("kinds: frame, body");
+                    self.error(inside, Code::WrongKind, argument.kind.span, message)
+                        .note("kinds: frame, body");
                     Wanted::Anything
                 }
             };
@@ -199,7 +201,8 @@ impl<'a> Resolver<'a> {
             (Some((scope, _, expr)), _) => Thunk { scope, expr, wanted },
             (None, Some(expr)) => Thunk { scope: inside, expr, wanted },
             (None, None) => {
-                let (kind, outer) = (self.instances[id].definition.name.text.clone(), self.instances[id].outer);
+                let (kind, outer) =
+                    (self.instances[id].definition.name.text.clone(), self.instances[id].outer);
                 let message = format!("`{kind}` needs a value for `{}`", name.text);
                 let help = format!("write `{{ {}: … }}` with {}", name.text, unit.dimension.describe());
                 self.error(outer, Code::MissingValue, self.instances[id].span, message).help(help);

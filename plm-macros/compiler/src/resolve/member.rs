@@ -16,7 +16,19 @@ const OF_FRAME: &[&str] = &["x", "y", "angle", "position", "axis", "normal", "ve
 
 /// Members of a body besides its ports; a port may not take their names.
 pub(super) const OF_BODY: &[&str] = &[
-    "x", "y", "angle", "position", "axis", "normal", "vx", "vy", "omega", "velocity", "ax", "ay", "alpha",
+    "x",
+    "y",
+    "angle",
+    "position",
+    "axis",
+    "normal",
+    "vx",
+    "vy",
+    "omega",
+    "velocity",
+    "ax",
+    "ay",
+    "alpha",
     "acceleration",
 ];
 
@@ -80,7 +92,9 @@ impl<'a> Resolver<'a> {
             }
         };
         let at = Reads::POSITION;
-        let of = |dimension, reads| Nature::derived(dimension, if body.is_some() { reads } else { Reads::NOTHING });
+        let of = |dimension, reads| {
+            Nature::derived(dimension, if body.is_some() { reads } else { Reads::NOTHING })
+        };
         let scalar = |value: Expr, dimension, reads| Value::Scalar(value, of(dimension, reads));
         let vector = |of_which: [Expr; 3], dimension, reads| {
             Value::Vector([of_which[0], of_which[1]], of(dimension, reads))
@@ -124,12 +138,14 @@ impl<'a> Resolver<'a> {
                 help_similar(diagnostic, name, "port", &format!("ports of `{of}`"), &names);
             }
             Value::Frame(_) => {
-                let diagnostic = self.error(scope, Code::UnknownMember, span, format!("a frame has no `{name}`"));
+                let diagnostic =
+                    self.error(scope, Code::UnknownMember, span, format!("a frame has no `{name}`"));
                 help_similar(diagnostic, name, "member", "members of a frame", OF_FRAME);
             }
             Value::Instance(instance) => {
                 let inside = self.instances[*instance].scope;
-                let names: Vec<String> = self.scopes[inside].outputs.keys().map(ToString::to_string).collect();
+                let names: Vec<String> =
+                    self.scopes[inside].outputs.keys().map(ToString::to_string).collect();
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
                 let of = self.instances[*instance].name.clone();
                 let message = format!("the part `{of}` has no output `{name}`");

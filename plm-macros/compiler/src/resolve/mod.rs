@@ -179,7 +179,13 @@ impl<'a> Resolver<'a> {
     }
 
     /// Reports an error in a scope: if it is the inside of a part, with the uses that lead there.
-    fn error(&mut self, scope: ScopeId, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {
+    fn error(
+        &mut self,
+        scope: ScopeId,
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+    ) -> &mut Diagnostic {
         let uses = self.uses(scope);
         let diagnostic = self.sink.error(code, span, message);
         diagnostic.uses = uses;

@@ -132,7 +132,8 @@ impl<'a> Resolver<'a> {
         let value = if ast.is_torque {
             self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::CAUSES).map(Applied::Torque)
         } else {
-            self.eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES).map(|(force, _)| Applied::Force(force))
+            self.eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES)
+                .map(|(force, _)| Applied::Force(force))
         };
         let (on, value) = (on?, value?);
         self.apply(on, value, part, loads)?;

@@ -94,7 +94,8 @@ impl<'a> Resolver<'a> {
             }
             SlotState::Waiting(_) => {}
         }
-        let SlotState::Waiting(thunk) = std::mem::replace(&mut self.slots[slot].state, SlotState::Busy) else {
+        let SlotState::Waiting(thunk) = std::mem::replace(&mut self.slots[slot].state, SlotState::Busy)
+        else {
             return Err(Failed);
         };
         let value = self.eval(thunk.scope, thunk.expr);
@@ -186,15 +187,10 @@ impl<'a> Resolver<'a> {
 
     fn unknown_name(&mut self, scope: ScopeId, name: &IndexedName, key: &str) -> Failed {
         let (text, span) = (&name.ident.text, name.ident.span);
-        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
-            let message = format!("`{text}` is {}, and a unit follows a number", unit.word);
-            let help = format!("write `1 {text}`, or choose a name like `{}`", instead_of(unit.dimension));
-            self.error(scope, Code::UnitAsName, span, message).help(help);
-            return Failed;
-        }
         let names = self.names_in(scope);
         let stem = format!("{text}[");
-        let elements: Vec<&str> = names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
+        let elements: Vec<&str> =
+            names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
         if let (Some(first), Some(last)) = (elements.first(), elements.last()) {
             let note = format!("there is `{first}` to `{last}`");
             let (code, message) = match name.indices.is_empty() {
@@ -202,6 +198,12 @@ impl<'a> Resolver<'a> {
                 false => (Code::BadIndex, format!("there is no `{key}`")),
             };
             self.error(scope, code, span, message).note(note);
+            return Failed;
+        }
+        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
+            let message = format!("`{text}` is {}, and a unit follows a number", unit.word);
+            let help = format!("write `1 {text}`, or choose a name like `{}`", instead_of(unit.dimension));
+            self.error(scope, Code::UnitAsName, span, message).help(help);
             return Failed;
         }
         let outside = self.scopes[self.home(scope)].instance.is_some() && self.find(0, key).is_some();
@@ -240,7 +242,8 @@ impl<'a> Resolver<'a> {
         }
         let rows: Vec<String> = self.scopes[home].rows.keys().map(ToString::to_string).collect();
         let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
-        let diagnostic = self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));
+        let diagnostic =
+            self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));
         help_similar(diagnostic, &key, "row", "rows here", &rows);
         Err(Failed)
     }

@@ -57,7 +57,8 @@ impl Reads {
 
     /// `positions and the time`
     pub(super) fn describe(self) -> String {
-        let names: Vec<&str> = Reads::NAMES.iter().filter(|(of, _)| self.has(*of)).map(|(_, name)| *name).collect();
+        let names: Vec<&str> =
+            Reads::NAMES.iter().filter(|(of, _)| self.has(*of)).map(|(_, name)| *name).collect();
         match names.split_last() {
             None => "nothing".to_string(),
             Some((last, [])) => (*last).to_string(),

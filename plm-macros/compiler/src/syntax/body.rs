@@ -20,7 +20,8 @@ impl Cursor<'_> {
             while cursor.peek().is_some() {
                 let start = cursor.position();
                 cursor.docs();
-                let port = if cursor.is_word("port") { cursor.port() } else { Err(cursor.expected("`port`")) };
+                let port =
+                    if cursor.is_word("port") { cursor.port() } else { Err(cursor.expected("`port`")) };
                 match port {
                     Ok(port) => ports.push(port),
                     Err(Reported) => cursor.recover(start),
@@ -34,7 +35,8 @@ impl Cursor<'_> {
     pub(super) fn body(&mut self) -> Parse<Body> {
         self.advance();
         let name = self.indexed_name("the name of the body")?;
-        let mut body = Body { name, fields: Vec::new(), coordinates: None, ports: Vec::new(), starts: Vec::new() };
+        let mut body =
+            Body { name, fields: Vec::new(), coordinates: None, ports: Vec::new(), starts: Vec::new() };
         self.group(Delimiter::Brace, "`{`", |cursor| {
             while cursor.peek().is_some() {
                 let start = cursor.position();

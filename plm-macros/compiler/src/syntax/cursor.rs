@@ -31,8 +31,15 @@ pub(crate) struct Cursor<'a> {
 impl<'a> Cursor<'a> {
     pub(crate) fn new(source: &'a Source, sink: &'a mut Diagnostics) -> Cursor<'a> {
         let tokens = &source.tokens;
-        let mut cursor =
-            Cursor { tokens, partners: Vec::new(), source: source.id, at: 0, end: tokens.len(), depth: 0, sink };
+        let mut cursor = Cursor {
+            tokens,
+            partners: Vec::new(),
+            source: source.id,
+            at: 0,
+            end: tokens.len(),
+            depth: 0,
+            sink,
+        };
         cursor.match_brackets();
         cursor
     }
@@ -184,7 +191,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Reads what stands in the brackets that open here, and leaves them. If the rule leaves something over, that is
-    /// reported; after a mistake the rest is skipped.
+    /// reported; after a mistake the rest is skipped. A rule that reads groups within groups counts its own depth.
     pub(crate) fn group<T>(
         &mut self,
         delimiter: Delimiter,
@@ -197,7 +204,7 @@ impl<'a> Cursor<'a> {
         let partner = (self.partners[self.at] as usize).min(self.end);
         let end = std::mem::replace(&mut self.end, partner);
         self.at += 1;
-        let mut result = self.nested(rule);
+        let mut result = rule(self);
         if result.is_ok() && self.at < partner {
             result = Err(self.expected("the closing bracket"));
         }

@@ -3,7 +3,7 @@
 //! ```text
 //! expr     := "if" expr "then" expr "else" expr | chain
 //! chain    := operand { operator operand }      or < and < comparison < + - < * /
-//! operand  := ("-" | "+" | "not") operand | primary ["^" operand]
+//! operand  := ("-" | "+") operand | "not" chain | primary ["^" operand]
 //! primary  := (quantity | NAME index | NAME "(" exprs ")" | "(" expr ")") { "." NAME index }
 //! quantity := NUMBER [unit] | "(" expr "," expr ")" [unit]
 //! index    := { "[" expr "]" }
@@ -99,7 +99,8 @@ impl Cursor<'_> {
             return self.nested(Cursor::operand);
         }
         if self.eat_word("not") {
-            let inner = self.nested(Cursor::operand)?;
+            // `not a < b` is `not (a < b)`: nothing else of it has a meaning.
+            let inner = self.nested(|cursor| cursor.chain(Operator::Less.precedence()))?;
             return Ok(Expr { kind: ExprKind::Not(Box::new(inner)), span: self.span_from(start) });
         }
         let base = self.primary()?;
@@ -181,7 +182,9 @@ impl Cursor<'_> {
 
     fn with_unit(&mut self, bare: Expr, start: usize) -> Parse<Expr> {
         Ok(match self.unit_after_number()? {
-            Some(unit) => Expr { kind: ExprKind::Quantity(Box::new(bare), unit), span: self.span_from(start) },
+            Some(unit) => {
+                Expr { kind: ExprKind::Quantity(Box::new(bare), unit), span: self.span_from(start) }
+            }
             None => bare,
         })
     }

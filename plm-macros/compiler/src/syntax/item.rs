@@ -36,19 +36,21 @@ const WORDS: &[(&str, Option<Context>)] = &[
 impl Cursor<'_> {
     /// `{ items }`
     pub(super) fn block(&mut self, context: Context) -> Parse<Vec<Item>> {
-        self.group(Delimiter::Brace, "`{`", |cursor| {
-            let mut items = Vec::new();
-            while cursor.peek().is_some() {
-                let start = cursor.position();
-                let docs = cursor.docs();
-                let first = cursor.position();
-                match cursor.item(&docs, context) {
-                    Ok(kind) => items.push(Item { docs, kind, span: cursor.span_from(first) }),
-                    Err(Reported) => cursor.recover(start),
-                }
+        self.nested(|cursor| cursor.group(Delimiter::Brace, "`{`", |cursor| Ok(cursor.items(context))))
+    }
+
+    fn items(&mut self, context: Context) -> Vec<Item> {
+        let mut items = Vec::new();
+        while self.peek().is_some() {
+            let start = self.position();
+            let docs = self.docs();
+            let first = self.position();
+            match self.item(&docs, context) {
+                Ok(kind) => items.push(Item { docs, kind, span: self.span_from(first) }),
+                Err(Reported) => self.recover(start),
             }
-            Ok(items)
-        })
+        }
+        items
     }
 
     fn item(&mut self, docs: &[String], context: Context) -> Parse<ItemKind> {
@@ -56,7 +58,8 @@ impl Cursor<'_> {
             self.only_in(Context::Part, context, "a force or a torque")?;
             return self.load().map(ItemKind::Load);
         }
-        let word = self.peek().filter(|token| token.kind == TokenKind::Ident).map(|token| token.text.as_str());
+        let word =
+            self.peek().filter(|token| token.kind == TokenKind::Ident).map(|token| token.text.as_str());
         let Some(word) = word else { return Err(self.expected("an item")) };
         if let Some((_, Some(place))) = WORDS.iter().find(|(name, _)| *name == word) {
             self.only_in(*place, context, &format!("`{word}`"))?;
@@ -97,7 +100,8 @@ impl Cursor<'_> {
 
     fn instance_or_unknown(&mut self, word: &str) -> Parse<ItemKind> {
         let is_word = |token: &Token| token.kind == TokenKind::Ident;
-        let behind_name = self.peek_at(2).is_some_and(|t| t.is_open(Delimiter::Paren) || t.is_open(Delimiter::Bracket));
+        let behind_name =
+            self.peek_at(2).is_some_and(|t| t.is_open(Delimiter::Paren) || t.is_open(Delimiter::Bracket));
         if self.peek_at(1).is_some_and(is_word) && behind_name {
             return self.instance().map(ItemKind::Instance);
         }

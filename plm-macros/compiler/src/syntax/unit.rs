@@ -70,7 +70,9 @@ impl Cursor<'_> {
     fn unit_atom(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
         if self.is_open(Delimiter::Paren) {
             unit.text.push('(');
-            self.group(Delimiter::Paren, "a unit", |cursor| cursor.unit_factors(unit, sign))?;
+            self.nested(|cursor| {
+                cursor.group(Delimiter::Paren, "a unit", |cursor| cursor.unit_factors(unit, sign))
+            })?;
             unit.text.push(')');
             return Ok(());
         }
@@ -87,7 +89,8 @@ impl Cursor<'_> {
     fn unit_exponent(&mut self, unit: &mut UnitText) -> Parse<i32> {
         let negative = self.eat_punct('-');
         let number = self.peek().filter(|token| token.kind == TokenKind::Number);
-        let value = number.and_then(|token| token.text.parse::<i32>().ok()).filter(|value| *value <= MAX_EXPONENT);
+        let value =
+            number.and_then(|token| token.text.parse::<i32>().ok()).filter(|value| *value <= MAX_EXPONENT);
         let Some(value) = value else {
             let message = format!("the exponent of a unit is a whole number up to {MAX_EXPONENT}");
             self.error(Code::BadUnit, self.here(), message);

@@ -39,7 +39,8 @@ impl DisplayUnit {
             product.dimension = product.dimension.times(unit.dimension.power(*exponent));
             for _ in 0..exponent.unsigned_abs() {
                 let factor = unit.factor();
-                let next = if *exponent > 0 { Some(product.factor * factor) } else { product.factor.div(factor) };
+                let next =
+                    if *exponent > 0 { Some(product.factor * factor) } else { product.factor.div(factor) };
                 product.factor = next.unwrap_or(product.factor);
             }
         }

@@ -136,8 +136,7 @@ impl<M: System<S: Real>> Dopri5<M> {
             return Ok((trial.x, trial.rate));
         }
         let (mut x, mut rate) = (trial.x, trial.rate);
-        course.stats.settled += 1;
-        course.system.settle(time, &mut x)?;
+        course.settle(time, &mut x)?;
         course.rate(time, &x, &mut rate)?;
         self.residue = M::S::lit(0.0);
         self.residue = self.drift_ratio(course.system, time, &x);
@@ -160,7 +159,7 @@ impl<M: System<S: Real>> Dopri5<M> {
 impl<M: System<S: Real> + Copy> Method<M> for Dopri5<M> {
     const DENSE: bool = true;
 
-    fn begin(&mut self, _course: &Course<'_, M>) -> Result<(), Fault> {
+    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.steps_left = self.most_steps;
         Ok(())
     }
@@ -201,7 +200,8 @@ impl<M: System<S: Real> + Copy> Method<M> for Dopri5<M> {
                 });
                 self.rate = Some(rate_to);
                 self.propose(proposal, h, worst);
-                course.stats.count_step(h.to_f64());
+                course.stats.steps += 1;
+                course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
                 (course.time, course.x) = (time, to);
                 return Ok(());
             }

@@ -27,23 +27,28 @@ pub(super) fn trial<M: System>(course: &mut Course<'_, M>, k1: &M::X, h: M::S) -
     let (t, x) = (course.time, course.x);
     let c = |c: f64| t + M::S::lit(c) * h;
     let a = |a: f64| M::S::lit(a) * h;
+    let mut stage = x;
     let [mut k2, mut k3, mut k4, mut k5, mut k6, mut k7] = [*k1; 6];
-    course.rate(c(C2), &M::X::combine(&x, [(a(A21), k1)]), &mut k2)?;
-    course.rate(c(C3), &M::X::combine(&x, [(a(A31), k1), (a(A32), &k2)]), &mut k3)?;
-    course.rate(c(C4), &M::X::combine(&x, [(a(A41), k1), (a(A42), &k2), (a(A43), &k3)]), &mut k4)?;
-    let x5 = M::X::combine(&x, [(a(A51), k1), (a(A52), &k2), (a(A53), &k3), (a(A54), &k4)]);
-    course.rate(c(C5), &x5, &mut k5)?;
-    let x6 = M::X::combine(&x, [(a(A61), k1), (a(A62), &k2), (a(A63), &k3), (a(A64), &k4), (a(A65), &k5)]);
-    course.rate(t + h, &x6, &mut k6)?;
-    let end = M::X::combine(&x, [(a(A71), k1), (a(A73), &k3), (a(A74), &k4), (a(A75), &k5), (a(A76), &k6)]);
-    course.rate(t + h, &end, &mut k7)?;
-    let zero = M::X::fill(M::S::lit(0.0));
-    let sum = |w: [f64; 6]| {
-        let [w1, w3, w4, w5, w6, w7] = w.map(a);
-        M::X::combine(&zero, [(w1, k1), (w3, &k3), (w4, &k4), (w5, &k5), (w6, &k6), (w7, &k7)])
+    stage.combine(&x, [(a(A21), k1)]);
+    course.rate(c(C2), &stage, &mut k2)?;
+    stage.combine(&x, [(a(A31), k1), (a(A32), &k2)]);
+    course.rate(c(C3), &stage, &mut k3)?;
+    stage.combine(&x, [(a(A41), k1), (a(A42), &k2), (a(A43), &k3)]);
+    course.rate(c(C4), &stage, &mut k4)?;
+    stage.combine(&x, [(a(A51), k1), (a(A52), &k2), (a(A53), &k3), (a(A54), &k4)]);
+    course.rate(c(C5), &stage, &mut k5)?;
+    stage.combine(&x, [(a(A61), k1), (a(A62), &k2), (a(A63), &k3), (a(A64), &k4), (a(A65), &k5)]);
+    course.rate(t + h, &stage, &mut k6)?;
+    stage.combine(&x, [(a(A71), k1), (a(A73), &k3), (a(A74), &k4), (a(A75), &k5), (a(A76), &k6)]);
+    course.rate(t + h, &stage, &mut k7)?;
+    let sum = |weights: [f64; 6]| {
+        let [w1, w3, w4, w5, w6, w7] = weights.map(a);
+        let mut sum = M::X::fill(M::S::lit(0.0));
+        sum.add([(w1, k1), (w3, &k3), (w4, &k4), (w5, &k5), (w6, &k6), (w7, &k7)]);
+        sum
     };
     let (error, bend) = (sum([E1, E3, E4, E5, E6, E7]), sum([D1, D3, D4, D5, D6, D7]));
-    Ok(Trial { x: end, rate: k7, error, bend })
+    Ok(Trial { x: stage, rate: k7, error, bend })
 }
 
 /// The polynomial of degree 4 between the ends of a step: through both states with their rates, and of order 4 within

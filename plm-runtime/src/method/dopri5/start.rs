@@ -29,8 +29,9 @@ pub(super) fn first_step<M: System<S: Real>>(
     let first = if state < least || slope < least { lit(1e-6) } else { lit(0.01) * (state / slope) };
     let first = first.min(course.end - course.time);
 
-    let mut rate_after = *rate;
-    course.rate(course.time + first, &M::X::combine(&x, [(first, rate)]), &mut rate_after)?;
+    let (mut ahead, mut rate_after) = (x, *rate);
+    ahead.add([(first, rate)]);
+    course.rate(course.time + first, &ahead, &mut rate_after)?;
     let bend = size(&rate_after.map2(rate, |after, before| after - before)) / first;
     let steepest = bend.max(slope);
     // The local error of order 5 grows with h^5.

@@ -1,0 +1,123 @@
+//! Bodies, their coordinates, their starts.
+
+use crate::support::{Values, assert_near, output, resolve};
+
+/// The single pendulum of the manual, section 4.3.5: the beam, as it is drawn, from the pivot at O0 to G at 0.5 m under
+/// 20 degrees. Angles of the body's frame and of the beam, as figure 91 shows them.
+#[test]
+fn drawing_coordinates_are_those_of_the_manual() {
+    let at = "(0.5 m*cos(20 deg), 0.5 m*sin(20 deg))";
+    let absolute = |drawing: &str, start: &str| {
+        format!(
+            "coordinates: absolute; drawing_angle: {drawing}; centre: {at}; port p: (0, 0) m; start angle: {start}, locked;"
+        )
+    };
+    let cases = [
+        ("port p: (-0.5, 0) m; start angle: 45 deg, locked;".to_string(), 45.0, 45.0),
+        (absolute("0 deg", "0 deg"), 0.0, 20.0),
+        (absolute("20 deg", "0 deg"), 0.0, 0.0),
+        (absolute("20 deg", "45 deg"), 45.0, 45.0),
+    ];
+    for (body, frame, beam) in cases {
+        let model = resolve(&format!(
+            "pub P {{ body b {{ mass: 100 kg; inertia: 0.01 kg*m^2; {body} }} output b.p.position; }}"
+        ));
+        let mut values = Values::of(&model);
+        let start = values.at(&model, model.bodies[0].start[2].value);
+        values.pose(&model, "b", [0.0, 0.0, start]);
+        let port = output(&model, &values, "b.p.position");
+        assert_near(start.to_degrees(), frame, "frame");
+        // The beam points from the port to G, which stands at the origin here.
+        assert_near((-port[1]).atan2(-port[0]).to_degrees(), beam, "beam");
+        assert_near(port[0].hypot(port[1]), 0.5, "length");
+    }
+}
+
+#[test]
+fn a_drawn_body_starts_where_it_was_drawn() {
+    let model = resolve(
+        "pub P { body b {
+            mass: 1 kg; inertia: 1 kg*m^2; coordinates: absolute; drawing_angle: 30 deg; centre: (1, 2) m;
+            port p: (1, 3) m, angle: 10 deg;
+        } output b.p.position, b.p.angle; }",
+    );
+    let mut values = Values::of(&model);
+    let body = &model.bodies[0];
+    let start = body.start.map(|start| values.at(&model, start.value));
+    values.pose(&model, "b", start);
+    let port = output(&model, &values, "b.p.position");
+    assert_near(port[0], 1.0, "x");
+    assert_near(port[1], 3.0, "y");
+    assert_near(output(&model, &values, "b.p.angle")[0], 40_f64.to_radians(), "angle");
+    assert!(body.start.iter().all(|start| !start.given && !start.locked));
+    assert!(body.centre.iter().all(|x| model.graph.is_zero(*x)));
+}
+
+#[test]
+fn ports_count_from_the_centre_of_gravity() {
+    let model = resolve(
+        "pub P { body b { mass: 1 kg; inertia: 1 kg*m^2; centre: (0.1, 0.2) m; port p: (0.5, 0) m; } }",
+    );
+    let values = Values::of(&model);
+    let at = model.bodies[0].ports[0].at.map(|x| values.at(&model, x));
+    assert_near(at[0], 0.4, "x");
+    assert_near(at[1], -0.2, "y");
+    let centre = model.bodies[0].centre.map(|x| values.at(&model, x));
+    assert_eq!(centre, [0.1, 0.2]);
+}
+
+#[test]
+fn starts_and_locks_are_kept() {
+    let model = resolve(
+        "pub P { body b {
+            mass: 1 kg; inertia: 1 kg*m^2;
+            start x: 40 mm; start angle: -110 deg, locked; start omega: 3 rev/min; start vy: 1 m/s, locked;
+        } }",
+    );
+    let values = Values::of(&model);
+    let body = &model.bodies[0];
+    let value = |start: plm_compiler::model::Start| values.at(&model, start.value);
+    assert_eq!(value(body.start[0]), 0.04);
+    assert_near(value(body.start[2]), (-110_f64).to_radians(), "angle");
+    assert_near(value(body.start_velocity[2]), 3.0 * std::f64::consts::TAU / 60.0, "omega");
+    let flags = |starts: [plm_compiler::model::Start; 3]| starts.map(|start| (start.given, start.locked));
+    assert_eq!(flags(body.start), [(true, false), (false, false), (true, true)]);
+    assert_eq!(flags(body.start_velocity), [(false, false), (true, true), (true, false)]);
+}
+
+#[test]
+fn the_ground_may_move() {
+    let model = resolve(
+        "pub P {
+            ground { port o: (0, 0.1 m*sin(10 rad/s*t)), axis: 30 deg; }
+            ground { port other: (1, 2) m; }
+            output ground.o.velocity, ground.o.axis, ground.other.position;
+        }",
+    );
+    let mut values = Values::of(&model);
+    values.set(model.time, 0.3);
+    assert_near(output(&model, &values, "ground.o.velocity")[1], 3_f64.cos(), "velocity");
+    assert_near(output(&model, &values, "ground.o.axis")[1], 0.5, "axis");
+    assert_eq!(output(&model, &values, "ground.other.position"), [1.0, 2.0]);
+    assert_eq!(model.ground.len(), 2);
+}
+
+#[test]
+fn bodies_know_their_motion() {
+    let model = resolve(
+        "pub P { body b { mass: 1 kg; inertia: 1 kg*m^2; port p: (1, 0) m, angle: 30 deg; }
+            output b.x, b.y, b.angle, b.vx, b.vy, b.omega, b.ax, b.ay, b.alpha, b.p.omega, b.acceleration, b.p.normal; }",
+    );
+    let mut values = Values::of(&model);
+    values.scatter(&model, 3);
+    let body = &model.bodies[0];
+    let names = ["b.x", "b.y", "b.angle", "b.vx", "b.vy", "b.omega", "b.ax", "b.ay", "b.alpha"];
+    for (name, symbol) in names.iter().zip([body.q, body.v, body.a].into_iter().flatten()) {
+        assert_eq!(output(&model, &values, name), [values.get(symbol)], "{name}");
+    }
+    assert_eq!(output(&model, &values, "b.p.omega"), [values.get(body.v[2])]);
+    let angle = values.get(body.q[2]) + 120_f64.to_radians();
+    let normal = output(&model, &values, "b.p.normal");
+    assert_near(normal[0], angle.cos(), "normal x");
+    assert_near(normal[1], angle.sin(), "normal y");
+}

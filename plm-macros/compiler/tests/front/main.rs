@@ -1,0 +1,12 @@
+//! The front end on whole declarations: what they mean, checked against the manual, against finite differences, and
+//! against plain arithmetic.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod bodies;
+mod declarations;
+mod expressions;
+mod parts;
+mod soup;
+mod states;
+mod support;
+mod work;

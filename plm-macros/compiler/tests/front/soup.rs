@@ -1,0 +1,139 @@
+//! Bad input never panics: declarations with tokens removed, doubled, swapped, replaced, or cut off.
+
+use plm_compiler::diag::Diagnostics;
+use plm_compiler::front::parse_and_resolve;
+use plm_compiler::token::{Delimiter, Sources, Token, TokenKind};
+
+use crate::support::Random;
+
+/// Declarations that use every rule of the grammar.
+const SEEDS: [&str; 2] = [
+    "/// Doc.
+    crate = a::b; parts { part p(a: frame) { choice c: x | y = x; force on a: (1, 2) N; } }
+    pub(crate) Name {
+        gravity: 9.81 m/s^2; stabilisation: baumgarte(0.1 s); allow(W0003);
+        param k: N*m/(rev/min) = -1e-3 N^1*m*min/(rev); input u: bar; let a = if not 1 < 2 and 3 >= 2 or 1 > 2 then t else 2 s;
+        state q[0]: 1 = 0; rate q[0] = table(t, (0 s, 1), (1 s, 2))/1 s + max(1, 2)*1 Hz;
+        ground { port o: (0, 0) m, axis: 30 deg; }
+        repeat i in 0..=3 { body bar[i] { mass: 1 kg*(i + 1); inertia: 1 kg*m^2; centre: (0, 0) m; coordinates: absolute;
+            drawing_angle: 20 deg; port a: (0.5, 0) m; port b: (1, 1) m, angle: 45 deg; start angle: 1 rev, locked; } }
+        revolute first(ground.o, bar[0].a) { damping: 1 N*m*s/rad; drive: dot((1, 2), (3, 4))*1 N*m; }
+        p push(bar[1].b) { c: y; }
+        constraint row: bar[2].x - 1 m*sin(t*1 rad/s) = 0;
+        output bar[1].angle in deg, tip = bar[2].a.position, first.force;
+    }",
+    "S { joint j(a: frame, b: frame) { pair: weld; param free: m; constraint x: cross(b.position - a.position, a.axis) = free;
+            torque on b from a: -2 N*m*(b.angle - a.angle)/1 rad; output f = reaction(x); state p: Pa = 0; rate p = rate(free)*1 Pa/m; }
+        ground { port o: (0, 0) m; } body m { mass: 2^3 kg; inertia: 1 kg*m^2; port a: (0, 0) m; start x: 1 mm; }
+        j one(ground.o, m.a) { free: 0.1 m; } output one.f in kN; }",
+];
+
+const SPARE: [&str; 24] = [
+    "body", "part", "joint", "repeat", "if", "then", "i", "bar", "m", "N", "ground", "a", ".", ",", ";", ":",
+    "=", "/", "^", "-", "<", "|", "#", "output",
+];
+
+fn spare(random: &mut Random) -> Token {
+    let brackets = [Delimiter::Paren, Delimiter::Bracket, Delimiter::Brace];
+    match random.below(8) {
+        0 => Token::open(brackets[random.below(3)]),
+        1 => Token::close(brackets[random.below(3)]),
+        2 => Token::new(TokenKind::Number, ["0", "1e999", "64", "0.5m", "4294967296"][random.below(5)]),
+        _ => {
+            let text = SPARE[random.below(SPARE.len())];
+            let first = text.chars().next().unwrap();
+            if first.is_alphabetic() { Token::ident(text) } else { Token::punct(first, random.below(2) == 0) }
+        }
+    }
+}
+
+fn disturb(tokens: &mut Vec<Token>, random: &mut Random) {
+    let (at, other) = (random.below(tokens.len()), random.below(tokens.len()));
+    if tokens.is_empty() {
+        return;
+    }
+    match random.below(7) {
+        0 => drop(tokens.remove(at)),
+        1 => tokens.insert(at, tokens[other].clone()),
+        2 => tokens.swap(at, other),
+        3 => tokens[at] = spare(random),
+        4 => tokens.insert(at, spare(random)),
+        5 if random.below(8) == 0 => tokens.truncate(at),
+        _ => {
+            let (first, last) = (at.min(other), at.max(other).min(at.min(other) + 12));
+            let piece: Vec<Token> = tokens[first..last].to_vec();
+            let to = random.below(tokens.len());
+            tokens.splice(to..to, piece);
+        }
+    }
+}
+
+#[test]
+fn disturbed_declarations_never_panic() {
+    for seed in 0..1500 {
+        let mut random = Random(seed);
+        let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+        let text = SEEDS[random.below(SEEDS.len())];
+        let start = sources.add_text("seed", text);
+        let mut tokens = sources.get(start).unwrap().tokens.clone();
+        for _ in 0..=random.below(12) {
+            disturb(&mut tokens, &mut random);
+        }
+        let mut disturbed = Sources::new();
+        disturbed.add_tokens("declaration", tokens);
+        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+            let model = parse_and_resolve(&mut disturbed, &mut sink);
+            assert!(model.is_some() != sink.has_errors(), "a model or errors, not both or neither");
+            sink.sorted().iter().map(|diagnostic| diagnostic.render(&disturbed).len()).sum::<usize>()
+        }));
+        assert!(outcome.is_ok(), "seed {seed}");
+    }
+}
+
+#[test]
+fn the_undisturbed_declarations_use_the_whole_grammar() {
+    for text in SEEDS {
+        let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+        sources.add_text("declaration", text);
+        parse_and_resolve(&mut sources, &mut sink);
+        let messages: Vec<String> =
+            sink.sorted().iter().map(|diagnostic| diagnostic.render(&sources)).collect();
+        assert!(messages.is_empty(), "{}", messages.join("\n"));
+    }
+}
+
+#[test]
+fn deep_nesting_ends_in_an_error() {
+    for (open, close) in [
+        ("(", ")"),
+        ("-", ""),
+        ("if 1 < 2 then ", " else 0"),
+        ("abs(", ")"),
+        ("2^", ""),
+        ("1 N*(", ")"),
+        ("b[", "]"),
+    ] {
+        let text = format!("P {{ let a = {}1{}; }}", open.repeat(20_000), close.repeat(20_000));
+        let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+        sources.add_text("declaration", &text);
+        assert!(parse_and_resolve(&mut sources, &mut sink).is_none());
+        assert!(sink.iter().any(|diagnostic| diagnostic.code.id() == "E0106"), "{open}");
+    }
+    let items = format!("P {{ {} {} }}", "repeat i in 0..1 {".repeat(20_000), "}".repeat(20_000));
+    let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+    sources.add_text("declaration", &items);
+    assert!(parse_and_resolve(&mut sources, &mut sink).is_none());
+}
+
+#[test]
+fn long_sums_and_rows_of_definitions_do_not_overflow() {
+    let sum = format!("P {{ let a = 1{}; output b = a; }}", " + 1".repeat(20_000));
+    let ways = format!("P {{ let a = 1{}; }}", ".x".repeat(20_000));
+    let names: String = (0..5000).map(|k| format!("let n{k} = n{} + 1;", k + 1)).collect();
+    let chain = format!("P {{ {names} let n5000 = 1; }}");
+    for text in [sum, ways, chain] {
+        let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+        sources.add_text("declaration", &text);
+        parse_and_resolve(&mut sources, &mut sink);
+    }
+}

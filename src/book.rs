@@ -1,0 +1,20 @@
+//! The book's Rust code, compiled and run as doc tests.
+//!
+//! `cargo test --doc` takes every block that is fenced as `rust`; nothing of this stands in the library.
+
+/// Gives each page a private item whose documentation it is.
+macro_rules! pages {
+    ($($name:ident = $path:literal;)*) => {
+        $(#[doc = include_str!(concat!("../docs/src/", $path))] struct $name;)*
+    };
+}
+
+pages! {
+    GettingStarted = "getting-started.md";
+    GeneratedCode = "generated-code.md";
+    Declaration = "language/declaration.md";
+    Assembly = "running/assembly.md";
+    Integrators = "running/integrators.md";
+    Scalars = "running/scalars.md";
+    Equations = "theory/equations.md";
+}
