@@ -34,7 +34,7 @@
 // Emitted paths begin with `::plm`, in this package's own tests too.
 extern crate self as plm;
 
-pub use plm_macros::mechanism;
+pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
 pub use plm_runtime as runtime;
 pub use plm_runtime::{

@@ -24,6 +24,11 @@ pub(crate) fn bug(what: &str) -> TokenStream {
     compile_error(&text, Span::call_site(), Span::call_site())
 }
 
+/// A mistake that the compiler never sees.
+pub(crate) fn error(text: &str, span: Span) -> TokenStream {
+    compile_error(text, span, span)
+}
+
 /// `::core::compile_error! { text }`; rustc underlines from the first token's span to the last's.
 fn compile_error(text: &str, first: Span, last: Span) -> TokenStream {
     let mut literal = Literal::string(text);

@@ -3,6 +3,7 @@
 //! Everything that can be tested without rustc stands in `plm-compiler`; use this crate through `plm`.
 
 mod diagnostics;
+mod sharing;
 mod tokens;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,6 +15,9 @@ use proc_macro::{Span, TokenStream};
 /// Declares a planar mechanism; the language is described in the documentation of `plm`.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
+    if let Some(call) = sharing::carried(&input) {
+        return call;
+    }
     let (tokens, spans) = tokens::flatten(input);
     let mut sources = Sources::new();
     sources.add_tokens("declaration", tokens);
@@ -22,6 +26,13 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
         Ok(expansion) => emit(&expansion, &sources, &spans),
         Err(panic) => diagnostics::bug(&panic_text(panic.as_ref())),
     }
+}
+
+/// Names parts that several mechanisms share: `parts! { pub valves { joint … part … } }`, then
+/// `mechanism! { use valves; pub Press { … } }`, in this crate or, by its path, in another.
+#[proc_macro]
+pub fn parts(input: TokenStream) -> TokenStream {
+    sharing::shared(input).unwrap_or_else(|(span, expected)| diagnostics::error(expected, span))
 }
 
 /// Code and diagnostics as tokens of rustc.

@@ -111,6 +111,6 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
         for (sum, s) in probe.iter_mut().zip(rest) {
             *sum = *sum + *s * zero;
         }
-        ((probe[0] + probe[1]) + (probe[2] + probe[3])).is_finite()
+        ((probe[0] + probe[2]) + (probe[1] + probe[3])).is_finite()
     }
 }

@@ -113,3 +113,46 @@ fn states_follow_their_rates() {
     let expected = 1.0 - 0.5 * (1.0 - (-2.0_f64).exp());
     assert!((sim.crank().omega - expected).abs() < 1e-9, "{} {expected}", sim.crank().omega);
 }
+
+plm::parts! {
+    pub dampers {
+        /// A damper that grows with the square of the speed.
+        part quadratic_damper(a: frame, b: frame) {
+            param drag: N*m*s^2/rad^2 = 1 N*m*s^2/rad^2;
+            let speed = rate(b.angle - a.angle);
+            torque on b from a: -drag*speed*abs(speed);
+        }
+    }
+}
+
+plm::parts! {
+    pub(crate) springs {
+        part soft_spring(a: frame, b: frame) {
+            param k: N*m/rad;
+            torque on b from a: -k*sin(b.angle - a.angle);
+        }
+    }
+}
+
+mod shared {
+    plm::mechanism! {
+        use super::dampers;
+        use crate::language::springs;
+        /// A wheel that a shared damper slows down.
+        pub Wheel {
+            ground { port o: (0, 0) m; }
+            body wheel { mass: 1 kg; inertia: 2 kg*m^2; port o: (0, 0) m; start angle: 0, locked; start omega: 3 rad/s, locked; }
+            revolute bearing(ground.o, wheel.o);
+            quadratic_damper drag(ground.o, wheel.o) { drag: 4 N*m*s^2/rad^2; }
+            soft_spring spring(ground.o, wheel.o) { k: 0; }
+        }
+    }
+}
+
+#[test]
+fn shared_parts_act_as_if_they_stood_inside() {
+    let mut sim = shared::Wheel::new().start_with(plm::Dopri5::new(1e-11)).unwrap();
+    sim.step(1.0).unwrap();
+    // omega' = -2 omega^2: omega = 3/(1 + 6 t).
+    assert!((sim.wheel().omega - 3.0 / 7.0).abs() < 1e-9, "{}", sim.wheel().omega);
+}

@@ -108,6 +108,7 @@ impl Library {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::PARTS;
     use crate::diag::Diagnostics;

@@ -14,6 +14,7 @@ pub struct Span {
 
 impl Span {
     /// The span from the beginning of `self` to the end of `other`; `self` where they are of different sources.
+    #[must_use]
     pub fn to(self, other: Span) -> Span {
         if self.source == other.source { Span { last: other.last.max(self.last), ..self } } else { self }
     }

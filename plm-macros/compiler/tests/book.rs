@@ -9,7 +9,8 @@
 //! | `plm,items` | items of the mechanism [`EXAMPLE`], with which it compiles without a word |
 //! | `plm,E0301` | a declaration that gives this code, and no other |
 //!
-//! The `text` block right behind one with codes is what the compiler says; `PLM_BLESS=1` writes it anew.
+//! The `text` block right behind one with codes is what the compiler says, the block `text,dynamics` is that function of
+//! the manual's double pendulum; `PLM_BLESS=1` writes both anew.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::collections::BTreeSet;
@@ -33,7 +34,7 @@ const EXAMPLE: &str = "
         inertia: 0.1 kg*m^2;
         port a: (-0.5, 0) m;
         port b: (0.5, 0) m;
-        start angle: 45 deg, locked;
+        start angle: 45 deg;
     }
     body rod {
         mass: 1 kg;
@@ -187,6 +188,34 @@ fn names(part: &Definition) -> Vec<&str> {
         }
     }
     names
+}
+
+/// The source that is emitted for the manual's double pendulum.
+fn double_pendulum() -> String {
+    let mut sources = Sources::new();
+    sources.add_text("double_pendulum.plm", include_str!("../examples/double_pendulum.plm"));
+    compile(&mut sources).code.unwrap().text()
+}
+
+#[test]
+fn the_generated_code_is_as_shown() {
+    let page = book().join("generated-code.md");
+    let (code, text) = (double_pendulum(), fs::read_to_string(&page).unwrap());
+    for cell in first_cells(&text) {
+        assert!(code.contains(cell), "{cell}");
+    }
+    let lines: Vec<&str> = text.lines().collect();
+    for block in blocks(&lines).iter().filter(|block| block.words.len() == 2) {
+        let start = code.find(&format!("        fn {}(", block.words[1])).unwrap();
+        let end = start + code[start..].find("\n        }\n").unwrap() + "\n        }".len();
+        let function: Vec<&str> = code[start..end].lines().map(|line| line.get(8..).unwrap_or("")).collect();
+        if std::env::var_os("PLM_BLESS").is_some() {
+            let blessed = [&lines[..block.first], &function, &lines[block.end..]].concat();
+            fs::write(&page, blessed.join("\n") + "\n").unwrap();
+        } else {
+            assert_eq!(block.text(&lines).trim_end(), function.join("\n"));
+        }
+    }
 }
 
 #[test]

@@ -13,9 +13,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use plm_compiler::diag::{Diagnostic, Diagnostics};
+use plm_compiler::diag::{Code, Diagnostic, Diagnostics};
 use plm_compiler::front::parse_and_resolve;
 use plm_compiler::token::Sources;
 
@@ -86,11 +86,27 @@ fn check(path: &Path) -> Vec<String> {
     complaints
 }
 
-#[test]
-fn every_mistake_is_reported_where_it_is_marked() {
+fn files() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/diagnostics");
     let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.sort();
+    files
+}
+
+#[test]
+fn every_code_of_the_front_end_has_a_case() {
+    let marked: Vec<Mark> =
+        files().iter().flat_map(|file| marks(&fs::read_to_string(file).unwrap())).collect();
+    // What comes behind the front end is checked where it is found.
+    let of_front_end = |code: &&Code| code.id() < "E0502" || **code == Code::UnknownCode;
+    for code in Code::ALL.iter().filter(of_front_end) {
+        assert!(marked.iter().any(|mark| mark.text.starts_with(code.id())), "{code} has no case");
+    }
+}
+
+#[test]
+fn every_mistake_is_reported_where_it_is_marked() {
+    let files = files();
     let complaints: Vec<String> = files.iter().flat_map(|file| check(file)).collect();
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     assert!(files.len() > 20, "only {} files", files.len());

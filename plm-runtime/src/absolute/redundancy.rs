@@ -26,6 +26,18 @@ pub(super) struct Dependencies<const NQ: usize, const NC: usize> {
 }
 
 impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
+    /// All rows are independent.
+    const fn none() -> Self {
+        Self {
+            free_rank: NC,
+            of_locks: 0,
+            of_joints: 0,
+            locks: [false; NQ],
+            ties: [false; NC],
+            rows: [false; NC],
+        }
+    }
+
     /// At the position `q`, where a coordinate with `free` = 0 is locked and one with `free` = 1 is not.
     /// `None` if the Jacobian is not finite.
     pub(super) fn at<S: Real, M: Absolute<S, NQ, NC>>(
@@ -35,6 +47,10 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         free: &[S; NQ],
     ) -> Option<Self> {
         let zero = S::lit(0.0);
+        // Good pivots prove full rank at linear cost.
+        if m.min_norm(t, q, free, &[zero; NC], &mut [zero; NQ]).is_good() {
+            return Some(Self::none());
+        }
         let rotated = rotate(weighted_jacobian(m, t, q, free), identity())?;
         let cut = rotated.cut(S::RANK_TOLERANCE);
         let locked = free.map(|free| S::lit(1.0) - free);

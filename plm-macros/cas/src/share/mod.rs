@@ -23,6 +23,7 @@ use rows::{Item, Kind, Rows, base, divides, literal};
 pub fn share(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut rows = Rows::load(graph, roots);
     scale::distribute(&mut rows);
+    pairs::extract(&mut rows, Kind::Sum);
     factor::factor_sums(&mut rows);
     pairs::extract(&mut rows, Kind::Product);
     pairs::extract(&mut rows, Kind::Sum);

@@ -3,7 +3,7 @@
 use crate::graph::Graph;
 use crate::hash::{Mixer, Table};
 use crate::node::{Expr, Node};
-use crate::number::Number;
+use crate::number::{Number, gcd};
 
 /// The row that stands for the number 1, so that the constant of a sum is an item like the others.
 pub(super) const UNIT: usize = 0;
@@ -58,6 +58,9 @@ pub(super) struct Rows {
     row_of: Vec<u32>,
     /// The rows that each `Other` row reads.
     operands: Vec<(u32, u32)>,
+    /// Finds a product by its items while loading: the base of a power may be a product of its own.
+    products: Table,
+    places: Vec<u32>,
     /// How many rows came from the graph.
     loaded: usize,
 }
@@ -73,12 +76,13 @@ impl Rows {
             roots: Vec::new(),
             row_of: vec![0; graph.len()],
             operands: Vec::new(),
+            products: Table::new(),
+            places: Vec::new(),
             loaded: 0,
         };
         rows.append(Kind::Other, Some(graph.one()), true); // UNIT
         for &e in &reachable {
             if e != graph.one() {
-                rows.row_of[e.index()] = rows.list.len() as u32;
                 rows.load_node(graph, e);
             }
         }
@@ -101,14 +105,12 @@ impl Rows {
                     self.append_item(Item { id: self.row_of[term.index()], coefficient });
                 }
             }
-            Node::Product(factors) if factors.iter().all(|f| f.1.unsigned_abs() <= LARGEST_EXPONENT) => {
-                self.append(Kind::Product, Some(e), named);
-                for &(factor, exponent) in factors {
-                    let id = literal(self.row_of[factor.index()], exponent < 0);
-                    for _ in 0..exponent.unsigned_abs() {
-                        self.append_item(Item { id, coefficient: 0 });
-                    }
-                }
+            Node::Product(factors) if has_small_exponents(factors) => {
+                let items = self.product_items(factors);
+                let row = self.product_row(&items);
+                self.row_of[e.index()] = row;
+                self.list[row as usize].source = Some(e);
+                self.list[row as usize].named = named;
             }
             node => {
                 let row = self.list.len() as u32;
@@ -118,7 +120,56 @@ impl Rows {
         }
     }
 
+    /// The literals of a product. One that is a power as a whole is that of a row for its base: (x*y)^2.
+    fn product_items(&mut self, factors: &[(Expr, i32)]) -> Vec<Item> {
+        let root = common_root(factors);
+        let mut items = Vec::with_capacity(factors.len() + 2);
+        for &(factor, exponent) in factors {
+            self.append_power(self.row_of[factor.index()], exponent / root, &mut items);
+        }
+        if root > 1 {
+            let base = self.product_row(&items);
+            items.clear();
+            self.append_power(base, root, &mut items);
+        }
+        items
+    }
+
+    /// Small powers are repeated literals, larger ones repeat a row for the square.
+    fn append_power(&mut self, row: u32, exponent: i32, items: &mut Vec<Item>) {
+        let item = |row: u32| Item { id: literal(row, exponent < 0), coefficient: 0 };
+        let mut left = exponent.unsigned_abs() as usize;
+        if left > 3 {
+            let factor = Item { id: literal(row, false), coefficient: 0 };
+            let square = self.product_row(&[factor, factor]);
+            items.resize(items.len() + left / 2, item(square));
+            left %= 2;
+        }
+        items.resize(items.len() + left, item(row));
+        items.sort_unstable();
+    }
+
+    /// The row of a product, found or made.
+    fn product_row(&mut self, items: &[Item]) -> u32 {
+        let mut mixer = Mixer::new(0);
+        for item in items {
+            mixer.word(u64::from(item.id));
+        }
+        let hash = mixer.finish();
+        let found = self.products.find(hash, |i| self.items(self.places[i] as usize) == items);
+        if let Some(known) = found {
+            return self.places[known];
+        }
+        let row = self.push(Kind::Product, items) as u32;
+        self.products.push(hash);
+        self.places.push(row);
+        row
+    }
+
     fn append(&mut self, kind: Kind, source: Option<Expr>, named: bool) {
+        if let Some(e) = source {
+            self.row_of[e.index()] = self.list.len() as u32;
+        }
         self.list.push(Row { kind, start: self.items.len() as u32, len: 0, source, named });
     }
 
@@ -129,12 +180,16 @@ impl Rows {
         }
     }
 
-    /// A new row.
-    pub(super) fn push(&mut self, kind: Kind, items: &[Item]) -> usize {
-        self.append(kind, None, false);
+    fn append_items(&mut self, items: &[Item]) {
         for &item in items {
             self.append_item(item);
         }
+    }
+
+    /// A new row.
+    pub(super) fn push(&mut self, kind: Kind, items: &[Item]) -> usize {
+        self.append(kind, None, false);
+        self.append_items(items);
         self.list.len() - 1
     }
 
@@ -248,7 +303,19 @@ impl Rows {
 }
 
 /// Products with larger exponents stay as they are.
-const LARGEST_EXPONENT: u32 = 8;
+fn has_small_exponents(factors: &[(Expr, i32)]) -> bool {
+    const LARGEST: i32 = 8;
+    let root = common_root(factors);
+    root <= LARGEST && factors.iter().all(|f| (f.1 / root).abs() <= LARGEST)
+}
+
+/// The largest exponent of which a product of several factors is a power.
+fn common_root(factors: &[(Expr, i32)]) -> i32 {
+    match factors {
+        [_] => 1,
+        _ => factors.iter().fold(0, |divisor, f| gcd(divisor, i128::from(f.1))) as i32,
+    }
+}
 
 /// The distinct coefficients, by index.
 pub(super) struct Numbers {

@@ -74,7 +74,7 @@ catalogue! {
     NoRate = "E0410", "a rate that is not defined";
     Feedback = "E0411", "a force reads an acceleration or a reaction";
     BadTable = "E0412", "a table that cannot be read";
-    TooMany = "E0413", "a repetition is too long";
+    TooMany = "E0413", "more repetitions or parts than can be";
     BadIndex = "E0414", "an index out of range";
 
     // E05: topology, mobility, assembly.

@@ -108,7 +108,6 @@ impl Diagnostic {
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
     seen: BTreeSet<(Code, Span, String)>,
-    uses: Vec<Use>,
     /// Where repetitions go: a mistake in a part that is used 64 times is reported once.
     repeated: Option<Diagnostic>,
 }
@@ -131,8 +130,7 @@ impl Diagnostics {
 
     fn report(&mut self, code: Code, severity: Severity, span: Span, message: String) -> &mut Diagnostic {
         let is_new = self.seen.insert((code, span, message.clone()));
-        let uses = if is_new { self.uses.clone() } else { Vec::new() };
-        let diagnostic = Diagnostic { code, severity, span, message, notes: Vec::new(), uses };
+        let diagnostic = Diagnostic { code, severity, span, message, notes: Vec::new(), uses: Vec::new() };
         if is_new {
             self.list.push(diagnostic);
             let last = self.list.len() - 1;
@@ -140,16 +138,6 @@ impl Diagnostics {
         } else {
             self.repeated.insert(diagnostic)
         }
-    }
-
-    /// What is reported from now on stands inside a part that is used here.
-    pub fn enter(&mut self, part_use: Use) {
-        self.uses.push(part_use);
-    }
-
-    /// Leaves the part that was entered last.
-    pub fn leave(&mut self) {
-        self.uses.pop();
     }
 
     /// Is there an error (not only warnings)?

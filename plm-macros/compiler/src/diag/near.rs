@@ -1,5 +1,7 @@
 //! "Did you mean": the name that is nearest to what was written.
 
+use std::fmt::Write;
+
 use super::Diagnostic;
 
 /// The candidate nearest to a name, if one is near enough: at most a third of its letters differ (one at least).
@@ -53,7 +55,8 @@ pub fn list(names: &[&str]) -> String {
     const SHOWN: usize = 12;
     let mut text = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
     if names.len() > SHOWN {
-        text.push_str(&format!(", … ({} more)", names.len() - SHOWN));
+        // Writing to a string does not fail.
+        let _ = write!(text, ", … ({} more)", names.len() - SHOWN);
     }
     text
 }

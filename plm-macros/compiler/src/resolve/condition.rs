@@ -154,21 +154,16 @@ fn known(condition: &Condition) -> Option<bool> {
         Condition::Known(holds) => Some(*holds),
         Condition::Less(..) => None,
         Condition::Not(inner) => known(inner).map(|holds| !holds),
-        Condition::All(inner) => {
-            let each = inner.iter().map(known);
-            each.fold(Some(true), |all, one| match (all, one) {
-                (Some(false), _) | (_, Some(false)) => Some(false),
-                (Some(true), Some(true)) => Some(true),
-                _ => None,
-            })
-        }
-        Condition::Any(inner) => {
-            let each = inner.iter().map(known);
-            each.fold(Some(false), |any, one| match (any, one) {
-                (Some(true), _) | (_, Some(true)) => Some(true),
-                (Some(false), Some(false)) => Some(false),
-                _ => None,
-            })
-        }
+        Condition::All(inner) => joined(inner, false),
+        Condition::Any(inner) => joined(inner, true),
     }
+}
+
+/// One that is `decisive` decides; else all must be known.
+fn joined(conditions: &[Condition], decisive: bool) -> Option<bool> {
+    let each: Vec<Option<bool>> = conditions.iter().map(known).collect();
+    if each.contains(&Some(decisive)) {
+        return Some(decisive);
+    }
+    (!each.contains(&None)).then_some(!decisive)
 }

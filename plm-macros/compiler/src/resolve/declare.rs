@@ -8,7 +8,7 @@ use super::value::{Nature, Reads, Value};
 use super::{Resolver, StateState, ValueState};
 use crate::diag::Code;
 use crate::model::Name;
-use crate::syntax::ast::{self, Expr, Item, ItemKind, Mechanism};
+use crate::syntax::ast::{self, Expr, ExprKind, Item, ItemKind, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
 /// All repetitions together may have so many turns.
@@ -27,9 +27,9 @@ impl<'a> Resolver<'a> {
             match &item.kind {
                 ItemKind::Gravity(value) => self.declare_gravity(scope, item, value),
                 ItemKind::Stabilisation(method, time) => {
-                    self.declare_stabilisation(scope, method, time.as_ref())
+                    self.declare_stabilisation(scope, method, time.as_ref());
                 }
-                ItemKind::Allow(codes) => self.declare_allowed(scope, codes),
+                ItemKind::Allow(codes) => self.declare_allowed(codes),
                 ItemKind::Param(value) => self.declare_value(scope, item, value, Reads::PARAM),
                 ItemKind::Input(value) => self.declare_value(scope, item, value, Reads::INPUT),
                 ItemKind::State(value) => self.declare_state(scope, value),
@@ -75,13 +75,13 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn declare_allowed(&mut self, scope: ScopeId, codes: &'a [ast::Ident]) {
+    fn declare_allowed(&mut self, codes: &'a [ast::Ident]) {
         for code in codes {
             if Code::ALL.iter().any(|known| known.id() == code.text && known.id().starts_with('W')) {
                 self.allowed.push(code.text.clone());
             } else {
                 let message = format!("there is no warning `{}` to allow", code.text);
-                self.error(scope, Code::UnknownCode, code.span, message);
+                self.sink.warning(Code::UnknownCode, code.span, message);
             }
         }
     }
@@ -90,20 +90,16 @@ impl<'a> Resolver<'a> {
     fn declare_value(&mut self, scope: ScopeId, item: &'a Item, ast: &'a ast::Value, kind: Reads) {
         self.refuse_unit_name(scope, &ast.name);
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
-        let slot = match self.scopes[self.home(scope)].instance {
-            Some(instance) => self.field_slot(instance, scope, ast, &unit, kind),
-            None => {
-                let name = Name { text: key.to_string(), span: ast.name.ident.span };
-                let symbol = self.graph.symbol(&name.text);
-                let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
-                let state = ValueState { ast, docs: &item.docs, scope, name, symbol, unit };
-                if kind == Reads::PARAM {
-                    self.params.push(state)
-                } else {
-                    self.inputs.push(state)
-                }
-                self.known_slot(ast.name.ident.span, value)
-            }
+        let span = ast.name.ident.span;
+        let slot = if let Some(instance) = self.scopes[self.home(scope)].instance {
+            self.field_slot(instance, scope, ast, &unit, kind)
+        } else {
+            let name = Name { text: key.to_string(), span };
+            let symbol = self.graph.symbol(&name.text);
+            let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
+            let fields = if kind == Reads::PARAM { &mut self.params } else { &mut self.inputs };
+            fields.push(ValueState { ast, docs: &item.docs, scope, name, symbol, unit });
+            self.known_slot(span, value)
         };
         self.bind(scope, &ast.name.ident, key, slot);
     }
@@ -112,9 +108,8 @@ impl<'a> Resolver<'a> {
     fn name_and_unit(&mut self, scope: ScopeId, ast: &'a ast::Value) -> Option<(Cow<'a, str>, DisplayUnit)> {
         let key = self.key(scope, &ast.name).ok()?;
         let unit = match (&ast.unit, &ast.value) {
-            (Some(unit), _) => unit.clone(),
-            (None, Some(Expr { kind: ast::ExprKind::Quantity(_, unit), .. })) => unit.clone(),
-            (None, Some(Expr { kind: ast::ExprKind::Number(_), .. })) => DisplayUnit::si(Dimension::NUMBER),
+            (Some(unit), _) | (None, Some(Expr { kind: ExprKind::Quantity(_, unit), .. })) => unit.clone(),
+            (None, Some(Expr { kind: ExprKind::Number(_), .. })) => DisplayUnit::si(Dimension::NUMBER),
             (None, _) => {
                 let message = format!("`{key}` has no unit");
                 let help = format!("write `{key}: m`, or `{key}: 1` for a bare number");
@@ -134,6 +129,7 @@ impl<'a> Resolver<'a> {
         self.directions.insert(symbol, stand_in);
         let name = Name { text, span: ast.name.ident.span };
         let value = Value::Scalar(symbol, Nature::written(unit.dimension, Reads::STATE));
+        self.state_of.insert(symbol, self.states.len());
         self.states.push(StateState { ast, scope, name, symbol, unit, stand_in, rate: None });
         let slot = self.known_slot(ast.name.ident.span, value);
         self.bind(scope, &ast.name.ident, key, slot);
@@ -147,14 +143,19 @@ impl<'a> Resolver<'a> {
     pub(super) fn assign_rates(&mut self) {
         for (scope, name, value) in std::mem::take(&mut self.late_rates) {
             let Ok(key) = self.key(scope, name) else { continue };
-            let text = format!("{}{key}", self.prefix(scope));
             let span = name.ident.span;
-            let Some(state) = self.states.iter_mut().find(|state| state.name.text == text) else {
+            let slot = self.find(scope, &key).map(|slot| self.force(slot, scope, span));
+            let state = match slot {
+                Some(Ok(Value::Scalar(symbol, _))) => self.state_of.get(&symbol).copied(),
+                _ => None,
+            };
+            let Some(state) = state else {
                 let message = format!("there is no state `{key}`");
                 self.error(scope, Code::StateRate, span, message)
                     .help(format!("write `state {key}: unit = 0;`"));
                 continue;
             };
+            let state = &mut self.states[state];
             match state.rate {
                 None => state.rate = Some((scope, value, span)),
                 Some((.., first)) => {
@@ -180,18 +181,11 @@ impl<'a> Resolver<'a> {
                 self.outputs.push((scope, output));
                 continue;
             }
-            let name = match (&output.name, &output.value.kind) {
-                (Some(name), _) | (None, ast::ExprKind::Name(name)) => name,
-                _ => {
-                    self.error(
-                        scope,
-                        Code::UnexpectedToken,
-                        output.value.span,
-                        "an output of a part has a name",
-                    )
+            let ((Some(name), _) | (None, ExprKind::Name(name))) = (&output.name, &output.value.kind) else {
+                let message = "an output of a part has a name";
+                self.error(scope, Code::UnexpectedToken, output.value.span, message)
                     .help("write `output name = …;`");
-                    continue;
-                }
+                continue;
             };
             let Ok(key) = self.key(scope, name) else { continue };
             let thunk = Thunk { scope, expr: &output.value, wanted: Wanted::Anything };

@@ -1,6 +1,6 @@
 //! What a place expects, and what is said when something else stands there.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Number};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -133,19 +133,16 @@ impl<'a> Resolver<'a> {
     /// A whole number that is known now.
     pub(super) fn eval_int(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<i64> {
         let (found, nature) = self.eval_scalar(scope, expr)?;
-        let number = self.graph.as_number(found).and_then(plm_cas::Number::as_int);
-        match number.filter(|_| nature.dimension == Dimension::NUMBER) {
-            Some(number) => Ok(number),
-            None => {
-                self.error(
-                    scope,
-                    Code::NotInteger,
-                    expr.span,
-                    "a whole number is expected that is known here",
-                );
-                Err(Failed)
-            }
-        }
+        self.whole_number(found, nature).ok_or_else(|| {
+            let message = "a whole number is expected that is known here";
+            self.error(scope, Code::NotInteger, expr.span, message);
+            Failed
+        })
+    }
+
+    pub(super) fn whole_number(&self, found: Expr, nature: Nature) -> Option<i64> {
+        let number = self.graph.as_number(found).filter(|_| nature.dimension == Dimension::NUMBER);
+        number.and_then(Number::as_int)
     }
 
     pub(super) fn wrong_kind(

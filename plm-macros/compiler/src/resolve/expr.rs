@@ -13,6 +13,9 @@ use crate::units::{Dimension, DisplayUnit};
 /// Definitions and expressions may need each other this deeply.
 const MAX_DEPTH: u32 = 200;
 
+/// Largest exponent.
+const MAX_EXPONENT: i32 = 100;
+
 impl<'a> Resolver<'a> {
     /// The value of an expression.
     pub(super) fn eval(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
@@ -97,16 +100,12 @@ impl<'a> Resolver<'a> {
     /// Powers have whole exponents, so that dimensions and derivatives stay simple.
     fn power(&mut self, scope: ScopeId, base: &'a ast::Expr, exponent: &'a ast::Expr) -> Eval<Value> {
         let (x, nature) = self.eval_scalar(scope, base)?;
-        let (n, _) = self.eval_scalar(scope, exponent)?;
-        let n = self.graph.as_number(n).and_then(plm_cas::Number::as_int).and_then(|n| i32::try_from(n).ok());
-        let Some(n) = n.filter(|n| n.abs() <= 100) else {
-            self.error(
-                scope,
-                Code::NotInteger,
-                exponent.span,
-                "an exponent is a whole number that is known here",
-            )
-            .help("for a square root there is `sqrt(x)`, for anything else `exp(a*ln(x))`");
+        let (n, of_n) = self.eval_scalar(scope, exponent)?;
+        let n = self.whole_number(n, of_n).and_then(|n| i32::try_from(n).ok());
+        let Some(n) = n.filter(|n| n.abs() <= MAX_EXPONENT) else {
+            let message = format!("an exponent is a whole number up to {MAX_EXPONENT} that is known here");
+            self.error(scope, Code::NotInteger, exponent.span, message)
+                .help("for a square root there is `sqrt(x)`, for anything else `exp(a*ln(x))`");
             return Err(Failed);
         };
         if n < 0 && self.graph.is_zero(x) {

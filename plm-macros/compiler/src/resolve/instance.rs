@@ -15,6 +15,9 @@ use crate::units::DisplayUnit;
 /// Parts may contain parts this deeply.
 const MAX_DEPTH: usize = 32;
 
+/// So many parts may be in use, with all that they contain: a few lines can ask for 2^32.
+const MAX_INSTANCES: usize = 1 << 14;
+
 /// A part in use.
 #[derive(Debug)]
 pub(super) struct InstanceState<'a> {
@@ -101,7 +104,12 @@ impl<'a> Resolver<'a> {
             let message = format!("more than {MAX_DEPTH} parts, one inside the other");
             self.error(scope, Code::TooDeep, ast.kind.span, message);
         }
-        depth < MAX_DEPTH
+        let too_many = self.instances.len() >= MAX_INSTANCES;
+        if too_many && !std::mem::replace(&mut self.too_many, true) {
+            let message = format!("more than {MAX_INSTANCES} parts in all");
+            self.error(scope, Code::TooMany, ast.kind.span, message);
+        }
+        depth < MAX_DEPTH && !too_many
     }
 
     fn new_part(&mut self, name: &str, span: Span, definition: &'a Definition) -> usize {
@@ -218,14 +226,15 @@ impl<'a> Resolver<'a> {
         let Some(id) = self.scopes[self.home(scope)].instance else { return };
         let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect();
         let chosen = match (self.field(id, &choice.name.text), &choice.default) {
-            (Some((outer, _, expr)), _) => match &expr.kind {
-                ast::ExprKind::Name(name) => Some((outer, &name.ident)),
-                _ => {
+            (Some((outer, _, expr)), _) => {
+                if let ast::ExprKind::Name(name) = &expr.kind {
+                    Some((outer, &name.ident))
+                } else {
                     let message = format!("expected one of {}", options.join(", "));
                     self.error(outer, Code::UnknownOption, expr.span, message);
                     None
                 }
-            },
+            }
             (None, Some(default)) => Some((scope, default)),
             (None, None) => {
                 let (span, outer) = (self.instances[id].span, self.instances[id].outer);

@@ -81,15 +81,12 @@ impl<'a> Resolver<'a> {
         if let Some(port) = self.port_index(body, name) {
             return Ok(Some(Value::Frame(FrameRef { body, port })));
         }
-        let (q, v, a, axis) = match body {
-            Some(body) => {
-                let body = &self.bodies[body];
-                (body.q, body.v, body.a, body.axis)
-            }
-            None => {
-                let (zero, one) = (self.graph.zero(), self.graph.one());
-                ([zero; 3], [zero; 3], [zero; 3], [one, zero])
-            }
+        let (q, v, a, axis) = if let Some(body) = body {
+            let body = &self.bodies[body];
+            (body.q, body.v, body.a, body.axis)
+        } else {
+            let (zero, one) = (self.graph.zero(), self.graph.one());
+            ([zero; 3], [zero; 3], [zero; 3], [one, zero])
         };
         let at = Reads::POSITION;
         let of = |dimension, reads| {

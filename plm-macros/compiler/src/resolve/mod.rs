@@ -63,6 +63,8 @@ struct Resolver<'a> {
     depth: u32,
     /// Turns of repetitions so far.
     turns: usize,
+    /// Has it been said that there are too many parts?
+    too_many: bool,
 
     time: Expr,
     gravity: SlotId,
@@ -72,6 +74,8 @@ struct Resolver<'a> {
     params: Vec<ValueState<'a>>,
     inputs: Vec<ValueState<'a>>,
     states: Vec<StateState<'a>>,
+    /// Index of the state of each symbol.
+    state_of: BTreeMap<Expr, usize>,
     ground: Vec<PortState<'a>>,
     bodies: Vec<BodyState<'a>>,
     instances: Vec<InstanceState<'a>>,
@@ -129,6 +133,7 @@ impl<'a> Resolver<'a> {
             slots: Vec::new(),
             depth: 0,
             turns: 0,
+            too_many: false,
             time,
             gravity: 0,
             gravity_is_declared: false,
@@ -137,6 +142,7 @@ impl<'a> Resolver<'a> {
             params: Vec::new(),
             inputs: Vec::new(),
             states: Vec::new(),
+            state_of: BTreeMap::new(),
             ground: Vec::new(),
             bodies: Vec::new(),
             instances: Vec::new(),

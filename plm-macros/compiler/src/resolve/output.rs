@@ -1,5 +1,7 @@
 //! Outputs of the mechanism.
 
+use std::collections::BTreeMap;
+
 use super::Resolver;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Form, Value};
@@ -13,14 +15,15 @@ impl<'a> Resolver<'a> {
     /// All outputs, in the order of declaration.
     pub(super) fn evaluate_outputs(&mut self) -> Vec<Output> {
         let mut outputs: Vec<Output> = Vec::new();
+        let mut names: BTreeMap<String, Span> = BTreeMap::new();
         for (scope, ast) in std::mem::take(&mut self.outputs) {
             let Ok(output) = self.output(scope, ast) else { continue };
-            match outputs.iter().find(|before| before.name.text == output.name.text) {
-                Some(first) => {
-                    let first = first.name.span;
-                    self.duplicate(scope, &output.name.text, output.name.span, first);
-                }
-                None => outputs.push(output),
+            let Name { text, span } = output.name.clone();
+            if let Some(first) = names.get(&text) {
+                self.duplicate(scope, &text, span, *first);
+            } else {
+                names.insert(text, span);
+                outputs.push(output);
             }
         }
         outputs

@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 use super::Resolver;
 use super::expect::Wanted;
@@ -112,7 +113,8 @@ impl<'a> Resolver<'a> {
         let mut key = Cow::Borrowed(name.ident.text.as_str());
         for index in &name.indices {
             let value = self.eval_int(scope, index)?;
-            key.to_mut().push_str(&format!("[{value}]"));
+            // Writing to a string does not fail.
+            let _ = write!(key.to_mut(), "[{value}]");
         }
         Ok(key)
     }
@@ -193,9 +195,10 @@ impl<'a> Resolver<'a> {
             names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
         if let (Some(first), Some(last)) = (elements.first(), elements.last()) {
             let note = format!("there is `{first}` to `{last}`");
-            let (code, message) = match name.indices.is_empty() {
-                true => (Code::NeedsIndex, format!("`{text}` needs an index")),
-                false => (Code::BadIndex, format!("there is no `{key}`")),
+            let (code, message) = if name.indices.is_empty() {
+                (Code::NeedsIndex, format!("`{text}` needs an index"))
+            } else {
+                (Code::BadIndex, format!("there is no `{key}`"))
             };
             self.error(scope, code, span, message).note(note);
             return Failed;

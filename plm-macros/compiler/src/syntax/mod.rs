@@ -26,7 +26,7 @@
 //! output := [name "="] expr ["in" unit]
 //! name   := NAME { "[" expr "]" }
 //! ```
-//! (expressions: [`expr`]; units: [`unit`])
+//! (expressions: `expr.rs`; units: `unit.rs`)
 //!
 //! The parser goes on at the next item after a mistake, so that three mistakes give three errors. Its recursion is
 //! bounded: a stack overflow cannot be caught.

@@ -51,16 +51,19 @@ impl Dimension {
     pub const INERTIA: Dimension = of(2, 1, 0, 0);
 
     /// Of a product.
+    #[must_use]
     pub fn times(self, other: Dimension) -> Dimension {
         self.combine(other, 1)
     }
 
     /// Of a quotient.
+    #[must_use]
     pub fn over(self, other: Dimension) -> Dimension {
         self.combine(other, -1)
     }
 
     /// Of a power with a whole exponent; exponents saturate far outside of anything physical.
+    #[must_use]
     pub fn power(self, exponent: i32) -> Dimension {
         let exponent = exponent.clamp(-100, 100) as i8;
         Dimension::NUMBER.combine(self, exponent)
@@ -94,6 +97,7 @@ impl Dimension {
     }
 
     /// Without the radian.
+    #[must_use]
     pub fn plain(self) -> Dimension {
         Dimension { rad: 0, ..self }
     }
@@ -113,20 +117,24 @@ impl Dimension {
 
     /// With its article and its unit: `a length (m)`, `an angle (rad)`, `a number`.
     pub fn describe(self) -> String {
-        let known = KNOWN.iter().find(|known| known.dimension == self);
-        match known.or_else(|| KNOWN.iter().find(|known| known.dimension.same(self) && self.rad.abs() > 1)) {
-            Some(known) if known.dimension == Dimension::NUMBER => known.name.to_string(),
-            Some(known) => format!("{} ({})", known.name, known.unit),
-            None => format!("a quantity in {}", self.base_units()),
+        match self.known() {
+            Some(known) if known.unit != "1" => format!("{} ({})", known.name, known.unit),
+            _ => self.name(),
         }
     }
 
     /// Its name without the unit: `a length`, `an angle`; `a quantity in kg^2` if it has none.
     pub fn name(self) -> String {
-        match KNOWN.iter().find(|known| known.dimension == self) {
+        match self.known() {
             Some(known) => known.name.to_string(),
             None => format!("a quantity in {}", self.base_units()),
         }
+    }
+
+    /// The entry of the table; the radian counts only if that gives one.
+    fn known(self) -> Option<&'static Known> {
+        let find = |dimension| KNOWN.iter().find(|known| known.dimension == dimension);
+        find(self).or_else(|| find(self.plain()))
     }
 
     fn base_units(self) -> String {
@@ -203,6 +211,7 @@ mod tests {
         assert_eq!(Dimension::ANGLE.describe(), "an angle (rad)");
         assert_eq!(Dimension::FORCE.power(2).describe(), "a quantity in kg^2*m^2/s^4");
         assert_eq!(Dimension::LENGTH.power(-2).si_unit(), "1/m^2");
+        assert_eq!(Dimension::LENGTH.times(Dimension::ANGLE).describe(), "a length (m)");
     }
 
     #[test]

@@ -115,7 +115,7 @@ fn the_order_of_declaration_does_not_matter() {
     let elbow = [pin[0] + along * unit[0] - across * unit[1], pin[1] + along * unit[1] + across * unit[0]];
     values.pose(&model, "crank", [pin[0] / 2.0, pin[1] / 2.0, 60_f64.to_radians()]);
     let bar = |a: [f64; 2], b: [f64; 2]| {
-        [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (b[1] - a[1]).atan2(b[0] - a[0])]
+        [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1]), (b[1] - a[1]).atan2(b[0] - a[0])]
     };
     values.pose(&model, "coupler", bar(pin, elbow));
     values.pose(&model, "rocker", bar([1.0, 0.0], elbow));
@@ -196,6 +196,38 @@ fn parts_stand_in_parts() {
         .map(|load| values.at(&model, load.force[0]))
         .collect();
     assert_near(pull.iter().sum(), -2.0 * 200.0 * 5.0 * 0.6, "pull");
+}
+
+/// An arm with its motor: a part may bring bodies along, and a mechanism may hold a constraint by itself.
+#[test]
+fn parts_bring_bodies_and_constraints_stand_alone() {
+    let model = resolve(
+        "pub P {
+            ground { port o: (0, 0) m; }
+            part arm(at: frame) {
+                body link { mass: 2 kg; inertia: 1 kg*m^2; port a: (-1, 0) m; port tip: (1, 0) m; }
+                revolute pin(at, link.a);
+                force on link.tip: (0, 3) N;
+                torque on link: 2 N*m;
+                output tip = link.tip.position;
+                output angle = link.angle;
+            }
+            arm upper(ground.o);
+            constraint drive: upper.angle - 2 rad/s*t = 30 deg;
+            output upper.tip;
+        }",
+    );
+    assert_eq!(model.bodies[0].name.text, "upper.link");
+    let rows: Vec<&str> = model.rows.iter().map(|row| row.name.as_str()).collect();
+    assert_eq!(rows, ["upper.pin.x", "upper.pin.y", "drive"]);
+    assert_eq!((model.parts[1].kind.as_str(), model.parts[1].name.text.as_str()), ("constraint", "drive"));
+    let mut values = Values::of(&model);
+    values.pose(&model, "upper.link", [0.0, 1.0, std::f64::consts::FRAC_PI_2]);
+    values.set(model.time, 0.25);
+    assert_near(values.at(&model, model.rows[2].phi), std::f64::consts::FRAC_PI_3 - 0.5, "drive");
+    assert_near(output(&model, &values, "upper.tip")[1], 2.0, "tip");
+    let torque: f64 = model.loads.iter().map(|load| values.at(&model, load.force[2])).sum();
+    assert_near(torque, 2.0, "the force has no lever when the arm points up");
 }
 
 /// A joint of the user's own, in the words of the library, is the joint of the library.

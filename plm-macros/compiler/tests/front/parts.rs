@@ -109,6 +109,9 @@ fn assert_all_near(found: &[f64], expected: &[f64], tolerance: f64, what: &str) 
     assert!(worst <= tolerance, "{what}: {found:?} against {expected:?}");
 }
 
+/// A function of the outputs of a part.
+type Energy = Box<dyn Fn(&[f64]) -> f64>;
+
 /// Springs are conservative and dampers follow Rayleigh's dissipation function: the loads of each part must be the
 /// negative gradients of its potential (with respect to q) and of its dissipation (with respect to v), where the rows
 /// hold that make a slot one. The outputs of the part give its elongations and speeds, which are checked below.
@@ -118,7 +121,6 @@ fn springs_and_dampers_do_the_work_of_their_potentials() {
     const ROTARY: &str = "rotary_stiffness: 300 N*m/rad; rest: 10 deg;";
     let rest = 10_f64.to_radians();
     let half = |k: f64, x: f64| 0.5 * k * x * x;
-    type Energy = Box<dyn Fn(&[f64]) -> f64>;
     let cases: Vec<(String, String, &[&str], Energy, Energy)> = vec![
         (
             "revolute e(one.p, two.p) { stiffness: 300 N*m/rad; rest: 10 deg; }".into(),

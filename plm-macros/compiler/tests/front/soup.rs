@@ -24,7 +24,7 @@ const SEEDS: [&str; 2] = [
     }",
     "S { joint j(a: frame, b: frame) { pair: weld; param free: m; constraint x: cross(b.position - a.position, a.axis) = free;
             torque on b from a: -2 N*m*(b.angle - a.angle)/1 rad; output f = reaction(x); state p: Pa = 0; rate p = rate(free)*1 Pa/m; }
-        ground { port o: (0, 0) m; } body m { mass: 2^3 kg; inertia: 1 kg*m^2; port a: (0, 0) m; start x: 1 mm; }
+        ground { port o: (0, 0) m; } body m { mass: 2^3*1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; start x: 1 mm; }
         j one(ground.o, m.a) { free: 0.1 m; } output one.f in kN; }",
 ];
 
@@ -125,15 +125,41 @@ fn deep_nesting_ends_in_an_error() {
     assert!(parse_and_resolve(&mut sources, &mut sink).is_none());
 }
 
-#[test]
-fn long_sums_and_rows_of_definitions_do_not_overflow() {
-    let sum = format!("P {{ let a = 1{}; output b = a; }}", " + 1".repeat(20_000));
-    let ways = format!("P {{ let a = 1{}; }}", ".x".repeat(20_000));
-    let names: String = (0..5000).map(|k| format!("let n{k} = n{} + 1;", k + 1)).collect();
-    let chain = format!("P {{ {names} let n5000 = 1; }}");
-    for text in [sum, ways, chain] {
+/// Runs the front end with little stack: rustc has 8 MB, tools that expand macros in threads of theirs 2 MB.
+fn with_one_megabyte(text: String) -> Vec<&'static str> {
+    let run = move || {
         let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
         sources.add_text("declaration", &text);
         parse_and_resolve(&mut sources, &mut sink);
+        sink.iter().map(|diagnostic| diagnostic.code.id()).collect()
+    };
+    std::thread::Builder::new().stack_size(1 << 20).spawn(run).unwrap().join().unwrap()
+}
+
+#[test]
+fn little_stack_is_enough() {
+    let sum = format!("P {{ let a = 1{}; output b = a; }}", " + 1".repeat(20_000));
+    assert!(with_one_megabyte(sum).is_empty());
+    let ways = format!("P {{ let a = t{}; }}", ".x".repeat(20_000));
+    assert_eq!(with_one_megabyte(ways), ["E0203"]);
+    // Definitions that need the one below, through operators, functions, pairs and conditions.
+    for form in ["@ + 1", "max(table(@, (0, 1), (1, 2)), 3)", "if @ < 1 then (@, 1).x else abs(2*(-@))"] {
+        let line = |k: usize| format!("let n{k} = {};", form.replace('@', &format!("n{}", k + 1)));
+        let chain: Vec<String> = (0..5000).map(line).collect();
+        let found = with_one_megabyte(format!("P {{ {} let n5000 = 1; }}", chain.concat()));
+        assert!(!found.is_empty() && found.iter().all(|code| *code == "E0106"), "{form}");
     }
+    let deep = format!("P {{ let a = {}1{}; }}", "max(1, (2*".repeat(30), "))".repeat(30));
+    assert!(with_one_megabyte(deep).is_empty());
+}
+
+#[test]
+fn few_lines_cannot_ask_for_millions_of_parts() {
+    let part = |k: usize| format!("part p{k}(a: frame) {{ p{n} x(a); p{n} y(a); }}", n = k + 1);
+    let parts: Vec<String> = (0..25).map(part).collect();
+    let text = format!(
+        "{} part p25(a: frame) {{ }} P {{ ground {{ port o: 0; }} p0 all(ground.o); }}",
+        parts.concat()
+    );
+    assert_eq!(with_one_megabyte(text), ["E0413"]);
 }

@@ -9,7 +9,7 @@ use plm_compiler::model::Model;
 use plm_compiler::token::Sources;
 
 /// The model of a declaration that has no mistake.
-pub fn resolve(text: &str) -> Model {
+pub(crate) fn resolve(text: &str) -> Model {
     let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
     sources.add_text("declaration", text);
     let model = parse_and_resolve(&mut sources, &mut sink);
@@ -20,13 +20,13 @@ pub fn resolve(text: &str) -> Model {
 
 /// Values of symbols. Unknown ones are asked for by name, so that a test says only what matters.
 #[derive(Clone, Default)]
-pub struct Values {
+pub(crate) struct Values {
     of: BTreeMap<Expr, f64>,
 }
 
 impl Values {
     /// Parameters and inputs at their defaults, everything else zero.
-    pub fn of(model: &Model) -> Values {
+    pub(crate) fn of(model: &Model) -> Values {
         let mut values = Values::default();
         let motion = model.bodies.iter().flat_map(|body| [body.q, body.v, body.a]).flatten();
         let unknown = motion.chain(model.rows.iter().map(|row| row.lambda)).chain([model.time]);
@@ -41,22 +41,22 @@ impl Values {
         values
     }
 
-    pub fn set(&mut self, symbol: Expr, value: f64) {
+    pub(crate) fn set(&mut self, symbol: Expr, value: f64) {
         self.of.insert(symbol, value);
     }
 
-    pub fn get(&self, symbol: Expr) -> f64 {
+    pub(crate) fn get(&self, symbol: Expr) -> f64 {
         self.of[&symbol]
     }
 
     /// Pose of a body: x, y, theta.
-    pub fn pose(&mut self, model: &Model, body: &str, pose: [f64; 3]) {
+    pub(crate) fn pose(&mut self, model: &Model, body: &str, pose: [f64; 3]) {
         let body = model.bodies.iter().find(|of| of.name.text == body).unwrap();
         (0..3).for_each(|i| self.set(body.q[i], pose[i]));
     }
 
     /// All poses, velocities and accelerations at random within 1, by a seed.
-    pub fn scatter(&mut self, model: &Model, seed: u64) {
+    pub(crate) fn scatter(&mut self, model: &Model, seed: u64) {
         let mut random = Random(seed);
         for body in &model.bodies {
             for symbol in [body.q, body.v, body.a].into_iter().flatten() {
@@ -66,7 +66,7 @@ impl Values {
     }
 
     /// The value of an expression.
-    pub fn at(&self, model: &Model, expr: Expr) -> f64 {
+    pub(crate) fn at(&self, model: &Model, expr: Expr) -> f64 {
         let bindings: Vec<(Expr, f64)> = self.of.iter().map(|(symbol, value)| (*symbol, *value)).collect();
         let tape = Tape::new(&model.graph, &[expr]);
         let name = |symbol: Expr| model.graph.name(symbol).unwrap_or("?").to_string();
@@ -75,14 +75,14 @@ impl Values {
 }
 
 /// Components of an output.
-pub fn output(model: &Model, values: &Values, name: &str) -> Vec<f64> {
+pub(crate) fn output(model: &Model, values: &Values, name: &str) -> Vec<f64> {
     let output =
         model.outputs.iter().find(|output| output.name.text == name).unwrap_or_else(|| panic!("{name}"));
     output.components.iter().map(|component| values.at(model, *component)).collect()
 }
 
 /// A single output of a declaration, at the defaults.
-pub fn value_of(text: &str) -> f64 {
+pub(crate) fn value_of(text: &str) -> f64 {
     let model = resolve(text);
     values_of_first(&model)
 }
@@ -92,22 +92,22 @@ fn values_of_first(model: &Model) -> f64 {
 }
 
 /// The value of an expression with nothing around it.
-pub fn evaluate(expr: &str) -> f64 {
+pub(crate) fn evaluate(expr: &str) -> f64 {
     value_of(&format!(
         "pub P {{ param a: m = 3 m; param b: m = 4 m; param n: 1 = 5; output value = {expr}; }}"
     ))
 }
 
-pub fn assert_near(found: f64, expected: f64, what: &str) {
+pub(crate) fn assert_near(found: f64, expected: f64, what: &str) {
     let tolerance = 1e-12 * expected.abs().max(1.0);
     assert!((found - expected).abs() <= tolerance, "{what}: found {found}, expected {expected}");
 }
 
 /// splitmix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-pub struct Random(pub u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    pub fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -115,12 +115,12 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    pub fn below(&mut self, bound: usize) -> usize {
+    pub(crate) fn below(&mut self, bound: usize) -> usize {
         (self.next() % bound.max(1) as u64) as usize
     }
 
     /// In -1 to 1.
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
