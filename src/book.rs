@@ -12,7 +12,7 @@ macro_rules! pages {
 pages! {
     GettingStarted = "getting-started.md";
     GeneratedCode = "generated-code.md";
-    Declaration = "language/declaration.md";
+    Parts = "language/parts.md";
     Assembly = "running/assembly.md";
     Integrators = "running/integrators.md";
     Scalars = "running/scalars.md";

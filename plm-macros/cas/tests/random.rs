@@ -10,9 +10,21 @@ use support::{close, direct};
 
 const SEEDS: std::ops::Range<u64> = 0..150;
 
-/// Some hundred operations on values near 1, each wrong by at most half a unit in the last place times the
-/// condition of what follows.
-const TOLERANCE: f64 = 1e-9;
+/// What rounding may do to an output: some hundred operations on values near 1, and a hundred times what a change of
+/// the inputs by two units in the last place does (some of these expressions are sines of large numbers).
+fn tolerances(case: &Case, point: &[f64]) -> Vec<f64> {
+    let values = |point: &[f64]| direct::nodes(&case.graph, &case.roots, &bindings(case, point));
+    let base = values(point);
+    let mut tolerances = vec![1e-12; base.len()];
+    for i in 0..point.len() {
+        let mut moved = point.to_vec();
+        moved[i] = moved[i].next_up().next_up();
+        for (tolerance, (a, b)) in tolerances.iter_mut().zip(base.iter().zip(values(&moved))) {
+            *tolerance += 100.0 * (a - b).abs();
+        }
+    }
+    tolerances
+}
 
 struct Case {
     graph: Graph,
@@ -41,11 +53,12 @@ fn the_tape_computes_what_the_nodes_say() {
         let case = case(seed, 30);
         let tape = Tape::new(&case.graph, &case.roots);
         for point in &case.points {
+            let tolerances = tolerances(&case, point);
             let expected = direct::nodes(&case.graph, &case.roots, &bindings(&case, point));
             let found = tape.eval(&bindings(&case, point)).unwrap();
             for (i, (a, b)) in expected.iter().zip(&found).enumerate() {
                 assert!(
-                    close(*a, *b, TOLERANCE),
+                    close(*a, *b, tolerances[i]),
                     "seed {seed}, root {i}: {a} {b}\n{}",
                     case.graph.sexpr(case.roots[i])
                 );
@@ -55,7 +68,7 @@ fn the_tape_computes_what_the_nodes_say() {
 }
 
 #[test]
-fn sharing_keeps_values_and_never_adds_operations() {
+fn sharing_keeps_values_and_saves_operations() {
     let (mut before_all, mut after_all) = (0, 0);
     for seed in SEEDS {
         let mut case = case(seed, 40);
@@ -63,20 +76,22 @@ fn sharing_keeps_values_and_never_adds_operations() {
         let shared_roots = share(&mut case.graph, &case.roots);
         let shared = Tape::new(&case.graph, &shared_roots);
         for point in &case.points {
+            let tolerances = tolerances(&case, point);
             let expected = plain.eval(&bindings(&case, point)).unwrap();
             let found = shared.eval(&bindings(&case, point)).unwrap();
             for (i, (a, b)) in expected.iter().zip(&found).enumerate() {
-                assert!(close(*a, *b, TOLERANCE), "seed {seed}, root {i}: {a} {b}");
+                assert!(close(*a, *b, tolerances[i]), "seed {seed}, root {i}: {a} {b}");
             }
         }
         // A division may be exchanged for a product or two; it costs more than both.
         let cost = |tape: &Tape| tape.count().total() + 3 * tape.count().div;
-        assert!(cost(&shared) <= cost(&plain), "seed {seed}: {} -> {}", plain.count(), shared.count());
+        // The choice is greedy: against what the tape merges by itself it can lose an operation or two.
+        assert!(cost(&shared) <= cost(&plain) + 2, "seed {seed}: {} -> {}", plain.count(), shared.count());
         before_all += cost(&plain);
         after_all += cost(&shared);
     }
     println!("operations {before_all} -> {after_all}");
-    assert!(after_all < before_all);
+    assert!(after_all * 100 < before_all * 95);
 }
 
 #[test]
@@ -119,10 +134,11 @@ fn substitution_commutes_with_evaluation() {
         for point in &case.points {
             let mut moved = point.clone();
             moved[0] = (point[1] * point[1]).sin();
+            let tolerances = tolerances(&case, &moved);
             let expected = direct::nodes(&case.graph, &case.roots, &bindings(&case, &moved));
             let found = direct::nodes(&case.graph, &replaced, &bindings(&case, point));
-            for (a, b) in expected.iter().zip(&found) {
-                assert!(close(*a, *b, TOLERANCE), "seed {seed}: {a} {b}");
+            for (i, (a, b)) in expected.iter().zip(&found).enumerate() {
+                assert!(close(*a, *b, tolerances[i]), "seed {seed}: {a} {b}");
             }
         }
     }

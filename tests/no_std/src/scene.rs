@@ -1,11 +1,51 @@
 //! What both programs run: assembly, each method of integration, and the solution by rank, in both precisions.
 
-#[path = "pendulum.rs"]
-mod pendulum;
+use plm::runtime::Vector;
+use plm::{Dopri5, Fault, Mechanism, Method, Moment, Real, Rk4, Scalar, SemiImplicitEuler};
 
-use pendulum::Pendulum;
-use plm_runtime::method::{Dopri5, Method, Rk4, SemiImplicitEuler};
-use plm_runtime::{Fault, Mechanism, Moment, Real, Scalar, Vector};
+plm::mechanism! {
+    /// The double pendulum of the manual, section 2.2.
+    pub DoublePendulum {
+        gravity: 9.81 m/s^2;
+        ground { port o0: (0, 0) m; }
+        body arm {
+            mass: 10 kg;
+            inertia: 0.01 kg*m^2;
+            port o0: (-0.5, 0) m;
+            port p12: (0.5, 0) m;
+            start angle: 45 deg, locked;
+        }
+        body forearm {
+            mass: 10 kg;
+            inertia: 0.01 kg*m^2;
+            port p12: (-1, 0) m;
+            start angle: 0 deg, locked;
+        }
+        revolute shoulder(ground.o0, arm.o0) { damping: 1 N*m/(rev/min); }
+        revolute elbow(arm.p12, forearm.p12) { damping: 1 N*m/(rev/min); }
+    }
+}
+
+plm::mechanism! {
+    /// A loop with a slider, a spring, an input, a state and every output.
+    pub Press {
+        gravity: 9.81 m/s^2;
+        param stiff: N/m = 200 N/m;
+        input push: N = 5 N;
+        state level: N = 0;
+        rate level = (push - level) / 0.1 s;
+        ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 5 deg; }
+        body crank { mass: 0.2 kg; inertia: 0.001 kg*m^2; port o: (-0.1, 0) m; port pin: (0.1, 0) m; start angle: 60 deg, locked; }
+        body rod { mass: 0.6 kg; inertia: 0.018 kg*m^2; port pin: (-0.3, 0) m; port wrist: (0.3, 0) m; start angle: -17 deg; }
+        body slider { mass: 0.5 kg; inertia: 0.001 kg*m^2; port wrist: (0, 0) m; start x: 0.67 m; }
+        revolute drive(ground.o, crank.o) { damping: 0.01 N*m*s/rad; }
+        revolute crank_pin(crank.pin, rod.pin);
+        revolute wrist_pin(rod.wrist, slider.wrist);
+        prismatic guide(ground.rail, slider.wrist) { stiffness: stiff; free_length: 0.5 m; }
+        force load(slider.wrist) { x: -level*exp(-t/1 s) - sqrt(1 + abs(slider.vx/1 m*1 s))*1 N; }
+        output drive.force, guide.force, crank.angle in deg;
+    }
+}
 
 /// Gives the bits of time and state at some moments of some runs.
 ///
@@ -17,11 +57,21 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
 }
 
 fn by_every_method<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
-    let locked = Pendulum::<S>::new();
+    let locked = DoublePendulum::<S>::of();
     moments(locked, SemiImplicitEuler::new(S::lit(1e-3)), emit)?;
     moments(locked, Rk4::new(S::lit(1e-3)), emit)?;
-    let unlocked = Pendulum { locked: false, ..locked };
-    moments(unlocked, Dopri5::default(), emit)
+    let mut unlocked = locked;
+    unlocked.start.arm.angle.locked = false;
+    unlocked.start.forearm.angle.locked = false;
+    moments(unlocked, Dopri5::default(), emit)?;
+    moments(Press::<S>::of(), Dopri5::default(), emit)?;
+    let mut press = Press::<S>::of().start_with(Rk4::new(S::lit(1e-3)))?;
+    press.input.push = S::lit(7.0);
+    press.step(S::lit(0.1))?;
+    for output in press.outputs() {
+        emit(output.to_f64().to_bits());
+    }
+    Ok(())
 }
 
 /// Half a second, with a look at the state every 50 ms; then the rate by rank where that ended.

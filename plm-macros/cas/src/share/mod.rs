@@ -2,9 +2,9 @@
 //!
 //! Hash-consing shares equal nodes; flat sums and products hide what they share inside: `x + a - b` and `a - b`.
 //! The pass works on flat rows of items (see `rows`) in steps, each of which lowers the count of operations:
-//! coefficients go into sums; common factors leave the terms of a sum; pairs of factors, then pairs of terms, that occur in several rows
-//! become rows of their own, the most frequent first (M. A. Breuer, "Generation of optimal code for expressions
-//! via factorization", Comm. ACM 12 (1969), 333-340); a divisor of several quotients is inverted once.
+//! coefficients go into sums; pairs of terms, or of factors, that occur in several rows become rows of their own,
+//! the most frequent first (M. A. Breuer, "Generation of optimal code for expressions via factorization", Comm. ACM
+//! 12 (1969), 333-340); common factors leave the terms of a sum; a divisor of several quotients is inverted once.
 //!
 //! The result is in shared form: sums may stand in sums and products in products. Its values differ from those of
 //! the input by rounding only. It is meant for a [`Tape`](crate::Tape); constructors that take it flatten it again.
@@ -23,10 +23,10 @@ use rows::{Item, Kind, Rows, base, divides, literal};
 pub fn share(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut rows = Rows::load(graph, roots);
     scale::distribute(&mut rows);
-    pairs::extract(&mut rows, Kind::Sum);
+    pairs::extract(&mut rows, Kind::Sum); // before factors leave: they would take shared terms apart
     factor::factor_sums(&mut rows);
     pairs::extract(&mut rows, Kind::Product);
-    pairs::extract(&mut rows, Kind::Sum);
+    pairs::extract(&mut rows, Kind::Sum); // the sums that factors left behind
     invert_divisors(&mut rows);
     rows.inline_single_uses();
     rebuild::rebuild(graph, &rows)
