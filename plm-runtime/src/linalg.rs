@@ -11,22 +11,14 @@ use crate::scalar::Real;
 /// Sweeps that are enough many times over: convergence is quadratic, six to ten are usual.
 const SWEEPS: usize = 60;
 
-/// The rotated rows S V^T of a matrix, and what was rotated with them.
-#[derive(Clone, Copy, Debug)]
-pub struct Rotated<S, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize> {
-    /// Orthogonal rows; their norms are the singular values, in no particular order.
-    pub rows: [[S; COLUMNS]; ROWS],
-    /// W times what was to be carried: W itself for the identity, W b for a right-hand side b.
-    pub carried: [[S; CARRIED]; ROWS],
-    /// The singular values.
-    pub sigma: [S; ROWS],
-}
-
-/// Rotates `rows` until they are orthogonal, and `carried` along with them. `None` if an entry is not finite.
+/// Rotates `rows` until they are orthogonal, and `carried` along with them: what was A becomes S V^T, what was B becomes
+/// W B. Returns the singular values, the norms of the rows, in no particular order; `None` if an entry is not finite.
+///
+/// It works in place: matrices of large mechanisms fit on a stack once, not several times.
 pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize>(
-    mut rows: [[S; COLUMNS]; ROWS],
-    mut carried: [[S; CARRIED]; ROWS],
-) -> Option<Rotated<S, ROWS, COLUMNS, CARRIED>> {
+    rows: &mut [[S; COLUMNS]; ROWS],
+    carried: &mut [[S; CARRIED]; ROWS],
+) -> Option<Singular<S, ROWS>> {
     let total = rows.iter().fold(S::lit(0.0), |sum, row| sum + dot(row, row));
     if !total.is_finite() {
         return None;
@@ -37,60 +29,53 @@ pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: u
         for p in 0..ROWS {
             for q in p + 1..ROWS {
                 if let Some(rotation) = precision.rotation(&rows[p], &rows[q]) {
-                    rotation.apply(&mut rows, p, q);
-                    rotation.apply(&mut carried, p, q);
+                    rotation.apply(rows, p, q);
+                    rotation.apply(carried, p, q);
                     orthogonal = false;
                 }
             }
         }
         if orthogonal {
-            let sigma = rows.map(|row| dot(&row, &row).sqrt());
-            return Some(Rotated { rows, carried, sigma });
+            return Some(Singular { values: core::array::from_fn(|k| dot(&rows[k], &rows[k]).sqrt()) });
         }
     }
     None
 }
 
-impl<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize>
-    Rotated<S, ROWS, COLUMNS, CARRIED>
-{
-    /// The fraction `relative` of the largest singular value.
+/// The singular values of a matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct Singular<S, const ROWS: usize> {
+    /// One for each row, in no particular order.
+    pub values: [S; ROWS],
+}
+
+impl<S: Real, const ROWS: usize> Singular<S, ROWS> {
+    /// The fraction `relative` of the largest.
     pub fn cut(&self, relative: S) -> S {
-        relative * largest(&self.sigma)
+        relative * largest(&self.values)
     }
 
-    /// Number of singular values above `cut`.
+    /// How many are above `cut`.
     pub fn rank(&self, cut: S) -> usize {
-        self.range(cut).count()
-    }
-
-    /// The singular values above `cut`, with their rotated and carried rows.
-    pub fn range(&self, cut: S) -> impl Iterator<Item = (S, &[S; COLUMNS], &[S; CARRIED])> {
-        let rows = self.sigma.iter().zip(&self.rows).zip(&self.carried);
-        rows.map(|((sigma, row), carried)| (*sigma, row, carried)).filter(move |(sigma, ..)| *sigma > cut)
-    }
-
-    /// What was carried by the rows of the other singular values: the left null space, if W was carried.
-    pub fn null(&self, cut: S) -> impl Iterator<Item = &[S; CARRIED]> {
-        let rows = self.sigma.iter().zip(&self.carried);
-        rows.filter(move |(sigma, _)| **sigma <= cut).map(|(_, carried)| carried)
+        self.values.iter().filter(|value| **value > cut).count()
     }
 }
 
-/// x = A^+ b: of all x that minimise |A x - b| the shortest. `None` if A is not finite.
+/// x = A^+ b: of all x that minimise |A x - b| the shortest. `None` if A is not finite. A is used up.
 ///
 /// Singular values up to [`Real::RANK_TOLERANCE`] times the largest count as zero.
 pub fn pseudo_solve<S: Real, const ROWS: usize, const COLUMNS: usize>(
-    a: [[S; COLUMNS]; ROWS],
+    a: &mut [[S; COLUMNS]; ROWS],
     b: &[S; ROWS],
 ) -> Option<[S; COLUMNS]> {
-    let rotated = rotate(a, b.map(|b| [b]))?;
+    let mut carried = b.map(|b| [b]);
+    let singular = rotate(a, &mut carried)?;
+    let cut = singular.cut(S::RANK_TOLERANCE);
     let mut x = [S::lit(0.0); COLUMNS];
-    for (sigma, row, [b]) in rotated.range(rotated.cut(S::RANK_TOLERANCE)) {
-        // The row is sigma times the singular vector.
-        let factor = *b / sigma / sigma;
-        for (x, r) in x.iter_mut().zip(row) {
-            *x = factor.mul_add(*r, *x);
+    for ((row, [b]), sigma) in a.iter().zip(&carried).zip(&singular.values) {
+        if *sigma > cut {
+            // The row is sigma times the singular vector.
+            add(&mut x, *b / *sigma / *sigma, row);
         }
     }
     Some(x)
@@ -103,6 +88,13 @@ pub fn identity<S: Real, const N: usize>() -> [[S; N]; N] {
         one[i][i] = S::lit(1.0);
     }
     one
+}
+
+/// `to + factor * from`, in place.
+pub fn add<S: Real, const N: usize>(to: &mut [S; N], factor: S, from: &[S; N]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = factor.mul_add(*from, *to);
+    }
 }
 
 /// Inner product.

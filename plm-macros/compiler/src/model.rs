@@ -48,7 +48,7 @@ pub struct Model {
     pub states: Vec<State>,
     /// What the user asked to see.
     pub outputs: Vec<Output>,
-    /// Warning codes that the declaration allows, e.g. `W0003`.
+    /// Warning codes that the declaration allows, e.g. `W0002`.
     pub allowed: Vec<String>,
 }
 

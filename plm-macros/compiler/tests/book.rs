@@ -121,12 +121,14 @@ fn every_declaration_of_the_book_gives_what_it_says() {
             let place = format!("{}:{}", page.display(), block.first);
             let text = block.text(&lines);
             let is_fragment = block.words.contains(&"items");
-            let (codes, words) = answer(&if is_fragment { format!("pub Example {{\n{text}{EXAMPLE}}}") } else { text });
+            let (codes, words) =
+                answer(&if is_fragment { format!("pub Example {{\n{text}{EXAMPLE}}}") } else { text });
             if codes != block.codes() {
                 let _ = writeln!(wrong, "{place}: gives {codes:?}\n{words}");
             }
             let behind = blocks.get(k + 1).filter(|next| {
-                next.words[0] == "text" && lines[block.end + 1..next.first - 1].iter().all(|line| line.is_empty())
+                next.words[0] == "text"
+                    && lines[block.end + 1..next.first - 1].iter().all(|line| line.is_empty())
             });
             let Some(behind) = behind.filter(|_| !block.codes().is_empty()) else { continue };
             if bless {
@@ -163,6 +165,25 @@ fn every_diagnostic_is_shown_on_its_page() {
 fn first_cells(markdown: &str) -> BTreeSet<&str> {
     let rows = markdown.lines().filter_map(|line| line.strip_prefix("| `")?.split_once('`'));
     rows.map(|(name, _)| name).collect()
+}
+
+#[test]
+fn the_grammar_is_the_parsers() {
+    let syntax = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/syntax");
+    for (source, page) in [("mod.rs", "declaration.md"), ("expr.rs", "expressions.md")] {
+        let source = fs::read_to_string(syntax.join(source)).unwrap();
+        let page = fs::read_to_string(book().join("language").join(page)).unwrap();
+        let docs: String = source
+            .lines()
+            .map_while(|line| line.strip_prefix("//!"))
+            .map(|line| [line, "\n"].concat())
+            .collect();
+        let rules: Vec<&str> = docs.split("```").nth(1).unwrap().lines().skip(1).map(str::trim).collect();
+        assert!(rules.len() > 5, "{rules:?}");
+        for rule in rules {
+            assert!(page.contains(rule), "{rule}");
+        }
+    }
 }
 
 #[test]

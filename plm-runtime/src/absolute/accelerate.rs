@@ -1,6 +1,7 @@
 //! Accelerations and multipliers by rank.
 
 use super::independent::Independent;
+use super::newton::scale_columns;
 use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
 use crate::scalar::Real;
@@ -36,8 +37,9 @@ pub fn accelerate<S: Real, const NQ: usize, const NC: usize>(
     let mut a: [S; NQ] = core::array::from_fn(|i| inverse_mass[i] * force[i]);
     let b: [S; NC] = core::array::from_fn(|j| dot(&phi_q[j], &a) - gamma[j]);
     let roots = inverse_mass.map(S::sqrt);
-    let scaled: [[S; NQ]; NC] = phi_q.map(|row| core::array::from_fn(|i| row[i] * roots[i]));
-    let Some(independent) = Independent::rows(&scaled) else {
+    let mut scaled = *phi_q;
+    scale_columns(&mut scaled, &roots);
+    let Some(independent) = Independent::rows(scaled) else {
         return Err(Fault::new(t.to_f64(), Cause::Singular { rows: NC }));
     };
     let (y, lambda) = independent.solve(&b);

@@ -1,6 +1,6 @@
 //! Which combinations of constraint rows are independent while the mechanism moves.
 
-use crate::linalg::{dot, identity, largest, rotate};
+use crate::linalg::{add, dot, identity, largest, rotate};
 use crate::scalar::Real;
 
 /// The independent combinations of the rows of A = phi_q M^-1/2, orthogonal to each other, and how they are made.
@@ -20,21 +20,45 @@ pub(super) struct Independent<S, const NQ: usize, const NC: usize> {
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
-    /// Of the rows `scaled` = A. `None` if they are not finite.
-    pub(super) fn rows(scaled: &[[S; NQ]; NC]) -> Option<Self> {
-        let norms = column_norms(scaled);
-        // A column of nothing but rounding stays small.
-        let least = S::lit(1e-6) * largest(&norms);
-        let sizes = norms.map(|norm| if norm > least { norm } else { least.max(S::EPSILON) });
-        let geometry = rotate(scaled.map(|row| each(&row, &sizes, |a, size| a / size)), identity())?;
-        let cut = geometry.cut(Self::tolerance());
-        let mut rows = geometry.rows;
-        for (row, sigma) in rows.iter_mut().zip(&geometry.sigma) {
-            *row = each(row, &sizes, |a, size| if *sigma > cut { a * size } else { S::lit(0.0) });
+    /// Of the rows `scaled` = A, which are used up. `None` if they are not finite.
+    pub(super) fn rows(scaled: [[S; NQ]; NC]) -> Option<Self> {
+        let mut found = Self { rows: scaled, squares: [S::lit(0.0); NC], combinations: identity() };
+        found.find().then_some(found)
+    }
+
+    fn find(&mut self) -> bool {
+        let sizes = column_sizes(&self.rows);
+        for row in &mut self.rows {
+            each(row, &sizes, |a, size| a / size);
         }
-        let mut combinations = geometry.carried;
-        let squares = orthogonalise(&mut rows, &mut combinations);
-        Some(Self { rows, squares, combinations })
+        let Some(geometry) = rotate(&mut self.rows, &mut self.combinations) else { return false };
+        let cut = geometry.cut(Self::tolerance());
+        for (row, sigma) in self.rows.iter_mut().zip(&geometry.values) {
+            each(row, &sizes, |a, size| if *sigma > cut { a * size } else { S::lit(0.0) });
+        }
+        self.orthogonalise();
+        true
+    }
+
+    /// Makes the independent rows orthogonal; rows of zeros stay.
+    ///
+    /// Gram-Schmidt, twice for full precision (L. Giraud, J. Langou, M. Rozloznik, The loss of orthogonality in the
+    /// Gram-Schmidt orthogonalization process, Comput. Math. Appl. 50, 2005).
+    fn orthogonalise(&mut self) {
+        for k in 0..NC {
+            let (mut row, mut combination) = (self.rows[k], self.combinations[k]);
+            for _ in 0..2 {
+                for j in 0..k {
+                    if self.squares[j] > S::lit(0.0) {
+                        let factor = -(dot(&self.rows[j], &row) / self.squares[j]);
+                        add(&mut row, factor, &self.rows[j]);
+                        add(&mut combination, factor, &self.combinations[j]);
+                    }
+                }
+            }
+            self.squares[k] = dot(&row, &row);
+            (self.rows[k], self.combinations[k]) = (row, combination);
+        }
     }
 
     /// Below this fraction of the largest a singular value of the scaled phi_q counts as zero.
@@ -53,8 +77,8 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
         for ((row, square), w) in self.rows.iter().zip(&self.squares).zip(&self.combinations) {
             if *square > S::lit(0.0) {
                 let factor = dot(w, b) / *square;
-                y = each(&y, row, |y, r| factor.mul_add(r, y));
-                lambda = each(&lambda, w, |lambda, w| factor.mul_add(w, lambda));
+                add(&mut y, factor, row);
+                add(&mut lambda, factor, w);
             }
         }
         (y, lambda)
@@ -72,35 +96,20 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
     }
 }
 
-/// Makes independent rows orthogonal, and carries `w` along; rows of zeros stay. Returns the squares of their norms.
-///
-/// Gram-Schmidt, twice for full precision (L. Giraud, J. Langou, M. Rozloznik, The loss of orthogonality in the
-/// Gram-Schmidt orthogonalization process, Comput. Math. Appl. 50, 2005).
-fn orthogonalise<S: Real, const NQ: usize, const NC: usize>(
-    rows: &mut [[S; NQ]; NC],
-    w: &mut [[S; NC]; NC],
-) -> [S; NC] {
-    let mut squares = [S::lit(0.0); NC];
-    for k in 0..NC {
-        for _ in 0..2 {
-            for j in 0..k {
-                if squares[j] > S::lit(0.0) {
-                    let factor = dot(&rows[j], &rows[k]) / squares[j];
-                    rows[k] = each(&rows[k], &rows[j], |to, from| to - factor * from);
-                    w[k] = each(&w[k], &w[j], |to, from| to - factor * from);
-                }
-            }
-        }
-        squares[k] = dot(&rows[k], &rows[k]);
+/// Norms of the columns; those of nothing but rounding count as larger, so that they stay small.
+fn column_sizes<S: Real, const NQ: usize, const NC: usize>(a: &[[S; NQ]; NC]) -> [S; NQ] {
+    let mut sizes = [S::lit(0.0); NQ];
+    for row in a {
+        each(&mut sizes, row, |sum, a| a.mul_add(a, sum));
     }
-    squares
+    let sizes = sizes.map(S::sqrt);
+    let least = (S::lit(1e-6) * largest(&sizes)).max(S::EPSILON);
+    sizes.map(|size| size.max(least))
 }
 
-fn column_norms<S: Real, const NQ: usize, const NC: usize>(a: &[[S; NQ]; NC]) -> [S; NQ] {
-    let zero = [S::lit(0.0); NQ];
-    a.iter().fold(zero, |sums, row| each(&sums, row, |sum, a| a.mul_add(a, sum))).map(S::sqrt)
-}
-
-fn each<S: Real, const N: usize>(a: &[S; N], b: &[S; N], f: impl Fn(S, S) -> S) -> [S; N] {
-    core::array::from_fn(|i| f(a[i], b[i]))
+/// `f` of each entry and the one beside it, in place.
+fn each<S: Real, const N: usize>(a: &mut [S; N], b: &[S; N], f: impl Fn(S, S) -> S) {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = f(*a, *b);
+    }
 }

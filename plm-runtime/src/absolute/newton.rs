@@ -14,7 +14,11 @@ pub(super) fn assembly_step<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, co
     free: &[S; NQ],
     r: &[S; NC],
 ) -> Option<[S; NQ]> {
-    without_pivoting(m, t, q, free, r).or_else(|| finite(pseudo_solve(weighted_jacobian(m, t, q, free), r)?))
+    without_pivoting(m, t, q, free, r).or_else(|| {
+        let mut jacobian = [[S::lit(0.0); NQ]; NC];
+        weighted_jacobian(m, t, q, free, &mut jacobian);
+        finite(pseudo_solve(&mut jacobian, r)?)
+    })
 }
 
 /// A step of projection: the dq with phi_q dq = r that is shortest in the metric of the masses, in the directions that
@@ -27,14 +31,15 @@ pub(super) fn projection_step<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, 
     r: &[S; NC],
 ) -> Option<[S; NQ]> {
     without_pivoting(m, t, q, inverse_mass, r).or_else(|| {
-        let roots = inverse_mass.map(S::sqrt);
-        let (y, _) = Independent::rows(&weighted_jacobian(m, t, q, &roots))?.solve(r);
+        let (roots, mut jacobian) = (inverse_mass.map(S::sqrt), [[S::lit(0.0); NQ]; NC]);
+        weighted_jacobian(m, t, q, &roots, &mut jacobian);
+        let (y, _) = Independent::rows(jacobian)?.solve(r);
         finite(core::array::from_fn(|i| roots[i] * y[i]))
     })
 }
 
 /// The straight-line solution, if it is healthy.
-fn without_pivoting<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+pub(super) fn without_pivoting<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     q: &[S; NQ],
@@ -56,13 +61,20 @@ pub(super) fn weighted_jacobian<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize
     t: S,
     q: &[S; NQ],
     weights: &[S; NQ],
-) -> [[S; NQ]; NC] {
-    let mut jacobian = [[S::lit(0.0); NQ]; NC];
-    m.phi_q(t, q, &mut jacobian);
-    for row in &mut jacobian {
+    jacobian: &mut [[S; NQ]; NC],
+) {
+    m.phi_q(t, q, jacobian);
+    scale_columns(jacobian, weights);
+}
+
+/// Multiplies the columns of a matrix by `weights`.
+pub(super) fn scale_columns<S: Real, const NQ: usize, const NC: usize>(
+    a: &mut [[S; NQ]; NC],
+    weights: &[S; NQ],
+) {
+    for row in a {
         for (entry, weight) in row.iter_mut().zip(weights) {
             *entry = *entry * *weight;
         }
     }
-    jacobian
 }

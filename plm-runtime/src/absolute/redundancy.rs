@@ -1,8 +1,8 @@
 //! Which constraints and locks depend on each other.
 
 use super::Absolute;
-use super::newton::weighted_jacobian;
-use crate::linalg::{dot, identity, largest, rotate};
+use super::newton::{weighted_jacobian, without_pivoting};
+use crate::linalg::{add, dot, identity, largest, rotate};
 use crate::scalar::Real;
 
 /// Dependencies among the rows of [phi_q; E], where E holds a unit row for every locked coordinate.
@@ -26,17 +26,14 @@ pub(super) struct Dependencies<const NQ: usize, const NC: usize> {
 }
 
 impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
-    /// All rows are independent.
-    const fn none() -> Self {
-        Self {
-            free_rank: NC,
-            of_locks: 0,
-            of_joints: 0,
-            locks: [false; NQ],
-            ties: [false; NC],
-            rows: [false; NC],
-        }
-    }
+    const NONE: Self = Self {
+        free_rank: NC,
+        of_locks: 0,
+        of_joints: 0,
+        locks: [false; NQ],
+        ties: [false; NC],
+        rows: [false; NC],
+    };
 
     /// At the position `q`, where a coordinate with `free` = 0 is locked and one with `free` = 1 is not.
     /// `None` if the Jacobian is not finite.
@@ -46,46 +43,50 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         q: &[S; NQ],
         free: &[S; NQ],
     ) -> Option<Self> {
-        let zero = S::lit(0.0);
-        // Good pivots prove full rank at linear cost.
-        if m.min_norm(t, q, free, &[zero; NC], &mut [zero; NQ]).is_good() {
-            return Some(Self::none());
+        // Elimination that stays healthy has found every row independent.
+        if without_pivoting(m, t, q, free, &[S::lit(0.0); NC]).is_some() {
+            return Some(Self::NONE);
         }
-        let rotated = rotate(weighted_jacobian(m, t, q, free), identity())?;
-        let cut = rotated.cut(S::RANK_TOLERANCE);
-        let locked = free.map(|free| S::lit(1.0) - free);
-        let jacobian = weighted_jacobian(m, t, q, &locked);
-        let size = largest(&rotated.sigma).max(largest(&jacobian.map(|row| dot(&row, &row).sqrt())));
+        let (mut rows, mut y) = ([[S::lit(0.0); NQ]; NC], identity());
+        weighted_jacobian(m, t, q, free, &mut rows);
+        let singular = rotate(&mut rows, &mut y)?;
+        let cut = singular.cut(S::RANK_TOLERANCE);
 
-        let (mut z, mut y) = ([[zero; NQ]; NC], [[zero; NC]; NC]);
-        for (place, combination) in z.iter_mut().zip(&mut y).zip(rotated.null(cut)) {
-            *place.1 = *combination;
-            for (weight, row) in combination.iter().zip(&jacobian) {
-                for (z, entry) in place.0.iter_mut().zip(row) {
-                    *z = weight.mul_add(*entry, *z);
-                }
+        let locked = free.map(|free| S::lit(1.0) - free);
+        let mut jacobian = [[S::lit(0.0); NQ]; NC];
+        weighted_jacobian(m, t, q, &locked, &mut jacobian);
+        let size =
+            jacobian.iter().fold(largest(&singular.values), |size, row| size.max(dot(row, row).sqrt()));
+
+        let mut found = Self { free_rank: singular.rank(cut), ..Self::NONE };
+        // Rows without a combination become zero and mark nothing.
+        for (k, sigma) in singular.values.iter().enumerate() {
+            rows[k] = [S::lit(0.0); NQ];
+            if *sigma > cut {
+                y[k] = [S::lit(0.0); NC];
+            }
+            for j in 0..NC {
+                add(&mut rows[k], y[k][j], &jacobian[j]);
             }
         }
-        let tied = rotate(z, y)?;
-        // Rows without a combination are zero: they count as ties of nothing, and carry no mark.
-        let (least, free_rank) = (S::RANK_TOLERANCE * size, rotated.rank(cut));
-        let of_locks = tied.rank(least);
-        let mut found = Self {
-            free_rank,
-            of_locks,
-            of_joints: NC.saturating_sub(free_rank + of_locks),
-            locks: [false; NQ],
-            ties: [false; NC],
-            rows: [false; NC],
-        };
-        for (sigma, z, y) in tied.range(least) {
-            mark(&mut found.locks, z, sigma);
-            mark(&mut found.ties, y, S::lit(1.0));
-        }
-        for y in tied.null(least) {
-            mark(&mut found.rows, y, S::lit(1.0));
-        }
+        found.sort(&mut rows, &mut y, S::RANK_TOLERANCE * size)?;
         Some(found)
+    }
+
+    /// Tells combinations `y` with locks (`z` above `least`) from those without.
+    fn sort<S: Real>(&mut self, z: &mut [[S; NQ]; NC], y: &mut [[S; NC]; NC], least: S) -> Option<()> {
+        let tied = rotate(z, y)?;
+        self.of_locks = tied.rank(least);
+        self.of_joints = NC.saturating_sub(self.free_rank + self.of_locks);
+        for (k, sigma) in tied.values.iter().enumerate() {
+            if *sigma > least {
+                mark(&mut self.locks, &z[k], *sigma);
+                mark(&mut self.ties, &y[k], S::lit(1.0));
+            } else {
+                mark(&mut self.rows, &y[k], S::lit(1.0));
+            }
+        }
+        Some(())
     }
 }
 

@@ -5,7 +5,7 @@
 mod chain;
 
 use plm::runtime::Vector;
-use plm::{Mechanism, Moment, Rk4};
+use plm::{Moment, Rk4};
 
 chain::chain!(Chain64, 64);
 

@@ -79,16 +79,14 @@ catalogue! {
 
     // E05: topology, mobility, assembly.
     SelfJoint = "E0501", "a joint joins a body with itself";
-    Unreached = "E0502", "a body that nothing holds or reaches";
-    TooManyLocks = "E0503", "there are more locks than degrees of freedom";
-    NotAssembled = "E0504", "the mechanism cannot be assembled";
-    NoBody = "E0505", "the mechanism has no body";
+    TooManyLocks = "E0502", "there are more locks than degrees of freedom";
+    NotAssembled = "E0503", "the mechanism cannot be assembled";
+    NoBody = "E0504", "the mechanism has no body";
 
     // W0: warnings.
     RedundantConstraint = "W0001", "a constraint says what others say already";
-    StiffStabilisation = "W0002", "the time constant of the stabilisation is too small for the step";
-    UnusedPort = "W0003", "a port that nothing uses";
-    UnknownCode = "W0004", "an allowed code that does not exist";
+    Unreached = "W0002", "a body that nothing holds or reaches";
+    UnknownCode = "W0003", "an allowed code that does not exist";
 }
 
 impl core::fmt::Display for Code {

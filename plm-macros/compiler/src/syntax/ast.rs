@@ -80,7 +80,7 @@ pub enum ItemKind {
     Gravity(Expr),
     /// `stabilisation: projection;` or `baumgarte(expr);`
     Stabilisation(Ident, Option<Expr>),
-    /// `allow(W0003, …);`
+    /// `allow(W0002, …);`
     Allow(Vec<Ident>),
     /// `param name: unit = expr;`
     Param(Value),

@@ -11,7 +11,7 @@ const SEEDS: [&str; 2] = [
     "/// Doc.
     crate = a::b; parts { part p(a: frame) { choice c: x | y = x; force on a: (1, 2) N; } }
     pub(crate) Name {
-        gravity: 9.81 m/s^2; stabilisation: baumgarte(0.1 s); allow(W0003);
+        gravity: 9.81 m/s^2; stabilisation: baumgarte(0.1 s); allow(W0002);
         param k: N*m/(rev/min) = -1e-3 N^1*m*min/(rev); input u: bar; let a = if not 1 < 2 and 3 >= 2 or 1 > 2 then t else 2 s;
         state q[0]: 1 = 0; rate q[0] = table(t, (0 s, 1), (1 s, 2))/1 s + max(1, 2)*1 Hz;
         ground { port o: (0, 0) m, axis: 30 deg; }

@@ -1,0 +1,16 @@
+//! A joint between a body and itself.
+
+plm::mechanism! {
+    pub Pendulum {
+        ground { port o: (0, 0) m; }
+        body bob {
+            mass: 1 kg;
+            inertia: 0.01 kg*m^2;
+            port a: (0, 1) m;
+            port b: (0, -1) m;
+        }
+        revolute hinge(bob.a, bob.b);
+    }
+}
+
+fn main() {}
