@@ -143,7 +143,7 @@ fn redundant(
 }
 
 /// A few names out of a table, and how many more there are.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Default, PartialEq)]
 pub struct Names {
     table: &'static [&'static str],
     listed: [u16; Names::CAPACITY],
@@ -186,6 +186,12 @@ impl Names {
     /// No name at all.
     pub fn is_empty(&self) -> bool {
         self.len == 0
+    }
+}
+
+impl fmt::Debug for Names {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Names({self})")
     }
 }
 

@@ -5,13 +5,11 @@ use crate::derive::derive;
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code};
 use crate::formulate::formulate;
-use crate::library::Library;
+use crate::front;
 use crate::model::Model;
 use crate::oracle::Oracle;
 use crate::report::Report;
-use crate::resolve::resolve;
 use crate::syntax::ast::Declaration;
-use crate::syntax::parse;
 use crate::token::Sources;
 
 /// What the compiler makes of a declaration.
@@ -33,13 +31,7 @@ pub struct Expansion {
 /// Mistakes never end the compilation early with nothing: they are all in [`Expansion::diagnostics`].
 pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
-    let declaration = match sources.get(0) {
-        Some(source) => parse(source, &mut sink),
-        None => Declaration::default(),
-    };
-    let library = Library::load(&declaration, sources, &mut sink);
-    let mechanism = declaration.mechanism.as_ref();
-    let model = mechanism.and_then(|mechanism| resolve(&declaration, mechanism, &library, &mut sink));
+    let (declaration, model) = front::read(sources, &mut sink);
     let mut expansion = match model {
         Some(model) => back_end(model, &mut sink),
         None => Expansion::default(),

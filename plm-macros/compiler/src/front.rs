@@ -4,14 +4,24 @@ use crate::diag::Diagnostics;
 use crate::library::Library;
 use crate::model::Model;
 use crate::resolve::resolve;
+use crate::syntax::ast::Declaration;
 use crate::syntax::parse;
 use crate::token::Sources;
 
 /// Reads the declaration, source 0 of `sources`, and binds its names. Library parts that it uses are added to the
 /// sources, so that messages can quote them. `None` if there are errors; all that were found are in the sink.
 pub fn parse_and_resolve(sources: &mut Sources, sink: &mut Diagnostics) -> Option<Model> {
-    let declaration = parse(sources.get(0)?, sink);
+    read(sources, sink).1
+}
+
+/// The declaration as it was read, and its model if there are no errors.
+pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> (Declaration, Option<Model>) {
+    let declaration = match sources.get(0) {
+        Some(source) => parse(source, sink),
+        None => Declaration::default(),
+    };
     let library = Library::load(&declaration, sources, sink);
-    let mechanism = declaration.mechanism.as_ref()?;
-    resolve(&declaration, mechanism, &library, sink)
+    let mechanism = declaration.mechanism.as_ref();
+    let model = mechanism.and_then(|mechanism| resolve(&declaration, mechanism, &library, sink));
+    (declaration, model)
 }

@@ -1,6 +1,6 @@
 //! The mechanisms that the tests run.
 
-use core::f64::consts::{FRAC_PI_3, FRAC_PI_4};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4};
 
 use plm_runtime::Real;
 
@@ -23,6 +23,35 @@ linkage!(Parallelogram, 12, 12,
     rows ["a1.x", "a1.y", "b1.x", "b1.y", "a2.x", "a2.y", "b2.x", "b2.y", "a3.x", "a3.y", "b3.x", "b3.y"],
     coordinates ["bar.x", "bar.y", "bar.angle", "crank1.x", "crank1.y", "crank1.angle", "crank2.x", "crank2.y",
         "crank2.angle", "crank3.x", "crank3.y", "crank3.angle"]);
+
+linkage!(Ladder, 15, 14,
+    parts ["a"; 14], rows ["a"; 14], coordinates ["bar"; 15]);
+
+/// S4 of the benchmarks with two windows: five bars of 1 m and 1 kg; the three cranks upright with the angular velocity
+/// of -1 rad/s.
+pub fn ladder() -> Ladder<f64> {
+    let crank = |x: f64| {
+        let mut start = pose(x, 0.5, FRAC_PI_2);
+        (start.vx.value, start.omega.value) = (0.5, -1.0);
+        (1.0, 1.0 / 12.0, start)
+    };
+    let window = |x: f64| {
+        let mut start = pose(x + 0.5, 1.0, 0.0);
+        start.vx.value = 1.0;
+        (1.0, 1.0 / 12.0, start)
+    };
+    let (low, high) = ([-0.5, 0.0], [0.5, 0.0]);
+    let joints = [
+        revolute(None, [0.0, 0.0], 0, low),
+        revolute(Some(0), high, 1, low),
+        revolute(Some(1), high, 2, high),
+        revolute(None, [1.0, 0.0], 2, low),
+        revolute(Some(2), high, 3, low),
+        revolute(Some(3), high, 4, high),
+        revolute(None, [2.0, 0.0], 4, low),
+    ];
+    Ladder(Linkage::new(&[crank(0.0), window(0.0), crank(1.0), window(1.0), crank(2.0)], &joints, 1.0))
+}
 
 /// A uniform bar of 1 m and 1 kg that hangs from its end at the origin, at an angle.
 pub fn pendulum<S: Real>(angle: f64) -> Pendulum<S> {

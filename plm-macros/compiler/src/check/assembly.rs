@@ -63,6 +63,7 @@ pub(crate) fn assemble(model: &Model, equations: &Equations, program: &Absolute,
     let mut q = start.clone();
     let mut phi = scene.phi(&q);
     let mut steps = 0;
+    let mut best = (q.clone(), phi.clone());
     while !phi.iter().all(|residual| residual.abs() <= CLOSED) && steps < MOST_STEPS {
         let step = scene.step(&q, &locked, &phi);
         if !step.iter().all(|dq| dq.is_finite()) {
@@ -73,6 +74,13 @@ pub(crate) fn assemble(model: &Model, equations: &Equations, program: &Absolute,
         }
         phi = scene.phi(&q);
         steps += 1;
+        if largest(&phi) < largest(&best.1) {
+            best = (q.clone(), phi.clone());
+        }
+    }
+    // Joints that do not fit make the steps wander; the pose that is told is the one that fits best.
+    if largest(&best.1) < largest(&phi) {
+        (q, phi) = best;
     }
     let (mut v, velocity_locked) = start_velocity(model, graph, values, &q);
     let residual = scene.phi_dot(&q, &v);
@@ -94,6 +102,11 @@ pub(crate) fn assemble(model: &Model, equations: &Equations, program: &Absolute,
         phi,
         steps,
     }
+}
+
+/// Largest magnitude; infinite if a value is not a number.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |largest, v| if v.is_nan() { f64::INFINITY } else { v.abs().max(largest) })
 }
 
 fn rank_with_locks(scene: &Scene, q: &[f64], locked: &[bool]) -> Rank {

@@ -1,0 +1,249 @@
+//! What stands for a declaration with errors: a mechanism with all names that could be read and nothing behind them.
+//!
+//! It goes the way of every model through derivation and emission, so that code which uses the mechanism sees the very
+//! types that it would see without the errors, and adds none of its own. Its bodies float, its outputs are zero.
+
+mod shape;
+
+use plm_cas::{Expr, Graph};
+
+use crate::library::Library;
+use crate::model::{Body, Input, Model, Name, Output, Param, Stabilisation, Start, State};
+use crate::span::Span;
+use crate::syntax::ast::{self, Declaration, ExprKind, IndexedName, Item, ItemKind, Operator};
+use crate::units::{Dimension, DisplayUnit};
+use shape::Shapes;
+
+/// Parts within parts that are looked into.
+const MAX_DEPTH: usize = 16;
+/// Items that are looked at, those of repetitions counted by turns.
+const MAX_ITEMS: usize = 1 << 14;
+
+/// The names of a declaration as a mechanism; `None` if it has none itself.
+pub(crate) fn model(declaration: &Declaration, library: &Library) -> Option<Model> {
+    let mechanism = declaration.mechanism.as_ref()?;
+    let mut names = Names { library, indices: Vec::new(), items: 0, found: Found::default() };
+    names.walk(&mechanism.items, "", 0);
+    let Found { mut graph, params, inputs, mut bodies, states, outputs, .. } = names.found;
+    if bodies.is_empty() {
+        // No array of the emitted code is empty that must not be.
+        bodies.push(body(&mut graph, name("unread".to_owned(), mechanism.name.span)));
+    }
+    Some(Model {
+        name: name(mechanism.name.text.clone(), mechanism.name.span),
+        visibility: mechanism.visibility.clone(),
+        docs: mechanism.docs.clone(),
+        crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
+        time: graph.symbol("t"),
+        gravity: graph.zero(),
+        stabilisation: Stabilisation::Projection,
+        params,
+        inputs,
+        bodies,
+        ground: Vec::new(),
+        parts: Vec::new(),
+        rows: Vec::new(),
+        loads: Vec::new(),
+        states,
+        outputs,
+        allowed: Vec::new(),
+        graph,
+    })
+}
+
+/// What was found so far.
+#[derive(Default)]
+struct Found {
+    graph: Graph,
+    params: Vec<Param>,
+    inputs: Vec<Input>,
+    bodies: Vec<Body>,
+    states: Vec<State>,
+    outputs: Vec<Output>,
+    symbols: usize,
+}
+
+/// Collects the names that the emitted types have.
+struct Names<'a> {
+    library: &'a Library,
+    /// Indices of the repetitions around an item, and their values.
+    indices: Vec<(&'a str, i64)>,
+    items: usize,
+    found: Found,
+}
+
+impl<'a> Names<'a> {
+    /// Items of the mechanism (no prefix), or of a part: `arm.spring.`.
+    fn walk(&mut self, items: &'a [Item], prefix: &str, depth: usize) {
+        for item in items {
+            self.items += 1;
+            if self.items > MAX_ITEMS {
+                return;
+            }
+            match &item.kind {
+                ItemKind::Body(of) => {
+                    if let Some(name) = self.name(prefix, &of.name) {
+                        let body = body(&mut self.found.graph, name);
+                        self.found.bodies.push(body);
+                    }
+                }
+                ItemKind::State(value) => self.state(prefix, value),
+                ItemKind::Repeat(repeat) => self.repeat(repeat, prefix, depth),
+                ItemKind::Instance(instance) => self.instance(instance, prefix, depth),
+                ItemKind::Param(value) if depth == 0 => self.param(item, value),
+                ItemKind::Input(value) if depth == 0 => self.input(item, value),
+                ItemKind::Output(list) if depth == 0 => {
+                    let shapes = Shapes::new(self.library, items);
+                    list.iter().for_each(|output| self.output(output, &shapes));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn repeat(&mut self, repeat: &'a ast::Repeat, prefix: &str, depth: usize) {
+        let (Some(from), Some(to)) = (self.int(&repeat.from), self.int(&repeat.to)) else { return };
+        let to = if repeat.inclusive { to.saturating_add(1) } else { to };
+        for value in from..to {
+            if self.items > MAX_ITEMS {
+                return;
+            }
+            self.items += 1;
+            self.indices.push((&repeat.index.text, value));
+            self.walk(&repeat.items, prefix, depth);
+            self.indices.pop();
+        }
+    }
+
+    fn instance(&mut self, instance: &'a ast::Instance, prefix: &str, depth: usize) {
+        let (Some(name), Some(definition)) = (self.key(&instance.name), self.library.get(&instance.kind.text)) else {
+            return;
+        };
+        if depth < MAX_DEPTH {
+            let outside = std::mem::take(&mut self.indices);
+            self.walk(&definition.items, &format!("{prefix}{name}."), depth + 1);
+            self.indices = outside;
+        }
+    }
+
+    fn param(&mut self, item: &Item, value: &'a ast::Value) {
+        let Some(name) = self.name("", &value.name) else { return };
+        let (symbol, default) = (self.symbol(), self.found.graph.zero());
+        let (unit, docs) = (value.unit.clone().unwrap_or_else(no_unit), item.docs.clone());
+        self.found.params.push(Param { name, symbol, default, unit, docs });
+    }
+
+    fn input(&mut self, item: &Item, value: &'a ast::Value) {
+        let Some(name) = self.name("", &value.name) else { return };
+        let (symbol, default) = (self.symbol(), self.found.graph.zero());
+        let (unit, docs) = (value.unit.clone().unwrap_or_else(no_unit), item.docs.clone());
+        self.found.inputs.push(Input { name, symbol, default, unit, docs });
+    }
+
+    fn state(&mut self, prefix: &str, value: &'a ast::Value) {
+        let Some(name) = self.name(prefix, &value.name) else { return };
+        let (symbol, zero) = (self.symbol(), self.found.graph.zero());
+        let unit = value.unit.clone().unwrap_or_else(no_unit);
+        self.found.states.push(State { name, symbol, rate: zero, start: zero, unit });
+    }
+
+    fn output(&mut self, output: &'a ast::Output, shapes: &Shapes<'a>) {
+        let Some(name) = self.output_name(output) else { return };
+        let count = if shapes.is_vector(&output.value) { 2 } else { 1 };
+        let components = vec![self.found.graph.zero(); count];
+        let unit = output.unit.as_ref().map_or_else(no_unit, |(unit, _)| unit.clone());
+        self.found.outputs.push(Output { name, components, unit });
+    }
+
+    /// The name as written, or the path of what is shown.
+    fn output_name(&self, output: &'a ast::Output) -> Option<Name> {
+        if let Some(written) = &output.name {
+            return self.name("", written);
+        }
+        let text = match &output.value.kind {
+            ExprKind::Name(path) => self.key(path)?,
+            ExprKind::Path(base, members) => {
+                let ExprKind::Name(base) = &base.kind else { return None };
+                let mut text = self.key(base)?;
+                for member in members {
+                    text.push('.');
+                    text.push_str(&self.key(member)?);
+                }
+                text
+            }
+            _ => return None,
+        };
+        Some(name(text, output.value.span))
+    }
+
+    fn name(&self, prefix: &str, written: &IndexedName) -> Option<Name> {
+        Some(name(format!("{prefix}{}", self.key(written)?), written.ident.span))
+    }
+
+    /// `bar[3]`; `None` if an index has no value.
+    fn key(&self, written: &IndexedName) -> Option<String> {
+        let mut key = written.ident.text.clone();
+        for index in &written.indices {
+            key.push_str(&format!("[{}]", self.int(index)?));
+        }
+        Some(key)
+    }
+
+    /// The value of a whole number: literals, indices of repetitions, and what `+ - *` make of them.
+    fn int(&self, expr: &ast::Expr) -> Option<i64> {
+        match &expr.kind {
+            ExprKind::Number(number) => number.as_int(),
+            ExprKind::Name(name) if name.indices.is_empty() => {
+                self.indices.iter().rev().find(|(index, _)| *index == name.ident.text).map(|(_, value)| *value)
+            }
+            ExprKind::Neg(inner) => self.int(inner)?.checked_neg(),
+            ExprKind::Chain(first, links) => links.iter().try_fold(self.int(first)?, |left, link| {
+                let right = self.int(&link.operand)?;
+                match link.operator {
+                    Operator::Add => left.checked_add(right),
+                    Operator::Sub => left.checked_sub(right),
+                    Operator::Mul => left.checked_mul(right),
+                    _ => None,
+                }
+            }),
+            _ => None,
+        }
+    }
+
+    /// A symbol of its own, whatever else is called the same.
+    fn symbol(&mut self) -> Expr {
+        self.found.symbols += 1;
+        self.found.graph.symbol(&format!("value_{}", self.found.symbols))
+    }
+}
+
+fn name(text: String, span: Span) -> Name {
+    Name { text, span }
+}
+
+fn no_unit() -> DisplayUnit {
+    DisplayUnit::si(Dimension::NUMBER)
+}
+
+/// A body of 1 kg that floats.
+fn body(graph: &mut Graph, name: Name) -> Body {
+    let mut symbols = |prefixes: [&str; 3]| prefixes.map(|of| graph.symbol(&format!("{of}_{}", name.text)));
+    let (q, v, a) =
+        (symbols(["x", "y", "theta"]), symbols(["vx", "vy", "omega"]), symbols(["ax", "ay", "alpha"]));
+    let (zero, one, span) = (graph.zero(), graph.one(), name.span);
+    let start = Start { value: zero, locked: false, given: false, span };
+    Body {
+        mass: one,
+        mass_span: span,
+        inertia: one,
+        inertia_span: span,
+        q,
+        v,
+        a,
+        centre: [zero; 2],
+        ports: Vec::new(),
+        start: [start; 3],
+        start_velocity: [start; 3],
+        name,
+    }
+}

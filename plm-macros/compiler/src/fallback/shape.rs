@@ -1,0 +1,105 @@
+//! Number or vector? Told from the form of an expression, since after errors nothing may have a value.
+
+use std::cell::Cell;
+
+use crate::library::Library;
+use crate::syntax::ast::{Expr, ExprKind, IndexedName, Item, ItemKind, Operator};
+
+/// Members of bodies and frames that are vectors.
+const VECTORS: &[&str] = &["position", "velocity", "acceleration", "axis", "normal"];
+/// Definitions that are followed for one answer; more are a circle, or as good as one.
+const MAX_STEPS: u32 = 1000;
+
+/// The names that an expression can read.
+pub(super) struct Shapes<'a> {
+    library: &'a Library,
+    items: &'a [Item],
+    steps: Cell<u32>,
+}
+
+impl<'a> Shapes<'a> {
+    pub(super) fn new(library: &'a Library, items: &'a [Item]) -> Shapes<'a> {
+        Shapes { library, items, steps: Cell::new(0) }
+    }
+
+    /// Is it a vector? What cannot be told is a number.
+    pub(super) fn is_vector(&self, expr: &Expr) -> bool {
+        self.steps.set(0);
+        self.of(self.items, expr)
+    }
+
+    fn of(&self, items: &'a [Item], expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Pair(..) => true,
+            ExprKind::Quantity(value, _) | ExprKind::Neg(value) | ExprKind::If(_, value, _) => self.of(items, value),
+            ExprKind::Chain(first, links) => {
+                let compares = links.iter().any(|link| link.operator.precedence() < Operator::Add.precedence());
+                !compares && (self.of(items, first) || links.iter().any(|link| self.of(items, &link.operand)))
+            }
+            ExprKind::Call(function, arguments) => match function.text.as_str() {
+                "turn" => true,
+                "reaction" => arguments.len() == 2,
+                "rate" => arguments.first().is_some_and(|argument| self.of(items, argument)),
+                _ => false,
+            },
+            ExprKind::Name(name) => {
+                let mut lets = all(items).filter_map(|item| match &item.kind {
+                    ItemKind::Let(of, value) if of.ident.text == name.ident.text => Some(value),
+                    _ => None,
+                });
+                self.step() && lets.next().is_some_and(|value| self.of(items, value))
+            }
+            ExprKind::Path(base, members) => self.path(items, base, members),
+            ExprKind::Number(_) | ExprKind::Not(_) | ExprKind::Power(..) => false,
+        }
+    }
+
+    /// `joint.force`, `body.port.position`
+    fn path(&self, items: &'a [Item], base: &Expr, members: &[IndexedName]) -> bool {
+        let Some((first, rest)) = members.split_first() else { return false };
+        let ExprKind::Name(base) = &base.kind else { return false };
+        let instance = all(items).find_map(|item| match &item.kind {
+            ItemKind::Instance(instance) if instance.name.ident.text == base.ident.text => Some(instance),
+            _ => None,
+        });
+        let last = members.last().map_or("", |member| member.ident.text.as_str());
+        let Some(definition) = instance.and_then(|instance| self.library.get(&instance.kind.text)) else {
+            // Of a part that is not known, a force is taken for a vector.
+            return VECTORS.contains(&last) || (instance.is_some() && last == "force");
+        };
+        let outputs = all(&definition.items).filter_map(|item| match &item.kind {
+            ItemKind::Output(list) => Some(list),
+            _ => None,
+        });
+        let output = outputs.flatten().find(|output| match (&output.name, &output.value.kind) {
+            (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == first.ident.text,
+            _ => false,
+        });
+        let is_whole = rest.is_empty();
+        is_whole && self.step() && output.is_some_and(|output| self.of(&definition.items, &output.value))
+    }
+
+    /// One more definition, if there may be one.
+    fn step(&self) -> bool {
+        self.steps.set(self.steps.get() + 1);
+        self.steps.get() <= MAX_STEPS
+    }
+}
+
+/// Items and those in repetitions.
+fn all(items: &[Item]) -> impl Iterator<Item = &Item> {
+    let mut open = vec![items.iter()];
+    std::iter::from_fn(move || {
+        loop {
+            match open.last_mut()?.next() {
+                Some(item) => {
+                    if let ItemKind::Repeat(repeat) = &item.kind {
+                        open.push(repeat.items.iter());
+                    }
+                    return Some(item);
+                }
+                None => drop(open.pop()),
+            }
+        }
+    })
+}
