@@ -67,6 +67,7 @@ fn unlocked_assembly(figures: &mut Figures) -> Result<(), plm::Fault> {
 }
 
 /// Step 6 of the manual: both angles are locked, the centres follow.
+#[allow(clippy::approx_constant, reason = "the manual prints 1/sqrt(2) to eight digits")]
 fn locked_assembly(figures: &mut Figures) -> Result<(), plm::Fault> {
     let assembly = DoublePendulum::new().assemble()?;
     println!("\nAssembly with both angles locked\n{assembly}");

@@ -5,7 +5,7 @@
 
 mod chain;
 #[path = "../../tests/it/scenes.rs"]
-#[allow(dead_code, unused_imports)] // The tests use more of it.
+#[allow(dead_code, unused_imports, unreachable_pub)] // The tests use more of it.
 mod declared;
 
 use super::{Level, run};

@@ -1,5 +1,6 @@
 //! Diagnostics as tokens that rustc reports at the user's own source.
 
+use plm_compiler::bug_message;
 use plm_compiler::diag::{Diagnostic, Severity};
 use plm_compiler::token::Sources;
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -9,19 +10,27 @@ pub(crate) fn tokens(diagnostic: &Diagnostic, sources: &Sources, spans: &[Span])
     let anchor = diagnostic.anchor();
     let at = |token: u32| spans.get(token as usize).copied().unwrap_or_else(Span::call_site);
     let (first, last) = (at(anchor.first), at(anchor.last));
-    let text = diagnostic.message(sources);
+    let place_of = |span: plm_compiler::span::Span| {
+        let place = spans.get(span.first as usize).filter(|_| span.source == 0)?;
+        let (line, column) = (place.line(), place.column());
+        Some(if place.file() == first.file() {
+            format!("line {line}, column {column}")
+        } else {
+            format!("{}:{line}:{column}", place.file())
+        })
+    };
+    let text = diagnostic.message(sources, &place_of);
     match diagnostic.severity {
         Severity::Error => compile_error(&text, first, last),
-        Severity::Warning => deprecated_use(&format!("{}_{:?}", diagnostic.code, diagnostic.code), &text, first),
+        Severity::Warning => {
+            deprecated_use(&format!("{}_{:?}", diagnostic.code, diagnostic.code), &text, first)
+        }
     }
 }
 
-/// A panic of the compiler.
+/// A bug of the compiler.
 pub(crate) fn bug(what: &str) -> TokenStream {
-    let text = format!(
-        "this is a bug in plm, not in your declaration: {what}\n\n  = help: please report it with the declaration"
-    );
-    compile_error(&text, Span::call_site(), Span::call_site())
+    compile_error(&bug_message(what), Span::call_site(), Span::call_site())
 }
 
 /// A mistake that the compiler never sees.
@@ -61,7 +70,10 @@ fn deprecated_use(constant: &str, text: &str, at: Span) -> TokenStream {
     );
     let mut body: TokenStream = declaration.parse().unwrap_or_default();
     body.extend("#[warn(deprecated)] let _ = ".parse::<TokenStream>().unwrap_or_default());
-    body.extend([TokenTree::Ident(Ident::new(constant, at)), TokenTree::Punct(Punct::new(';', Spacing::Alone))]);
+    body.extend([
+        TokenTree::Ident(Ident::new(constant, at)),
+        TokenTree::Punct(Punct::new(';', Spacing::Alone)),
+    ]);
     let mut item: TokenStream = "const _: () = ".parse().unwrap_or_default();
     item.extend([
         TokenTree::Group(Group::new(Delimiter::Brace, body)),

@@ -6,10 +6,8 @@ mod diagnostics;
 mod sharing;
 mod tokens;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
-use plm_compiler::{Expansion, compile};
 use plm_compiler::token::Sources;
+use plm_compiler::{Expansion, compile, names_only, without_panic};
 use proc_macro::{Span, TokenStream};
 
 /// Declares a planar mechanism; the language is described in the documentation of `plm`.
@@ -21,10 +19,14 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
     let (tokens, spans) = tokens::flatten(input);
     let mut sources = Sources::new();
     sources.add_tokens("declaration", tokens);
-    // A panic is a bug in plm, never the user's mistake; it must not look like one of rustc.
-    match catch_unwind(AssertUnwindSafe(|| compile(&mut sources))) {
+    match without_panic(|| compile(&mut sources)) {
         Ok(expansion) => emit(&expansion, &sources, &spans),
-        Err(panic) => diagnostics::bug(&panic_text(panic.as_ref())),
+        Err(what) => {
+            let mut output = diagnostics::bug(&what);
+            let names = without_panic(|| names_only(&mut sources)).ok().flatten();
+            output.extend(names.and_then(|code| tokens::code(&code, &spans).ok()));
+            output
+        }
     }
 }
 
@@ -43,13 +45,10 @@ fn emit(expansion: &Expansion, sources: &Sources, spans: &[Span]) -> TokenStream
     }
     match expansion.code.as_ref().map(|code| tokens::code(code, spans)) {
         Some(Ok(code)) => output.extend(code),
-        Some(Err(error)) => output.extend(diagnostics::bug(&format!("the emitted code does not lex: {error}"))),
+        Some(Err(error)) => {
+            output.extend(diagnostics::bug(&format!("the emitted code does not lex: {error}")));
+        }
         None => {}
     }
     output
-}
-
-fn panic_text(panic: &(dyn std::any::Any + Send)) -> String {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message").to_owned()
 }

@@ -35,7 +35,9 @@ pub(crate) fn carried(input: &TokenStream) -> Option<TokenStream> {
 pub(crate) fn shared(input: TokenStream) -> Result<TokenStream, (Span, &'static str)> {
     let trees: Vec<TokenTree> = input.into_iter().collect();
     let (head, definitions) = match trees.split_last() {
-        Some((TokenTree::Group(group), head)) if group.delimiter() == Delimiter::Brace => (head, group.stream()),
+        Some((TokenTree::Group(group), head)) if group.delimiter() == Delimiter::Brace => {
+            (head, group.stream())
+        }
         _ => return Err((Span::call_site(), "expected `pub name { joint … part … }`")),
     };
     let Some((TokenTree::Ident(name), before)) = head.split_last() else {

@@ -9,7 +9,7 @@ use proc_macro::{Group, Ident, LexError, Spacing, Span, TokenStream, TokenTree};
 /// The compiler's tokens, brackets among them, and rustc's span of each.
 pub(crate) fn flatten(input: TokenStream) -> (Vec<Token>, Vec<Span>) {
     let mut flat = Flat { tokens: Vec::new(), spans: Vec::new() };
-    let mut open: Vec<(std::vec::IntoIter<TokenTree>, Option<(Delimiter, Span)>)> = vec![(list(input), None)];
+    let mut open: Vec<(Trees, Option<(Delimiter, Span)>)> = vec![(list(input), None)];
     while let Some((trees, closing)) = open.last_mut() {
         match trees.next() {
             Some(TokenTree::Group(group)) => match delimiter(&group) {
@@ -23,7 +23,9 @@ pub(crate) fn flatten(input: TokenStream) -> (Vec<Token>, Vec<Span>) {
             Some(TokenTree::Punct(mark)) => {
                 flat.push(Token::punct(mark.as_char(), mark.spacing() == Spacing::Joint), mark.span());
             }
-            Some(TokenTree::Literal(literal)) => flat.push(Token::literal(&literal.to_string()), literal.span()),
+            Some(TokenTree::Literal(literal)) => {
+                flat.push(Token::literal(&literal.to_string()), literal.span());
+            }
             None => {
                 if let Some((kind, span)) = closing.take() {
                     flat.push(Token::close(kind), span);
@@ -47,7 +49,10 @@ impl Flat {
     }
 }
 
-fn list(stream: TokenStream) -> std::vec::IntoIter<TokenTree> {
+/// What is left of a stream.
+type Trees = std::vec::IntoIter<TokenTree>;
+
+fn list(stream: TokenStream) -> Trees {
     stream.into_iter().collect::<Vec<_>>().into_iter()
 }
 

@@ -1,4 +1,4 @@
-//! Rank, null space and pseudo-inverse of small dense matrices, by orthogonalisation of their rows.
+//! Rank and null space of small dense matrices, by orthogonalisation of their rows.
 //!
 //! One-sided Jacobi rotations (M. R. Hestenes, Inversion of matrices by biorthogonalization and related results, J. Soc.
 //! Indust. Appl. Math. 6, 1958; G. H. Golub, C. F. Van Loan, Matrix Computations, 8.6.3) turn the rows of A until
@@ -59,26 +59,6 @@ impl<S: Real, const ROWS: usize> Singular<S, ROWS> {
     pub fn rank(&self, cut: S) -> usize {
         self.values.iter().filter(|value| **value > cut).count()
     }
-}
-
-/// x = A^+ b: of all x that minimise |A x - b| the shortest. `None` if A is not finite. A is used up.
-///
-/// Singular values up to [`Real::RANK_TOLERANCE`] times the largest count as zero.
-pub fn pseudo_solve<S: Real, const ROWS: usize, const COLUMNS: usize>(
-    a: &mut [[S; COLUMNS]; ROWS],
-    b: &[S; ROWS],
-) -> Option<[S; COLUMNS]> {
-    let mut carried = b.map(|b| [b]);
-    let singular = rotate(a, &mut carried)?;
-    let cut = singular.cut(S::RANK_TOLERANCE);
-    let mut x = [S::lit(0.0); COLUMNS];
-    for ((row, [b]), sigma) in a.iter().zip(&carried).zip(&singular.values) {
-        if *sigma > cut {
-            // The row is sigma times the singular vector.
-            add(&mut x, *b / *sigma / *sigma, row);
-        }
-    }
-    Some(x)
 }
 
 /// The identity.

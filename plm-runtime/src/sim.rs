@@ -5,7 +5,7 @@ use core::ops::{Deref, DerefMut};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dopri5, Method};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 
 /// A running simulation.
@@ -75,7 +75,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// When the run cannot be continued; the samples before that moment have been given.
     pub fn run(&mut self, until: M::S, every: M::S, mut sample: impl FnMut(&M::State)) -> Result<(), Fault> {
         let start = self.state.time();
-        let count = ((until - start) / every * M::S::lit(1.0 + 1e-9)).to_f64();
+        // Rounding must not cost the last sample.
+        let count = ((until - start) / every).to_f64() * (1.0 + 16.0 * M::S::EPSILON.to_f64());
         if !(count >= 0.0 && count.is_finite()) {
             return Err(self.bad_interval(every));
         }

@@ -107,7 +107,8 @@ fn velocities_follow_the_locked_one() {
     assert!(sim.drift().phi_dot < 1e-14, "{:?}", sim.drift());
     // Freudenstein's relation differentiated: the coupler's end moves across the rocker.
     let (crank, coupler, rocker) = (sim.crank(), sim.coupler(), sim.rocker());
-    let expected = 0.3 * 2.0 * (coupler.angle - crank.angle).sin() / (0.7 * (coupler.angle - rocker.angle).sin());
+    let expected =
+        0.3 * 2.0 * (coupler.angle - crank.angle).sin() / (0.7 * (coupler.angle - rocker.angle).sin());
     assert!((rocker.omega - expected).abs() < 1e-13, "{} {expected}", rocker.omega);
 }
 
@@ -119,7 +120,8 @@ fn redundant_joints_that_agree_run_by_rank() {
     assert_eq!((found.rows, found.rank), (13, 12));
     assert!(found.redundant.contains(&true));
     let mut sim = cranks.start().unwrap();
-    let energy = |sim: &plm::Sim<parallel_cranks::ParallelCranks>| sim.kinetic_energy() + sim.gravity_energy();
+    let energy =
+        |sim: &plm::Sim<parallel_cranks::ParallelCranks>| sim.kinetic_energy() + sim.gravity_energy();
     let before = energy(&sim);
     sim.step(0.5).unwrap();
     assert!((energy(&sim) - before).abs() < 1e-5 * before.abs(), "{}", energy(&sim) - before);

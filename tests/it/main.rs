@@ -1,5 +1,7 @@
 //! Tests across the crates: declared mechanisms, compiled and run.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(clippy::excessive_precision, reason = "references are written as they were published")]
+#![allow(clippy::approx_constant, reason = "the manual prints what it prints")]
 
 mod assembly;
 mod language;

@@ -66,7 +66,8 @@ fn compare<M: Mechanism<S = f64>>(mechanism: M, text: &str) {
     let mut sources = Sources::new();
     sources.add_text("declaration", text);
     let expansion = compile(&mut sources);
-    let problems: Vec<String> = expansion.diagnostics.iter().map(|problem| problem.render(&sources)).collect();
+    let problems: Vec<String> =
+        expansion.diagnostics.iter().map(|problem| problem.render(&sources)).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     let oracle = expansion.oracle.unwrap();
     let mut sim = mechanism.start().unwrap();

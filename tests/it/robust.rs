@@ -94,7 +94,11 @@ fn inputs_act_from_the_next_step_on() {
     sim.input.torque = 0.35;
     sim.step(0.5).unwrap();
     // J about the hinge is 0.1 + 0.25 kg m^2: 1 rad/s^2.
-    assert!((sim.bar().omega - 0.5).abs() < 1e-10 && (sim.bar().angle - 0.125).abs() < 1e-10, "{:?}", sim.bar());
+    assert!(
+        (sim.bar().omega - 0.5).abs() < 1e-10 && (sim.bar().angle - 0.125).abs() < 1e-10,
+        "{:?}",
+        sim.bar()
+    );
 }
 
 #[test]

@@ -1,22 +1,24 @@
 //! The passes, in order.
 
+use plm_cas::Graph;
+
 use crate::check;
-use crate::derive::derive;
+use crate::derive::{Equations, derive};
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code};
-use crate::formulate::formulate;
-use crate::front;
+use crate::fallback;
+use crate::formulate::{Absolute, formulate};
+use crate::front::{self, Reading};
 use crate::model::Model;
 use crate::oracle::Oracle;
 use crate::report::Report;
-use crate::syntax::ast::Declaration;
 use crate::token::Sources;
 
 /// What the compiler makes of a declaration.
 #[derive(Debug, Default)]
 pub struct Expansion {
-    /// Rust source: the mechanism, or after errors a type by its name so that nothing cascades; `None` if not even a
-    /// name was found.
+    /// Rust source: the mechanism, or after errors one with its names so that nothing cascades; `None` if not even its
+    /// own name was found.
     pub code: Option<Code>,
     /// Everything that is wrong.
     pub diagnostics: Diagnostics,
@@ -31,29 +33,34 @@ pub struct Expansion {
 /// Mistakes never end the compilation early with nothing: they are all in [`Expansion::diagnostics`].
 pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
-    let (declaration, model) = front::read(sources, &mut sink);
+    let Reading { declaration, library, model } = front::read(sources, &mut sink);
     let mut expansion = match model {
         Some(model) => back_end(model, &mut sink),
         None => Expansion::default(),
     };
     if sink.has_errors() {
-        // A mechanism that is complete but for its start has all its names; without them a stub has to do.
-        let code = expansion.code.or_else(|| stub(&declaration));
+        // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
+        let code = expansion.code.or_else(|| fallback::model(&declaration, &library).map(unchecked));
         expansion = Expansion { code, ..Expansion::default() };
     }
     expansion.diagnostics = sink;
     expansion
 }
 
+/// A mechanism with the names of the declaration and nothing behind them, for code that uses it where [`compile`] gives
+/// none; `None` if it has no name itself.
+pub fn names_only(sources: &mut Sources) -> Option<Code> {
+    let Reading { declaration, library, .. } = front::read(sources, &mut Diagnostics::new());
+    fallback::model(&declaration, &library).map(unchecked)
+}
+
 /// From the model to source text.
-fn back_end(mut model: Model, sink: &mut Diagnostics) -> Expansion {
-    let mut graph = std::mem::take(&mut model.graph);
+fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
     check::check_reach(&model, sink);
     if sink.has_errors() {
         return Expansion::default();
     }
-    let equations = derive(&model, &mut graph);
-    let program = formulate(&model, &equations, &mut graph);
+    let Lowered { model, graph, equations, program } = lower(model);
     let defaults = check::defaults(&model, &graph);
     let mut report = Report::new(&model, &equations, &program, &graph, &defaults);
     check::check_assembly(&model, &equations, &program, &graph, &mut report, sink);
@@ -63,9 +70,25 @@ fn back_end(mut model: Model, sink: &mut Diagnostics) -> Expansion {
     Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() }
 }
 
-/// The declared name without content.
-fn stub(declaration: &Declaration) -> Option<Code> {
-    let mechanism = declaration.mechanism.as_ref()?;
-    let path = declaration.crate_path.as_deref().unwrap_or("::plm");
-    Some(emit::emit_stub(&mechanism.name.text, &mechanism.visibility, path, mechanism.name.span))
+/// The source of a model that stands for one with errors; nothing about it is checked.
+fn unchecked(model: Model) -> Code {
+    let Lowered { model, graph, equations, program } = lower(model);
+    let defaults = check::defaults(&model, &graph);
+    let report = Report::new(&model, &equations, &program, &graph, &defaults);
+    emit::emit(&model, &graph, &equations, &program, &report)
+}
+
+/// A model on the way to source text.
+struct Lowered {
+    model: Model,
+    graph: Graph,
+    equations: Equations,
+    program: Absolute,
+}
+
+fn lower(mut model: Model) -> Lowered {
+    let mut graph = std::mem::take(&mut model.graph);
+    let equations = derive(&model, &mut graph);
+    let program = formulate(&model, &equations, &mut graph);
+    Lowered { model, graph, equations, program }
 }

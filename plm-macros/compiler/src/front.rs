@@ -11,11 +11,19 @@ use crate::token::Sources;
 /// Reads the declaration, source 0 of `sources`, and binds its names. Library parts that it uses are added to the
 /// sources, so that messages can quote them. `None` if there are errors; all that were found are in the sink.
 pub fn parse_and_resolve(sources: &mut Sources, sink: &mut Diagnostics) -> Option<Model> {
-    read(sources, sink).1
+    read(sources, sink).model
 }
 
-/// The declaration as it was read, and its model if there are no errors.
-pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> (Declaration, Option<Model>) {
+/// A declaration as it was read.
+pub(crate) struct Reading {
+    pub(crate) declaration: Declaration,
+    /// The parts that it can use.
+    pub(crate) library: Library,
+    /// `None` if there are errors.
+    pub(crate) model: Option<Model>,
+}
+
+pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
     let declaration = match sources.get(0) {
         Some(source) => parse(source, sink),
         None => Declaration::default(),
@@ -23,5 +31,5 @@ pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> (Declaratio
     let library = Library::load(&declaration, sources, sink);
     let mechanism = declaration.mechanism.as_ref();
     let model = mechanism.and_then(|mechanism| resolve(&declaration, mechanism, &library, sink));
-    (declaration, model)
+    Reading { declaration, library, model }
 }

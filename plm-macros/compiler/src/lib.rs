@@ -1,10 +1,12 @@
 //! The compiler of plm: a declared mechanism in, Rust source and a report out.
 
+mod bug;
 mod check;
 mod compile;
 mod derive;
 pub mod diag;
 mod emit;
+mod fallback;
 mod formulate;
 pub mod front;
 pub mod lex;
@@ -18,7 +20,8 @@ pub mod syntax;
 pub mod token;
 pub mod units;
 
-pub use compile::{Expansion, compile};
+pub use bug::{bug_message, without_panic};
+pub use compile::{Expansion, compile, names_only};
 pub use emit::Code;
 pub use oracle::Oracle;
 pub use report::Report;

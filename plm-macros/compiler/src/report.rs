@@ -45,7 +45,13 @@ pub struct Report {
 
 impl Report {
     /// The report before the start was assembled.
-    pub(crate) fn new(model: &Model, equations: &Equations, program: &Absolute, graph: &Graph, values: &[(Expr, f64)]) -> Report {
+    pub(crate) fn new(
+        model: &Model,
+        equations: &Equations,
+        program: &Absolute,
+        graph: &Graph,
+        values: &[(Expr, f64)],
+    ) -> Report {
         let count = |function: &Function| {
             let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
             Tape::new(graph, &results).count()
@@ -78,7 +84,7 @@ impl Report {
     /// Adds what assembly found.
     pub(crate) fn add_assembly(&mut self, model: &Model, found: &Assembly, at: &dyn Fn(Expr) -> f64) {
         let locks = found.locked.iter().filter(|lock| **lock).count();
-        self.rank = Some((found.rank.rank, locks));
+        self.rank = Some((found.rank.value(), locks));
         let kind = if !found.rank.dependent.is_empty() {
             "redundant"
         } else if (self.freedom - locks as isize) > 0 {
@@ -89,7 +95,7 @@ impl Report {
         self.assembly.push(format!(
             "constraints and locks: {kind}; F = {}, {locks} locked, rank {} of {} rows, {} Newton steps",
             self.freedom,
-            found.rank.rank,
+            found.rank.value(),
             self.constraints + locks,
             found.steps
         ));

@@ -1,6 +1,6 @@
 //! Accelerations and multipliers by rank.
 
-use super::independent::Independent;
+use super::independent::{Independent, moving_tolerance};
 use super::newton::scale_columns;
 use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
@@ -39,7 +39,7 @@ pub fn accelerate<S: Real, const NQ: usize, const NC: usize>(
     let roots = inverse_mass.map(S::sqrt);
     let mut scaled = *phi_q;
     scale_columns(&mut scaled, &roots);
-    let Some(independent) = Independent::rows(scaled) else {
+    let Some(independent) = Independent::rows(scaled, moving_tolerance()) else {
         return Err(Fault::new(t.to_f64(), Cause::Singular { rows: NC }));
     };
     let (y, lambda) = independent.solve(&b);

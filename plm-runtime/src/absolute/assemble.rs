@@ -161,7 +161,7 @@ fn reject_locks<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     if here.of_locks == 0 {
         return Ok(());
     }
-    let beside = Dependencies::at(m, t, &beside(q, free), free).ok_or(singular(t, NC))?;
+    let beside = Dependencies::at(m, t, &beside(q, free, m.length()), free).ok_or(singular(t, NC))?;
     let count = here.of_locks.min(beside.of_locks);
     if count == 0 {
         return Ok(());
@@ -184,7 +184,7 @@ fn neighbour<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         return *here;
     }
     let free = [S::lit(1.0); NQ];
-    let pose = newton(m, t, &beside(q, &free), &free);
+    let pose = newton(m, t, &beside(q, &free, m.length()), &free);
     if !pose.is_closed(m) {
         return *here;
     }

@@ -1,15 +1,21 @@
-//! Which combinations of constraint rows are independent while the mechanism moves.
+//! Solutions by rank: which combinations of constraint rows are independent, and the least-norm solution from these.
 
 use crate::linalg::{add, dot, identity, largest, rotate};
 use crate::scalar::Real;
 
-/// The independent combinations of the rows of A = phi_q M^-1/2, orthogonal to each other, and how they are made.
+/// Below this fraction of the largest a singular value counts as zero while the mechanism moves.
 ///
-/// Whether rows are independent is a matter of geometry: it is decided with every column of phi_q scaled to 1, so that
-/// neither units nor masses have a say (a light link may carry a heavy body). What is a direction of the motion near a
-/// change point is decided coarsely: the stages of a step are off the constraints by the square of the step, and
-/// dividing that by a small singular value would throw the mechanism onto another branch. Without such a direction the
-/// bodies go straight on, and the projection at the end of the step takes care of the rest.
+/// The stages of a step are off the constraints by the square of the step, and dividing that by a small singular value
+/// near a change point would throw the mechanism onto another branch. Without that direction the bodies go straight on,
+/// and the projection at the end of the step takes care of the rest.
+pub(super) fn moving_tolerance<S: Real>() -> S {
+    S::lit(1e-4).max(S::RANK_TOLERANCE)
+}
+
+/// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, and how they are made.
+///
+/// Whether rows are independent is a matter of geometry: it is decided with every column scaled to 1, so that neither
+/// units nor the metric W have a say (a light link may carry a heavy body, a mechanism may be small).
 pub(super) struct Independent<S, const NQ: usize, const NC: usize> {
     /// W A: orthogonal rows, zero where the row of W is in the left null space.
     rows: [[S; NQ]; NC],
@@ -20,19 +26,19 @@ pub(super) struct Independent<S, const NQ: usize, const NC: usize> {
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
-    /// Of the rows `scaled` = A, which are used up. `None` if they are not finite.
-    pub(super) fn rows(scaled: [[S; NQ]; NC]) -> Option<Self> {
-        let mut found = Self { rows: scaled, squares: [S::lit(0.0); NC], combinations: identity() };
-        found.find().then_some(found)
+    /// Of A, where singular values up to `tolerance` times the largest count as zero. `None` if A is not finite.
+    pub(super) fn rows(a: [[S; NQ]; NC], tolerance: S) -> Option<Self> {
+        let mut found = Self { rows: a, squares: [S::lit(0.0); NC], combinations: identity() };
+        found.find(tolerance).then_some(found)
     }
 
-    fn find(&mut self) -> bool {
+    fn find(&mut self, tolerance: S) -> bool {
         let sizes = column_sizes(&self.rows);
         for row in &mut self.rows {
             each(row, &sizes, |a, size| a / size);
         }
         let Some(geometry) = rotate(&mut self.rows, &mut self.combinations) else { return false };
-        let cut = geometry.cut(Self::tolerance());
+        let cut = geometry.cut(tolerance);
         for (row, sigma) in self.rows.iter_mut().zip(&geometry.values) {
             each(row, &sizes, |a, size| if *sigma > cut { a * size } else { S::lit(0.0) });
         }
@@ -61,17 +67,12 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
         }
     }
 
-    /// Below this fraction of the largest a singular value of the scaled phi_q counts as zero.
-    fn tolerance() -> S {
-        S::lit(1e-4).max(S::RANK_TOLERANCE)
-    }
-
     /// Number of independent rows.
     pub(super) fn rank(&self) -> usize {
         self.squares.iter().filter(|square| **square > S::lit(0.0)).count()
     }
 
-    /// y and lambda with A y = b in the independent directions, A^T lambda = y, both of least norm.
+    /// y = A^+ b and lambda = (A^T)^+ y: A y = b in the independent directions, A^T lambda = y, both of least norm.
     pub(super) fn solve(&self, b: &[S; NC]) -> ([S; NQ], [S; NC]) {
         let (mut y, mut lambda) = ([S::lit(0.0); NQ], [S::lit(0.0); NC]);
         for ((row, square), w) in self.rows.iter().zip(&self.squares).zip(&self.combinations) {
@@ -89,7 +90,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
         let mut dependent = [false; NC];
         for (combination, square) in self.combinations.iter().zip(&self.squares) {
             for (mark, entry) in dependent.iter_mut().zip(combination) {
-                *mark |= *square <= S::lit(0.0) && entry.abs() > Self::tolerance();
+                *mark |= *square <= S::lit(0.0) && entry.abs() > moving_tolerance();
             }
         }
         dependent
@@ -97,7 +98,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
 }
 
 /// Norms of the columns; those of nothing but rounding count as larger, so that they stay small.
-fn column_sizes<S: Real, const NQ: usize, const NC: usize>(a: &[[S; NQ]; NC]) -> [S; NQ] {
+pub(super) fn column_sizes<S: Real, const NQ: usize, const NC: usize>(a: &[[S; NQ]; NC]) -> [S; NQ] {
     let mut sizes = [S::lit(0.0); NQ];
     for row in a {
         each(&mut sizes, row, |sum, a| a.mul_add(a, sum));
@@ -108,7 +109,7 @@ fn column_sizes<S: Real, const NQ: usize, const NC: usize>(a: &[[S; NQ]; NC]) ->
 }
 
 /// `f` of each entry and the one beside it, in place.
-fn each<S: Real, const N: usize>(a: &mut [S; N], b: &[S; N], f: impl Fn(S, S) -> S) {
+pub(super) fn each<S: Real, const N: usize>(a: &mut [S; N], b: &[S; N], f: impl Fn(S, S) -> S) {
     for (a, b) in a.iter_mut().zip(b) {
         *a = f(*a, *b);
     }

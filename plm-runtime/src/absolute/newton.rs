@@ -1,8 +1,7 @@
 //! The linear solves of assembly and projection.
 
 use super::Absolute;
-use super::independent::Independent;
-use crate::linalg::pseudo_solve;
+use super::independent::{Independent, moving_tolerance};
 use crate::scalar::Real;
 
 /// A step of assembly: the shortest dq with phi_q dq = r in which the coordinates with `free` = 0 stay, those with
@@ -14,11 +13,7 @@ pub(super) fn assembly_step<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, co
     free: &[S; NQ],
     r: &[S; NC],
 ) -> Option<[S; NQ]> {
-    without_pivoting(m, t, q, free, r).or_else(|| {
-        let mut jacobian = [[S::lit(0.0); NQ]; NC];
-        weighted_jacobian(m, t, q, free, &mut jacobian);
-        finite(pseudo_solve(&mut jacobian, r)?)
-    })
+    least_norm(m, t, q, free, r, S::RANK_TOLERANCE)
 }
 
 /// A step of projection: the dq with phi_q dq = r that is shortest in the metric of the masses, in the directions that
@@ -30,10 +25,23 @@ pub(super) fn projection_step<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, 
     inverse_mass: &[S; NQ],
     r: &[S; NC],
 ) -> Option<[S; NQ]> {
-    without_pivoting(m, t, q, inverse_mass, r).or_else(|| {
-        let (roots, mut jacobian) = (inverse_mass.map(S::sqrt), [[S::lit(0.0); NQ]; NC]);
-        weighted_jacobian(m, t, q, &roots, &mut jacobian);
-        let (y, _) = Independent::rows(jacobian)?.solve(r);
+    least_norm(m, t, q, inverse_mass, r, moving_tolerance())
+}
+
+/// dq = W^1/2 (phi_q W^1/2)^+ r with W = diag(w), without pivoting where that is healthy.
+fn least_norm<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    w: &[S; NQ],
+    r: &[S; NC],
+    tolerance: S,
+) -> Option<[S; NQ]> {
+    without_pivoting(m, t, q, w, r).or_else(|| {
+        let (roots, mut jacobian) = (w.map(S::sqrt), [[S::lit(0.0); NQ]; NC]);
+        m.phi_q(t, q, &mut jacobian);
+        scale_columns(&mut jacobian, &roots);
+        let (y, _) = Independent::rows(jacobian, tolerance)?.solve(r);
         finite(core::array::from_fn(|i| roots[i] * y[i]))
     })
 }
@@ -53,18 +61,6 @@ pub(super) fn without_pivoting<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize,
 
 fn finite<S: Real, const N: usize>(v: [S; N]) -> Option<[S; N]> {
     v.iter().all(|s| s.is_finite()).then_some(v)
-}
-
-/// The Jacobian with its columns multiplied by `weights`.
-pub(super) fn weighted_jacobian<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
-    m: &M,
-    t: S,
-    q: &[S; NQ],
-    weights: &[S; NQ],
-    jacobian: &mut [[S; NQ]; NC],
-) {
-    m.phi_q(t, q, jacobian);
-    scale_columns(jacobian, weights);
 }
 
 /// Multiplies the columns of a matrix by `weights`.

@@ -1,8 +1,9 @@
 //! Which constraints and locks depend on each other.
 
 use super::Absolute;
-use super::newton::{weighted_jacobian, without_pivoting};
-use crate::linalg::{add, dot, identity, largest, rotate};
+use super::independent::column_sizes;
+use super::newton::{scale_columns, without_pivoting};
+use crate::linalg::{add, identity, rotate};
 use crate::scalar::Real;
 
 /// Dependencies among the rows of [phi_q; E], where E holds a unit row for every locked coordinate.
@@ -47,17 +48,17 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         if without_pivoting(m, t, q, free, &[S::lit(0.0); NC]).is_some() {
             return Some(Self::NONE);
         }
-        let (mut rows, mut y) = ([[S::lit(0.0); NQ]; NC], identity());
-        weighted_jacobian(m, t, q, free, &mut rows);
+        // Columns scaled to 1, so that units have no say.
+        let mut jacobian = [[S::lit(0.0); NQ]; NC];
+        m.phi_q(t, q, &mut jacobian);
+        let scale = column_sizes(&jacobian).map(|size| S::lit(1.0) / size);
+        scale_columns(&mut jacobian, &scale);
+        let (mut rows, mut y) = (jacobian, identity());
+        scale_columns(&mut rows, free);
         let singular = rotate(&mut rows, &mut y)?;
         let cut = singular.cut(S::RANK_TOLERANCE);
 
-        let locked = free.map(|free| S::lit(1.0) - free);
-        let mut jacobian = [[S::lit(0.0); NQ]; NC];
-        weighted_jacobian(m, t, q, &locked, &mut jacobian);
-        let size =
-            jacobian.iter().fold(largest(&singular.values), |size, row| size.max(dot(row, row).sqrt()));
-
+        scale_columns(&mut jacobian, &free.map(|free| S::lit(1.0) - free));
         let mut found = Self { free_rank: singular.rank(cut), ..Self::NONE };
         // Rows without a combination become zero and mark nothing.
         for (k, sigma) in singular.values.iter().enumerate() {
@@ -69,13 +70,13 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
                 add(&mut rows[k], y[k][j], &jacobian[j]);
             }
         }
-        found.sort(&mut rows, &mut y, S::RANK_TOLERANCE * size)?;
+        found.sort(&mut rows, &mut y)?;
         Some(found)
     }
 
-    /// Tells combinations `y` with locks (`z` above `least`) from those without.
-    fn sort<S: Real>(&mut self, z: &mut [[S; NQ]; NC], y: &mut [[S; NC]; NC], least: S) -> Option<()> {
-        let tied = rotate(z, y)?;
+    /// Tells combinations `y` with locks (`z`) from those without.
+    fn sort<S: Real>(&mut self, z: &mut [[S; NQ]; NC], y: &mut [[S; NC]; NC]) -> Option<()> {
+        let (tied, least) = (rotate(z, y)?, S::RANK_TOLERANCE);
         self.of_locks = tied.rank(least);
         self.of_joints = NC.saturating_sub(self.free_rank + self.of_locks);
         for (k, sigma) in tied.values.iter().enumerate() {
@@ -97,15 +98,15 @@ fn mark<S: Real, const N: usize>(marks: &mut [bool; N], vector: &[S; N], size: S
     }
 }
 
-/// A position beside `q` that no symmetry singles out: free coordinates moved by up to 0.1 (m, rad), by the fractions of
-/// multiples of the golden ratio. The rank there is the highest that the equations can have, off phi = 0.
-pub(super) fn beside<S: Real, const NQ: usize>(q: &[S; NQ], free: &[S; NQ]) -> [S; NQ] {
-    let mut fraction = 0.0;
+/// A position beside `q` that no symmetry singles out: free coordinates moved by up to 0.1 (rad, and m, or less where the
+/// mechanism is smaller), by the fractions of multiples of the golden ratio. The rank there is the highest that the equations can have, off phi = 0.
+pub(super) fn beside<S: Real, const NQ: usize>(q: &[S; NQ], free: &[S; NQ], length: S) -> [S; NQ] {
+    let (mut fraction, reach) = (0.0, S::lit(0.2) * length.min(S::lit(1.0)));
     core::array::from_fn(|i| {
         fraction += 0.618_033_988_749_894_9;
         if fraction >= 1.0 {
             fraction -= 1.0;
         }
-        q[i] + free[i] * S::lit(0.2 * (fraction - 0.5))
+        q[i] + free[i] * reach * S::lit(fraction - 0.5)
     })
 }

@@ -16,7 +16,9 @@ pub struct SemiImplicitEulerFormula;
 impl Formula for SemiImplicitEulerFormula {
     const STAGES: u64 = 1;
 
-    #[inline]
+    // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) {
         let (q, mut k) = (*x, M::X::fill(M::S::lit(0.0)));
         rate(t, x, &mut k);

@@ -16,7 +16,9 @@ pub struct Rk4Formula;
 impl Formula for Rk4Formula {
     const STAGES: u64 = 4;
 
-    #[inline]
+    // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) {
         let lit = M::S::lit;
         let (half, mut stage) = (lit(0.5) * h, *x);

@@ -100,4 +100,8 @@ fn steps_that_make_no_sense_are_refused() {
         *sim = At { time: 1.0, ..*sim };
         assert!(matches!(sim.step(1.0).unwrap_err().cause, Cause::StepTooSmall { .. }), "{h}");
     }
+    for h in [0.0, -1.0, f64::NAN] {
+        let mut sim = oscillator().start_with(Dopri5::new(1e-6).with_longest_step(h)).unwrap();
+        assert!(matches!(sim.step(1.0).unwrap_err().cause, Cause::StepTooSmall { .. }), "{h}");
+    }
 }

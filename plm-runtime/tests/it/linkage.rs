@@ -124,11 +124,6 @@ impl<S: Real, const NQ: usize, const NC: usize> Linkage<S, NQ, NC> {
         Ok(accelerate(t, &self.inverse_mass(), &force, &self.gamma(q, v), &self.phi_q(q))?.a)
     }
 
-    /// Kinetic and potential energy, J.
-    pub fn energy(&self, x: &[f64]) -> f64 {
-        (0..NQ).map(|i| 0.5 * self.mass[i] * x[NQ + i] * x[NQ + i] - self.force[i] * x[i]).sum()
-    }
-
     pub fn start_position(&self) -> [Start<S>; NQ] {
         core::array::from_fn(|i| {
             let body = &self.start[i / 3];

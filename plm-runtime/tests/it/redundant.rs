@@ -3,7 +3,8 @@
 use plm_runtime::absolute::{Status, accelerate, assemble};
 use plm_runtime::{Absolute, Cause, Start};
 
-use crate::mechanisms::{bars, parallelogram};
+use crate::linkage::Row;
+use crate::mechanisms::{bars, double_pendulum, parallelogram};
 
 #[test]
 fn a_third_crank_is_flagged() {
@@ -37,6 +38,26 @@ fn one_lock_on_a_redundant_mechanism_is_enough_and_two_are_too_many() {
     let Cause::Redundant { count, locks, .. } = fault.cause else { panic!("{fault}") };
     assert_eq!(count, 1);
     assert_eq!(locks.iter().collect::<Vec<_>>(), ["crank1.angle", "crank3.angle"]);
+}
+
+#[test]
+fn a_small_mechanism_has_the_rank_of_a_large_one() {
+    for scale in [1e-3, 1e3] {
+        let mut m = bars([0.3, 0.9, 0.7], [1.0, 0.5, 1.5]);
+        for row in &mut m.0.rows {
+            let Row::Coincide { pa, pb, .. } = row else { panic!("{row:?}") };
+            (*pa, *pb) = (pa.map(|p| scale * p), pb.map(|p| scale * p));
+        }
+        for body in &mut m.0.start {
+            (body.x.value, body.y.value) = (scale * body.x.value, scale * body.y.value);
+        }
+        m.0.length = scale;
+        let found = assemble(&m, 0.0).unwrap();
+        assert_eq!((found.rank, found.rows, found.singular), (9, 9, false), "{scale}");
+        m.0.start[2].angle = Start::locked(found.q[8]);
+        let fault = assemble(&m, 0.0).unwrap_err();
+        assert!(matches!(fault.cause, Cause::Redundant { count: 1, .. }), "{scale}: {fault}");
+    }
 }
 
 #[test]
@@ -93,6 +114,26 @@ fn a_four_bar_near_its_flat_pose_loses_no_digits() {
         let expected = -9.81 * (0.5 + 0.25) / (0.25 + 1.0 / 12.0) * angle.cos();
         let error = (by_rank[2] - expected).abs().max((by_rank[8] - expected).abs()) / expected.abs();
         assert!(error < 1e-15 / angle, "{angle}: {error:e}");
+    }
+}
+
+#[test]
+fn a_light_link_carries_a_heavy_body() {
+    // Masses 1e10 apart are no reason to lose a direction. Lagrange's equations of the double pendulum at rest:
+    // [m11 m12; m12 m22] a = -g [(m1 c1 + m2 l1) cos(theta1); m2 c2 cos(theta2)].
+    let (m1, j1, m2, j2) = (1e-7, 1e-9, 1e3, 1.0);
+    let mut m = double_pendulum::<f64>();
+    m.0.mass = [m1, m1, j1, m2, m2, j2];
+    m.0.force = [0.0, -9.81 * m1, 0.0, 0.0, -9.81 * m2, 0.0];
+    let q = m.start_position().map(|s| s.value);
+    let by_rank = m.0.acceleration_by_rank(0.0, &q, &[0.0; 6]).unwrap();
+    let (c1, c2, l1, turn) = (0.5, 1.0, 1.0, q[2] - q[5]);
+    let (m11, m12, m22) = (j1 + m1 * c1 * c1 + m2 * l1 * l1, m2 * l1 * c2 * turn.cos(), j2 + m2 * c2 * c2);
+    let (f1, f2) = (-9.81 * (m1 * c1 + m2 * l1) * q[2].cos(), -9.81 * m2 * c2 * q[5].cos());
+    let determinant = m11 * m22 - m12 * m12;
+    let expected = [(m22 * f1 - m12 * f2) / determinant, (m11 * f2 - m12 * f1) / determinant];
+    for (a, e) in [by_rank[2], by_rank[5]].into_iter().zip(expected) {
+        assert!((a - e).abs() < 1e-11 * (1.0 + e.abs()), "{a} {e}");
     }
 }
 

@@ -12,7 +12,7 @@ use crate::formulate::Absolute;
 use crate::model::{Body, Model};
 
 /// Largest residual of an assembled mechanism, m or rad.
-const CLOSED: f64 = 1e-10;
+pub(super) const CLOSED: f64 = 1e-10;
 /// Newton steps before assembly is given up; a start in reach needs four to eight.
 const MOST_STEPS: usize = 100;
 /// Below this ratio of pivots the straight-line step is replaced by the rank-revealing one.
@@ -57,7 +57,13 @@ impl Assembly {
 }
 
 /// Assembles the declared start. `values` binds every symbol but coordinates and velocities.
-pub(crate) fn assemble(model: &Model, equations: &Equations, program: &Absolute, graph: &Graph, values: &[(Expr, f64)]) -> Assembly {
+pub(crate) fn assemble(
+    model: &Model,
+    equations: &Equations,
+    program: &Absolute,
+    graph: &Graph,
+    values: &[(Expr, f64)],
+) -> Assembly {
     let scene = Scene::new(equations, program, graph, values);
     let (start, locked) = start_position(model, graph, values);
     let mut q = start.clone();
@@ -91,7 +97,7 @@ pub(crate) fn assemble(model: &Model, equations: &Equations, program: &Absolute,
     let at_end = rank_with_locks(&scene, &q, &locked);
     Assembly {
         // A pose of zeros can look singular: the better of the two ranks is the true one.
-        rank: if at_end.rank >= at_start.rank { at_end } else { at_start },
+        rank: if at_end.value() >= at_start.value() { at_end } else { at_start },
         velocity_rank: rank_with_locks(&scene, &q, &velocity_locked),
         phi_dot: scene.phi_dot(&q, &v),
         start,
@@ -127,7 +133,12 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(equations: &'a Equations, program: &'a Absolute, graph: &Graph, values: &'a [(Expr, f64)]) -> Scene<'a> {
+    fn new(
+        equations: &'a Equations,
+        program: &'a Absolute,
+        graph: &Graph,
+        values: &'a [(Expr, f64)],
+    ) -> Scene<'a> {
         let tape = |function: &crate::formulate::Function| {
             let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
             Tape::new(graph, &results)

@@ -38,7 +38,11 @@ impl Pose<'_> {
         let turn = plm_math::f64::atan2(cross, dot) * 180.0 / std::f64::consts::PI;
         let side = if cross >= 0.0 { "left" } else { "right" };
         let (first, second) = (&self.model.bodies[first].name.text, &self.model.bodies[second].name.text);
-        Some(format!("branch: at `{}`, `{second}` turns {side} from `{first}` by {:.2} deg", part.name.text, turn.abs()))
+        Some(format!(
+            "branch: at `{}`, `{second}` turns {side} from `{first}` by {:.2} deg",
+            part.name.text,
+            turn.abs()
+        ))
     }
 
     /// The port of another joint on the body, or its G.
@@ -55,7 +59,8 @@ impl Pose<'_> {
         let body = frame.body?;
         let port = self.model.bodies[body].ports.get(frame.port)?;
         let [x, y] = port.at.map(|component| (self.at)(component));
-        let [gx, gy, angle] = [self.found.q[3 * body], self.found.q[3 * body + 1], self.found.q[3 * body + 2]];
+        let [gx, gy, angle] =
+            [self.found.q[3 * body], self.found.q[3 * body + 1], self.found.q[3 * body + 2]];
         let (sin, cos) = plm_math::f64::sin_cos(angle);
         Some([gx + cos * x - sin * y, gy + sin * x + cos * y])
     }

@@ -5,6 +5,7 @@ mod branch;
 mod pseudo_inverse;
 mod rank;
 mod start;
+mod verdict;
 
 use plm_cas::{Expr, Graph};
 
@@ -14,11 +15,9 @@ pub(crate) use branch::branches;
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
 use crate::formulate::Absolute;
-use crate::model::Model;
+use crate::model::{Model, Port};
 use crate::report::Report;
-
-/// Names that one message lists.
-const MOST_NAMES: usize = 8;
+use verdict::{Locks, contradiction, not_closed, redundant_joints, too_many_locks};
 
 /// Is there a mechanism at all, and is every body part of it?
 pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
@@ -37,9 +36,19 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
     }
     for (body, _) in model.bodies.iter().zip(&reached).filter(|(_, reached)| !**reached) {
         let name = &body.name.text;
+        let port = |ports: &[Port], default| ports.first().map_or(default, |port| port.name.text.clone());
+        let joint = format!(
+            "revolute pin(ground.{}, {name}.{});",
+            port(&model.ground, "o".to_owned()),
+            port(&body.ports, "a".to_owned())
+        );
         diagnostics
-            .warning(Code::Unreached, body.name.span, format!("nothing holds or reaches body `{name}`: it moves freely"))
-            .help(format!("join it: `revolute pin(ground.o, {name}.a);`, or `allow({})` if this is meant", Code::Unreached));
+            .warning(
+                Code::Unreached,
+                body.name.span,
+                format!("nothing holds or reaches body `{name}`: it moves freely"),
+            )
+            .help(format!("join it: `{joint}`, or `allow({})` if this is meant", Code::Unreached));
     }
 }
 
@@ -79,12 +88,15 @@ pub(crate) fn check_assembly(
     let rows = equations.phi.len();
     let (locks, joints): (Vec<_>, Vec<_>) = found.rank.dependent.iter().partition(|(row, _)| *row >= rows);
     if !locks.is_empty() {
-        too_many_locks(model, &found.locked, &locks, rows, "position", diagnostics);
+        let positions = Locks { locked: &found.locked, what: "position" };
+        too_many_locks(model, &positions, &locks, diagnostics);
+    } else if found.phi.iter().any(|residual| !residual.is_finite()) {
+        start::check_rows(model, equations, graph, &values, &found, diagnostics);
     } else if !found.is_closed() {
         not_closed(model, &found, diagnostics);
     } else {
         redundant_joints(model, &joints, diagnostics);
-        velocities(model, &found, rows, diagnostics);
+        check_velocities(model, &found, diagnostics);
         start::check_start(model, equations, graph, &values, &found, diagnostics);
     }
 }
@@ -99,94 +111,13 @@ fn has_parameters(model: &Model, graph: &Graph) -> bool {
     model.params.iter().any(|param| held.contains(&param.symbol))
 }
 
-/// Locks that depend on the joints and on each other.
-fn too_many_locks(
-    model: &Model,
-    locked: &[bool],
-    dependent: &[&(usize, Vec<usize>)],
-    rows: usize,
-    what: &str,
-    diagnostics: &mut Diagnostics,
-) {
-    let coordinates: Vec<usize> = (0..locked.len()).filter(|&k| locked[k]).collect();
-    let names = |row: &usize| match row.checked_sub(rows) {
-        Some(lock) => format!("`{}` (locked)", lock_name(model, coordinates[lock], what)),
-        None => format!("`{}`", model.rows[*row].name),
-    };
-    let mut members: Vec<usize> = dependent.iter().flat_map(|(_, rows)| rows.iter().copied()).collect();
-    members.sort_unstable();
-    members.dedup();
-    let listed: Vec<String> = members.iter().take(MOST_NAMES).map(names).collect();
-    let count = dependent.len();
-    let first = coordinates[dependent[0].0 - rows];
-    let body = &model.bodies[first / 3];
-    let start = if what == "position" { &body.start } else { &body.start_velocity };
-    let (verb, plural) = if count == 1 { ("is", "constraint") } else { ("are", "constraints") };
-    diagnostics
-        .error(
-            Code::TooManyLocks,
-            start[first % 3].span,
-            format!("there {verb} {count} redundant {plural} among the {what} locks"),
-        )
-        .note(format!("these say the same: {}", listed.join(", ")))
-        .note(format!(
-            "F = 3 N - M = {} with {} locked",
-            3 * model.bodies.len() as isize - rows as isize,
-            coordinates.len()
-        ))
-        .help(format!("take away {count} of the locks"));
-}
-
-fn lock_name(model: &Model, k: usize, what: &str) -> String {
-    let body = &model.bodies[k / 3].name.text;
-    let names = if what == "position" { ["x", "y", "angle"] } else { ["vx", "vy", "omega"] };
-    format!("{body}.{}", names[k % 3])
-}
-
-fn not_closed(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
-    let size = |residual: &f64| if residual.is_finite() { residual.abs() } else { f64::INFINITY };
-    let widest = (0..found.phi.len()).max_by(|&a, &b| size(&found.phi[a]).total_cmp(&size(&found.phi[b])));
-    let Some(widest) = widest else { return };
-    let row = &model.rows[widest];
-    let part = &model.parts[row.part];
-    let gap = found.phi[widest].abs();
-    diagnostics
-        .error(
-            Code::NotAssembled,
-            row.span,
-            format!("the mechanism cannot be assembled: `{}` stays open by {gap:.3e} {}", part.name.text, row.unit.text),
-        )
-        .note(format!("row `{}` after {} Newton steps from the declared start", row.name, found.steps))
-        .help("check the dimensions of the loop, or start its bodies closer to where they should be");
-}
-
-/// Joints that say what others say already, and agree with them.
-fn redundant_joints(model: &Model, dependent: &[&(usize, Vec<usize>)], diagnostics: &mut Diagnostics) {
-    for (row, members) in dependent {
-        let listed: Vec<String> = members.iter().take(MOST_NAMES).map(|&k| format!("`{}`", model.rows[k].name)).collect();
-        let name = &model.rows[*row].name;
-        diagnostics
-            .warning(Code::RedundantConstraint, model.rows[*row].span, format!("constraint `{name}` is redundant"))
-            .note(format!("these depend on each other: {}", listed.join(", ")))
-            .note("it runs by the rank-revealing solution; reactions that redundancy leaves open get their minimum norm");
-    }
-}
-
-fn velocities(model: &Model, found: &Assembly, rows: usize, diagnostics: &mut Diagnostics) {
+fn check_velocities(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
+    let rows = model.rows.len();
     let locks: Vec<_> = found.velocity_rank.dependent.iter().filter(|(row, _)| *row >= rows).collect();
     if !locks.is_empty() {
-        too_many_locks(model, &found.velocity_locked, &locks, rows, "velocity", diagnostics);
-        return;
-    }
-    if found.moves_consistently() {
-        return;
-    }
-    let widest = (0..rows).max_by(|&a, &b| found.phi_dot[a].abs().total_cmp(&found.phi_dot[b].abs()));
-    if let Some(row) = widest.map(|row| &model.rows[row]) {
-        diagnostics.error(
-            Code::NotAssembled,
-            row.span,
-            format!("the start velocities contradict `{}`", model.parts[row.part].name.text),
-        );
+        let velocities = Locks { locked: &found.velocity_locked, what: "velocity" };
+        too_many_locks(model, &velocities, &locks, diagnostics);
+    } else if !found.moves_consistently() {
+        contradiction(model, found, diagnostics);
     }
 }

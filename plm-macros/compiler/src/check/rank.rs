@@ -9,12 +9,17 @@ const TOLERANCE: f64 = 1e-9;
 /// What elimination found.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Rank {
-    /// Number of independent rows.
-    pub(crate) rank: usize,
     /// For every dependent row, the rows (itself included, ascending) whose combination vanishes.
     pub(crate) dependent: Vec<(usize, Vec<usize>)>,
     /// The independent rows, ascending.
     pub(crate) independent: Vec<usize>,
+}
+
+impl Rank {
+    /// Number of independent rows.
+    pub(crate) fn value(&self) -> usize {
+        self.independent.len()
+    }
 }
 
 /// Eliminates row by row with the largest entry as pivot (column pivoting), and keeps the combination that made each row.
@@ -22,9 +27,10 @@ pub(crate) struct Rank {
 /// Rows that come later are the ones reported as dependent, so locks belong behind joints.
 pub(crate) fn rank(rows: &[Row]) -> Rank {
     let mut reduced: Vec<Reduced> = Vec::new();
-    let mut result = Rank { rank: 0, dependent: Vec::new(), independent: Vec::new() };
+    let mut result = Rank { dependent: Vec::new(), independent: Vec::new() };
     for (index, row) in rows.iter().enumerate() {
-        let mut current = Reduced { pivot: 0, entries: row.clone(), made_of: vec![(index, 1.0)], scale: size(row) };
+        let mut current =
+            Reduced { pivot: 0, entries: row.clone(), made_of: vec![(index, 1.0)], scale: size(row) };
         for earlier in &reduced {
             current.subtract(earlier);
         }
@@ -40,7 +46,6 @@ pub(crate) fn rank(rows: &[Row]) -> Rank {
             }
         }
     }
-    result.rank = reduced.len();
     result
 }
 
@@ -105,28 +110,23 @@ mod tests {
     fn a_repeated_row_depends_on_the_first() {
         let rows = [vec![(0, 1.0), (2, -3.0)], vec![(1, 2.0)], vec![(0, 2.0), (2, -6.0)]];
         let found = rank(&rows);
-        assert_eq!(found, Rank { rank: 2, dependent: vec![(2, vec![0, 2])], independent: vec![0, 1] });
+        assert_eq!(found, Rank { dependent: vec![(2, vec![0, 2])], independent: vec![0, 1] });
     }
 
     #[test]
     fn locks_of_all_coordinates_of_a_pendulum_leave_two_redundant_rows() {
         // x - cos, y - sin of a pendulum at 45 deg, then locks of angle, x and y.
         let h = 0.5 * std::f64::consts::FRAC_1_SQRT_2;
-        let rows = [
-            vec![(0, 1.0), (2, h)],
-            vec![(1, 1.0), (2, -h)],
-            vec![(2, 1.0)],
-            vec![(0, 1.0)],
-            vec![(1, 1.0)],
-        ];
+        let rows =
+            [vec![(0, 1.0), (2, h)], vec![(1, 1.0), (2, -h)], vec![(2, 1.0)], vec![(0, 1.0)], vec![(1, 1.0)]];
         let found = rank(&rows);
-        assert_eq!(found.rank, 3);
+        assert_eq!(found.value(), 3);
         assert_eq!(found.dependent, [(3, vec![0, 2, 3]), (4, vec![1, 2, 4])]);
     }
 
     #[test]
     fn an_empty_matrix_has_rank_zero() {
-        assert_eq!(rank(&[]).rank, 0);
+        assert_eq!(rank(&[]).value(), 0);
         assert_eq!(rank(&[vec![]]).dependent, [(0, vec![0])]);
     }
 }

@@ -1,4 +1,4 @@
-//! The first evaluation: every force, rate and output must be a number at the assembled start.
+//! The first evaluation: every constraint, force and rate must be a number at the assembled start.
 
 use plm_cas::{Expr, Graph, Node};
 
@@ -7,6 +7,22 @@ use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
 use crate::model::Model;
 use crate::span::Span;
+
+/// Reports the constraints that are not a number at the pose where assembly ended.
+pub(super) fn check_rows(
+    model: &Model,
+    equations: &Equations,
+    graph: &Graph,
+    values: &[(Expr, f64)],
+    found: &Assembly,
+    diagnostics: &mut Diagnostics,
+) {
+    let mut values = values.to_vec();
+    values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
+    for (row, _) in model.rows.iter().zip(&found.phi).filter(|(_, residual)| !residual.is_finite()) {
+        report(graph, &values, &row.name, row.span, row.phi, diagnostics);
+    }
+}
 
 /// Evaluates loads and rates at the start; what is not finite is reported where it was declared.
 pub(crate) fn check_start(
@@ -32,7 +48,14 @@ pub(crate) fn check_start(
     }
 }
 
-fn report(graph: &Graph, values: &[(Expr, f64)], name: &str, span: Span, expr: Expr, diagnostics: &mut Diagnostics) {
+fn report(
+    graph: &Graph,
+    values: &[(Expr, f64)],
+    name: &str,
+    span: Span,
+    expr: Expr,
+    diagnostics: &mut Diagnostics,
+) {
     match zero_denominator(graph, values, expr) {
         Some(denominator) => {
             let text = graph.display(denominator).to_string();

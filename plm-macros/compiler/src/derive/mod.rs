@@ -108,7 +108,8 @@ struct Columns {
 impl Columns {
     fn new(model: &Model) -> Columns {
         let coordinates = model.bodies.iter().flat_map(|body| body.q);
-        let mut sorted: Vec<(Expr, usize)> = coordinates.enumerate().map(|(column, symbol)| (symbol, column)).collect();
+        let mut sorted: Vec<(Expr, usize)> =
+            coordinates.enumerate().map(|(column, symbol)| (symbol, column)).collect();
         sorted.sort_unstable();
         Columns { sorted }
     }
@@ -116,7 +117,9 @@ impl Columns {
     /// Columns of the coordinates in `expr`, ascending.
     fn of(&self, graph: &Graph, expr: Expr) -> Vec<usize> {
         let held = graph.symbols(&[expr]);
-        let column = |symbol: &Expr| self.sorted.binary_search_by_key(symbol, |&(s, _)| s).ok().map(|k| self.sorted[k].1);
+        let column = |symbol: &Expr| {
+            self.sorted.binary_search_by_key(symbol, |&(s, _)| s).ok().map(|k| self.sorted[k].1)
+        };
         let mut columns: Vec<usize> = held.iter().filter_map(column).collect();
         columns.sort_unstable();
         columns

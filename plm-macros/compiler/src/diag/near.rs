@@ -4,18 +4,25 @@ use std::fmt::Write;
 
 use super::Diagnostic;
 
-/// The candidate nearest to a name, if one is near enough: at most a third of its letters differ (one at least).
-/// The first of equals wins.
-pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+/// The candidate nearest to a name, if one is near enough: at most a third of its letters differ (one at least), or one
+/// of the two begins the other (three letters at least). The first of equals wins.
+pub fn nearest<'a, I>(name: &str, candidates: I) -> Option<&'a str>
+where
+    I: IntoIterator<Item = &'a str> + Clone,
+{
     let limit = (name.chars().count() / 3).max(1);
     let mut best = None;
-    for candidate in candidates {
+    for candidate in candidates.clone() {
         let distance = distance(name, candidate);
         if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
     }
-    best.map(|(_, candidate)| candidate)
+    let begun = |candidate: &&str| {
+        let shorter = name.len().min(candidate.len());
+        shorter >= 3 && name.get(..shorter) == candidate.get(..shorter)
+    };
+    best.map(|(_, candidate)| candidate).or_else(|| candidates.into_iter().find(begun))
 }
 
 /// Number of letters to insert, delete, replace or swap with a neighbour (optimal string alignment), case ignored.
@@ -43,7 +50,10 @@ fn distance(a: &str, b: &str) -> usize {
 pub fn help_similar(diagnostic: &mut Diagnostic, name: &str, what: &str, all: &str, names: &[&str]) {
     if let Some(near) = nearest(name, names.iter().copied()) {
         let article = if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-        diagnostic.help(format!("{article} {what} with a similar name exists: `{near}`"));
+        diagnostic.help(match what {
+            "name" => format!("a similar name exists: `{near}`"),
+            _ => format!("{article} {what} with a similar name exists: `{near}`"),
+        });
     }
     if !names.is_empty() {
         diagnostic.note(format!("{all}: {}", list(names)));
@@ -72,6 +82,8 @@ mod tests {
         assert_eq!(nearest("p13", ["o0", "p12"]), Some("p12"));
         assert_eq!(nearest("amr", ["arm"]), Some("arm"));
         assert_eq!(nearest("x", ["y", "z"]), Some("y"));
+        assert_eq!(nearest("sinus", ["sign", "sin"]), Some("sin"));
+        assert_eq!(nearest("stiff", ["damping", "stiffness"]), Some("stiffness"));
         assert_eq!(nearest("stiffness", ["damping", "rest"]), None);
     }
 }

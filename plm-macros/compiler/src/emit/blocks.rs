@@ -59,7 +59,13 @@ fn live_after(lines: &Lines) -> Vec<BTreeSet<usize>> {
     all
 }
 
-fn write_block(text: &mut String, lines: &Lines, range: std::ops::Range<usize>, live: &BTreeSet<usize>, indent: usize) {
+fn write_block(
+    text: &mut String,
+    lines: &Lines,
+    range: std::ops::Range<usize>,
+    live: &BTreeSet<usize>,
+    indent: usize,
+) {
     let statements = &lines.statements[range];
     let made = statements.iter().flat_map(Statement::makes).filter(|local| live.contains(local));
     let names: Vec<&str> = made.map(|local| lines.locals[local].as_str()).collect();

@@ -18,21 +18,35 @@ fn equations_of_motion(text: &mut String, emission: &Emission) {
     let length = 2 * nq + nx;
     push(text, format_args!("    impl<S: Scalar> {name}<S> {{\n"));
     let state = format!("t: S, u: &Input<S>, x: &[S; {length}]");
-    write(text, emission, &program.dynamics, Origin::Arguments, &Shape {
-        docs: &[
-            "The right-hand side and the multipliers: `M a + phi_q^T lambda = Q`, `phi_q a = gamma`.",
-            "Returns the smallest pivot ratio of the factorisation.",
-        ],
-        attribute: "#[inline(always)]",
-        signature: &format!("fn dynamics(&self, {state}, dx: &mut [S; {length}], lambda: &mut [S; {nc}]) -> S"),
-        arguments: &["t", "u", "x", "dx", "lambda"],
-    });
-    write(text, emission, &program.free, Origin::Arguments, &Shape {
-        docs: &["Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution."],
-        attribute: "#[cold]",
-        signature: &format!("fn free(&self, {state}, force: &mut [S; {nq}], gamma: &mut [S; {nc}])"),
-        arguments: &["t", "u", "x", "force", "gamma"],
-    });
+    write(
+        text,
+        emission,
+        &program.dynamics,
+        Origin::Arguments,
+        &Shape {
+            docs: &[
+                "The right-hand side and the multipliers: `M a + phi_q^T lambda = Q`, `phi_q a = gamma`.",
+                "Returns the smallest pivot ratio of the factorisation.",
+            ],
+            attribute: "#[inline(always)]",
+            signature: &format!(
+                "fn dynamics(&self, {state}, dx: &mut [S; {length}], lambda: &mut [S; {nc}]) -> S"
+            ),
+            arguments: &["t", "u", "x", "dx", "lambda"],
+        },
+    );
+    write(
+        text,
+        emission,
+        &program.free,
+        Origin::Arguments,
+        &Shape {
+            docs: &["Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution."],
+            attribute: "#[cold]",
+            signature: &format!("fn free(&self, {state}, force: &mut [S; {nq}], gamma: &mut [S; {nc}])"),
+            arguments: &["t", "u", "x", "force", "gamma"],
+        },
+    );
     if nx > 0 {
         first_order(text, emission);
     }
@@ -43,12 +57,20 @@ fn equations_of_motion(text: &mut String, emission: &Emission) {
 fn first_order(text: &mut String, emission: &Emission) {
     let Emission { equations, program, .. } = emission;
     let (length, nx) = (2 * equations.q.len() + equations.x.len(), equations.x.len());
-    write(text, emission, &program.x_dot, Origin::Arguments, &Shape {
-        docs: &["Rates of the first-order states."],
-        attribute: "#[cold]",
-        signature: &format!("fn x_dot(&self, t: S, u: &Input<S>, x: &[S; {length}], x_dot: &mut [S; {nx}])"),
-        arguments: &["t", "u", "x", "x_dot"],
-    });
+    write(
+        text,
+        emission,
+        &program.x_dot,
+        Origin::Arguments,
+        &Shape {
+            docs: &["Rates of the first-order states."],
+            attribute: "#[cold]",
+            signature: &format!(
+                "fn x_dot(&self, t: S, u: &Input<S>, x: &[S; {length}], x_dot: &mut [S; {nx}])"
+            ),
+            arguments: &["t", "u", "x", "x_dot"],
+        },
+    );
 }
 
 /// The constraints as functions of the pose, which assembly and projection call.
@@ -56,41 +78,73 @@ fn constraints(text: &mut String, emission: &Emission) {
     let Emission { name, equations, program, .. } = emission;
     let (nq, nc) = (equations.q.len(), equations.phi.len());
     push(text, format_args!("    impl<S: Scalar> {name}<S> {{\n"));
-    write(text, emission, &program.phi, Origin::Pose, &Shape {
-        docs: &["Residuals of the constraints, m or rad; the rows stand in the table of this module."],
-        attribute: "",
-        signature: &format!("fn residual(&self, t: S, q: &[S; {nq}], phi: &mut [S; {nc}])"),
-        arguments: &["t", "q", "phi"],
-    });
-    write(text, emission, &program.phi_dot, Origin::Pose, &Shape {
-        docs: &["Their rates, `phi_q v - nu`, m/s or rad/s."],
-        attribute: "",
-        signature: &format!("fn residual_rate(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], phi_dot: &mut [S; {nc}])"),
-        arguments: &["t", "q", "v", "phi_dot"],
-    });
-    write(text, emission, &program.phi_q, Origin::Pose, &Shape {
-        docs: &["The Jacobian of the constraints; `phi_q` comes in as zeros."],
-        attribute: "#[cold]",
-        signature: &format!("fn jacobian(&self, t: S, q: &[S; {nq}], phi_q: &mut [[S; {nq}]; {nc}])"),
-        arguments: &["t", "q", "phi_q"],
-    });
-    write(text, emission, &program.min_norm, Origin::Pose, &Shape {
-        docs: &[
-            "The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.",
-            "Returns the smallest pivot ratio of the factorisation.",
-        ],
-        attribute: "",
-        signature: &format!(
-            "fn closing_step(&self, t: S, q: &[S; {nq}], w: &[S; {nq}], r: &[S; {nc}], dq: &mut [S; {nq}]) -> S"
-        ),
-        arguments: &["t", "q", "w", "r", "dq"],
-    });
-    write(text, emission, &program.inverse_mass, Origin::Pose, &Shape {
-        docs: &["Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body."],
-        attribute: "",
-        signature: &format!("fn reciprocal_mass(&self, inverse_mass: &mut [S; {nq}])"),
-        arguments: &["inverse_mass"],
-    });
+    write(
+        text,
+        emission,
+        &program.phi,
+        Origin::Pose,
+        &Shape {
+            docs: &["Residuals of the constraints, m or rad; the rows stand in the table of this module."],
+            attribute: "",
+            signature: &format!("fn residual(&self, t: S, q: &[S; {nq}], phi: &mut [S; {nc}])"),
+            arguments: &["t", "q", "phi"],
+        },
+    );
+    write(
+        text,
+        emission,
+        &program.phi_dot,
+        Origin::Pose,
+        &Shape {
+            docs: &["Their rates, `phi_q v - nu`, m/s or rad/s."],
+            attribute: "",
+            signature: &format!(
+                "fn residual_rate(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], phi_dot: &mut [S; {nc}])"
+            ),
+            arguments: &["t", "q", "v", "phi_dot"],
+        },
+    );
+    write(
+        text,
+        emission,
+        &program.phi_q,
+        Origin::Pose,
+        &Shape {
+            docs: &["The Jacobian of the constraints; `phi_q` comes in as zeros."],
+            attribute: "#[cold]",
+            signature: &format!("fn jacobian(&self, t: S, q: &[S; {nq}], phi_q: &mut [[S; {nq}]; {nc}])"),
+            arguments: &["t", "q", "phi_q"],
+        },
+    );
+    write(
+        text,
+        emission,
+        &program.min_norm,
+        Origin::Pose,
+        &Shape {
+            docs: &[
+                "The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.",
+                "Returns the smallest pivot ratio of the factorisation.",
+            ],
+            attribute: "",
+            signature: &format!(
+                "fn closing_step(&self, t: S, q: &[S; {nq}], w: &[S; {nq}], r: &[S; {nc}], dq: &mut [S; {nq}]) -> S"
+            ),
+            arguments: &["t", "q", "w", "r", "dq"],
+        },
+    );
+    write(
+        text,
+        emission,
+        &program.inverse_mass,
+        Origin::Pose,
+        &Shape {
+            docs: &["Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body."],
+            attribute: "",
+            signature: &format!("fn reciprocal_mass(&self, inverse_mass: &mut [S; {nq}])"),
+            arguments: &["inverse_mass"],
+        },
+    );
     text.push_str("    }\n");
 }
 

@@ -16,8 +16,10 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 fn constructors(text: &mut String, emission: &Emission) {
     let name = &emission.name;
-    push(text, format_args!(
-        "    impl {name}<f64> {{
+    push(
+        text,
+        format_args!(
+            "    impl {name}<f64> {{
         /// The mechanism as declared, in `f64`; `{name} {{ field: value, ..{name}::new() }}` changes some.
         pub fn new() -> Self {{
             Self::of()
@@ -34,11 +36,14 @@ fn constructors(text: &mut String, emission: &Emission) {
         /// The mechanism as declared, for any scalar.
         pub fn of() -> Self {{
 "
-    ));
+        ),
+    );
     parameters(text, emission);
     text.push_str("        }\n    }\n\n");
-    push(text, format_args!(
-        "    impl<S: Real> {name}<S> {{
+    push(
+        text,
+        format_args!(
+            "    impl<S: Real> {name}<S> {{
         /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
         ///
         /// # Errors
@@ -65,7 +70,8 @@ fn constructors(text: &mut String, emission: &Emission) {
     }}
 
 "
-    ));
+        ),
+    );
 }
 
 /// The body of `of`: parameters in order, since a default may read earlier ones, then the starts.
@@ -115,13 +121,16 @@ pub(crate) fn inline(emission: &Emission, expr: Expr, bindings: &Bindings) -> St
 
 fn start_input(text: &mut String, emission: &Emission) {
     let Emission { model, fields, name, .. } = emission;
-    push(text, format_args!(
-        "    impl<S: Scalar> {name}<S> {{
+    push(
+        text,
+        format_args!(
+            "    impl<S: Scalar> {name}<S> {{
         /// The inputs as declared.
         fn declared_input(&self) -> Input<S> {{
             let lit = S::lit;
 "
-    ));
+        ),
+    );
     let mut bindings = Bindings::new();
     for (param, field) in model.params.iter().zip(&fields.params) {
         bindings.insert(param.symbol, format!("self.{field}"));

@@ -52,10 +52,15 @@ fn rows(emission: &Emission) -> String {
     if model.rows.is_empty() {
         return text;
     }
-    text.push_str("///\n/// | row | constraint | equation | unit |\n/// |----:|------------|----------|------|\n");
+    text.push_str(
+        "///\n/// | row | constraint | equation | unit |\n/// |----:|------------|----------|------|\n",
+    );
     for (k, row) in model.rows.iter().enumerate().take(MOST_ROWS) {
         let equation = graph.display(row.phi).to_string().replace('|', "\\|");
-        push(&mut text, format_args!("/// | {k} | `{}` | `{equation} = 0` | {} |\n", row.name, row.unit.text));
+        push(
+            &mut text,
+            format_args!("/// | {k} | `{}` | `{equation} = 0` | {} |\n", row.name, row.unit.text),
+        );
     }
     if model.rows.len() > MOST_ROWS {
         push(&mut text, format_args!("///\n/// … and {} rows more.\n", model.rows.len() - MOST_ROWS));

@@ -50,7 +50,8 @@ pub(crate) fn lower(graph: &Graph, function: &Function, bindings: &Bindings, res
     let mut root = 0;
     let mut done = 0;
     for section in &function.sections {
-        let end = (root..root + section.roots.len()).map(|k| tape.outputs[k].index() + 1).max().unwrap_or(done);
+        let end =
+            (root..root + section.roots.len()).map(|k| tape.outputs[k].index() + 1).max().unwrap_or(done);
         root += section.roots.len();
         lowering.title(&section.title);
         lowering.lower_until(end.max(done));
@@ -97,10 +98,17 @@ struct Lowering<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    fn new(graph: &'a Graph, tape: &'a Tape, first_result: usize, bindings: &'a Bindings, reserved: &[&str]) -> Self {
+    fn new(
+        graph: &'a Graph,
+        tape: &'a Tape,
+        first_result: usize,
+        bindings: &'a Bindings,
+        reserved: &[&str],
+    ) -> Self {
         let uses = uses(tape, &tape.outputs[first_result..]);
         let groups = angle_groups(tape, &uses);
-        let needed = tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
+        let needed =
+            tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
         let lines =
             Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
         let names = Names::with_reserved(reserved);
@@ -109,7 +117,18 @@ impl<'a> Lowering<'a> {
             is_result[result.index()] = true;
         }
         let pieces = Vec::with_capacity(tape.ops.len());
-        Lowering { graph, tape, bindings, names, uses, is_result, pieces, groups, early: BTreeMap::new(), lines }
+        Lowering {
+            graph,
+            tape,
+            bindings,
+            names,
+            uses,
+            is_result,
+            pieces,
+            groups,
+            early: BTreeMap::new(),
+            lines,
+        }
     }
 
     /// Announces a section; a section without statements leaves no title.
@@ -135,11 +154,11 @@ impl<'a> Lowering<'a> {
             return piece;
         }
         let op = self.tape.ops[index].op;
-        if let Op::Sin(angle) = op {
-            if is_pair(self.tape, &self.uses, index) {
-                self.bind_sines(index, angle);
-                return self.early.remove(&index).unwrap_or_default();
-            }
+        if let Op::Sin(angle) = op
+            && is_pair(self.tape, &self.uses, index)
+        {
+            self.bind_sines(index, angle);
+            return self.early.remove(&index).unwrap_or_default();
         }
         let piece = self.piece(op);
         let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
@@ -149,20 +168,19 @@ impl<'a> Lowering<'a> {
 
     /// Sine and cosine of an angle, with all angles of its group.
     fn bind_sines(&mut self, index: usize, angle: Ref) {
-        let group = self.groups.iter().position(|group| group.contains(&index));
-        match group.map(|at| self.groups.swap_remove(at)) {
-            Some(sines) => self.bind_group(&sines),
-            None => {
-                let angle = self.pieces[angle.index()].clone();
-                let (sine, cosine) = self.local_pair(&angle);
-                let pattern = format!("({}, {})", sine.text, cosine.text);
-                let value = format!("{}.sin_cos()", angle.within(4));
-                let makes = vec![sine.reads[0], cosine.reads[0]];
-                self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
-                self.early.insert(index, sine);
-                self.early.insert(index + 1, cosine);
-            }
+        if let Some(at) = self.groups.iter().position(|group| group.contains(&index)) {
+            let sines = self.groups.swap_remove(at);
+            self.bind_group(&sines);
+            return;
         }
+        let angle = self.pieces[angle.index()].clone();
+        let (sine, cosine) = self.local_pair(&angle);
+        let pattern = format!("({}, {})", sine.text, cosine.text);
+        let value = format!("{}.sin_cos()", angle.within(4));
+        let makes = vec![sine.reads[0], cosine.reads[0]];
+        self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
+        self.early.insert(index, sine);
+        self.early.insert(index + 1, cosine);
     }
 
     /// `let ([sin_a, sin_b], [cos_a, cos_b]) = S::sin_cos_all([a, b]);`
@@ -199,20 +217,19 @@ impl<'a> Lowering<'a> {
     }
 
     fn local_pair(&mut self, angle: &Piece) -> (Piece, Piece) {
-        let suffix = if angle.strength == 4 && angle.reads.len() == 1 { angle.text.as_str() } else { "angle" };
+        let suffix =
+            if angle.strength == 4 && angle.reads.len() == 1 { angle.text.as_str() } else { "angle" };
         (self.local(&format!("sin_{suffix}")), self.local(&format!("cos_{suffix}")))
     }
 
     /// Gives a value a name.
     fn bind(&mut self, index: usize, piece: Piece) -> Piece {
         let hint = self.tape.ops[index].expr.and_then(|expr| self.graph.name(expr));
-        let local = match hint {
-            Some(hint) => self.local(hint),
-            None => {
-                let name = self.names.numbered("t");
-                self.named(name)
-            }
+        let name = match hint {
+            Some(hint) => self.names.unique(hint),
+            None => self.names.numbered("t"),
         };
+        let local = self.named(name);
         let (pattern, makes) = (local.text.clone(), local.reads.clone());
         self.lines.statements.push(Statement::Let { makes, pattern, value: piece.text, reads: piece.reads });
         local
@@ -234,7 +251,9 @@ impl<'a> Lowering<'a> {
         let at = |operand: Ref| &self.pieces[operand.index()];
         match op {
             Op::Number(value) => Piece::atom(literal(value)),
-            Op::Symbol(symbol) => Piece::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned())),
+            Op::Symbol(symbol) => {
+                Piece::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned()))
+            }
             Op::Add(a, b) => at(a).joined(" + ", at(b), 1),
             Op::Sub(a, b) => at(a).joined(" - ", at(b), 1),
             Op::Mul(a, b) => at(a).joined(" * ", at(b), 2),

@@ -7,7 +7,6 @@ mod blocks;
 mod bodies;
 mod defaults;
 mod docs;
-mod fallback;
 mod lines;
 mod names;
 mod outputs;
@@ -23,8 +22,6 @@ use crate::formulate::Absolute;
 use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
-
-pub(crate) use fallback::emit_stub;
 
 /// Emitted source.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -74,7 +71,8 @@ pub(crate) struct Fields {
 }
 
 /// Methods of the emitted state that no body or output may take.
-const STATE_METHODS: &[&str] = &["time", "kinetic_energy", "gravity_energy", "load_power", "outputs", "solved"];
+const STATE_METHODS: &[&str] =
+    &["time", "kinetic_energy", "gravity_energy", "load_power", "outputs", "solved"];
 
 impl Fields {
     pub(crate) fn new(model: &Model) -> Fields {
@@ -94,7 +92,13 @@ impl Fields {
 }
 
 /// Emits a mechanism on rung 5.
-pub(crate) fn emit(model: &Model, graph: &Graph, equations: &Equations, program: &Absolute, report: &Report) -> Code {
+pub(crate) fn emit(
+    model: &Model,
+    graph: &Graph,
+    equations: &Equations,
+    program: &Absolute,
+    report: &Report,
+) -> Code {
     let emission = Emission {
         model,
         graph,
@@ -109,7 +113,13 @@ pub(crate) fn emit(model: &Model, graph: &Graph, equations: &Equations, program:
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
-    Code { before: before(model), module: docs::module(&emission), public, implementation, names: respanned(&emission) }
+    Code {
+        before: before(model),
+        module: docs::module(&emission),
+        public,
+        implementation,
+        names: respanned(&emission),
+    }
 }
 
 /// `pub use self::double_pendulum::DoublePendulum;`

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 /// Words that cannot be identifiers in Rust 2024 without `r#`.
 const KEYWORDS: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
-    "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
-    "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait", "true", "try", "type", "typeof",
-    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else",
+    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait",
+    "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 /// Words that not even `r#` makes an identifier.
 const PATHS: &[&str] = &["crate", "self", "super", "Self", "_"];
@@ -45,7 +45,11 @@ pub(crate) fn snake_case(name: &str) -> String {
         text.extend(character.to_lowercase());
         previous = character;
     }
-    if KEYWORDS.contains(&text.as_str()) || PATHS.contains(&text.as_str()) { text + "_mechanism" } else { text }
+    if KEYWORDS.contains(&text.as_str()) || PATHS.contains(&text.as_str()) {
+        text + "_mechanism"
+    } else {
+        text
+    }
 }
 
 /// Names of one scope, none twice.

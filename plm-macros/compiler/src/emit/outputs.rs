@@ -7,7 +7,9 @@ use crate::model;
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::from("    impl<S: Real> State<S> {\n");
-    text.push_str("        /// Time, s.\n        pub fn time(&self) -> S {\n            self.time\n        }\n\n");
+    text.push_str(
+        "        /// Time, s.\n        pub fn time(&self) -> S {\n            self.time\n        }\n\n",
+    );
     poses(&mut text, emission);
     for index in 0..emission.model.outputs.len() {
         user_output(&mut text, emission, index);
@@ -33,16 +35,23 @@ fn poses(text: &mut String, emission: &Emission) {
     let nq = equations.q.len();
     for (k, (body, field)) in model.bodies.iter().zip(&fields.bodies).enumerate() {
         let (q, v) = (3 * k, nq + 3 * k);
-        push(text, format_args!(
-            "        /// Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.
+        push(
+            text,
+            format_args!(
+                "        /// Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.
         pub fn {field}(&self) -> BodyState<S> {{
             let x = &self.x;
             BodyState {{ x: x[{q}], y: x[{}], angle: x[{}], vx: x[{v}], vy: x[{}], omega: x[{}] }}
         }}
 
 ",
-            body.name.text, q + 1, q + 2, v + 1, v + 2
-        ));
+                body.name.text,
+                q + 1,
+                q + 2,
+                v + 1,
+                v + 2
+            ),
+        );
     }
 }
 
@@ -89,8 +98,10 @@ fn table(text: &mut String, emission: &Emission) {
         }
     }
     let count = names.len();
-    push(text, format_args!(
-        "        /// Names and units of the columns of [`State::outputs`].
+    push(
+        text,
+        format_args!(
+            "        /// Names and units of the columns of [`State::outputs`].
         pub const OUTPUTS: [(&'static str, &'static str); {count}] = [{}];
 
         /// The declared outputs, in the units of [`State::OUTPUTS`].
@@ -98,9 +109,10 @@ fn table(text: &mut String, emission: &Emission) {
             [{}]
         }}
 ",
-        names.join(", "),
-        values.join(", ")
-    ));
+            names.join(", "),
+            values.join(", ")
+        ),
+    );
 }
 
 fn column(name: &str, output: &model::Output) -> String {

@@ -6,13 +6,19 @@ use crate::model::Stabilisation;
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
-    push(&mut text, format_args!(
-        "    use {path}::runtime as rt;\n    use {path}::runtime::absolute;\n\n",
-        path = emission.model.crate_path
-    ));
-    push(&mut text, format_args!(
-        "    /// What assembly found.\n    pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;\n\n"
-    ));
+    push(
+        &mut text,
+        format_args!(
+            "    use {path}::runtime as rt;\n    use {path}::runtime::absolute;\n\n",
+            path = emission.model.crate_path
+        ),
+    );
+    push(
+        &mut text,
+        format_args!(
+            "    /// What assembly found.\n    pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;\n\n"
+        ),
+    );
     system(&mut text, emission);
     mechanism(&mut text, emission);
     constraints(&mut text, emission);
@@ -61,8 +67,10 @@ fn system(text: &mut String, emission: &Emission) {
 "
     ));
     match emission.model.stabilisation {
-        Stabilisation::Projection => push(text, format_args!(
-            "        fn settle(&self, t: S, x: &mut [S; {length}]) -> Result<(), Fault> {{
+        Stabilisation::Projection => push(
+            text,
+            format_args!(
+                "        fn settle(&self, t: S, x: &mut [S; {length}]) -> Result<(), Fault> {{
             absolute::settle_state::<S, Self, NQ, NC, {length}>(self, t, x)
         }}
 
@@ -71,18 +79,22 @@ fn system(text: &mut String, emission: &Emission) {
         }}
 
 "
-        )),
+            ),
+        ),
         Stabilisation::Baumgarte(tau) => {
             let value = defaults::inline(emission, tau, &emission.bindings(super::Origin::Arguments));
-            push(text, format_args!(
-                "        fn baumgarte_rate(&self) -> Option<f64> {{
+            push(
+                text,
+                format_args!(
+                    "        fn baumgarte_rate(&self) -> Option<f64> {{
             let lit = S::lit;
             let tau: S = {value};
             Some(1.0 / rt::Scalar::to_f64(tau))
         }}
 
 "
-            ));
+                ),
+            );
         }
     }
     typical(text, emission);
@@ -96,11 +108,14 @@ fn typical(text: &mut String, emission: &Emission) {
     let pose = |k: usize| if k % 3 == 2 { "1.0" } else { length.as_str() };
     let mut sizes: Vec<&str> = (0..equations.q.len()).chain(0..equations.q.len()).map(pose).collect();
     sizes.extend(std::iter::repeat_n("1.0", equations.x.len()));
-    push(text, format_args!(
-        "        fn typical(&self) -> [S; {}] {{\n            [{}].map(S::lit)\n        }}\n\n",
-        sizes.len(),
-        sizes.join(", ")
-    ));
+    push(
+        text,
+        format_args!(
+            "        fn typical(&self) -> [S; {}] {{\n            [{}].map(S::lit)\n        }}\n\n",
+            sizes.len(),
+            sizes.join(", ")
+        ),
+    );
     let bodies: Vec<String> = model.bodies.iter().map(|body| format!("{:?}", body.name.text)).collect();
     let states: Vec<String> = model.states.iter().map(|state| format!("{:?}", state.name.text)).collect();
     push(text, format_args!(
@@ -123,8 +138,10 @@ fn typical(text: &mut String, emission: &Emission) {
 fn mechanism(text: &mut String, emission: &Emission) {
     let Emission { name, equations, fields, .. } = emission;
     let length = 2 * equations.q.len() + equations.x.len();
-    push(text, format_args!(
-        "    impl<S: Real> rt::Moment for State<S> {{
+    push(
+        text,
+        format_args!(
+            "    impl<S: Real> rt::Moment for State<S> {{
         type M = {name}<S>;
 
         fn new(mechanism: {name}<S>, input: Input<S>, time: S, x: [S; {length}]) -> Self {{
@@ -160,7 +177,8 @@ fn mechanism(text: &mut String, emission: &Emission) {
             let mut x = [S::lit(0.0); {length}];
             absolute::join(&assembly.q, &assembly.v, &mut x);
 "
-    ));
+        ),
+    );
     for (k, field) in fields.states.iter().enumerate() {
         push(text, format_args!("            x[{}] = self.start.{field};\n", 2 * equations.q.len() + k));
     }
@@ -171,7 +189,8 @@ fn mechanism(text: &mut String, emission: &Emission) {
 fn constraints(text: &mut String, emission: &Emission) {
     let Emission { name, equations, model, report, .. } = emission;
     let (nq, nc) = (equations.q.len(), equations.phi.len());
-    let quoted = |names: Vec<String>| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    let quoted =
+        |names: Vec<String>| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
     let rows = quoted(model.rows.iter().map(|row| row.name.clone()).collect());
     let parts = quoted(model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect());
     let coordinates = quoted((0..nq).map(|k| coordinate_name(model, k)).collect());
@@ -225,8 +244,10 @@ fn starts(text: &mut String, emission: &Emission) {
         });
         entries.collect::<String>()
     };
-    push(text, format_args!(
-        "        fn start_position(&self) -> [Start<S>; {nq}] {{
+    push(
+        text,
+        format_args!(
+            "        fn start_position(&self) -> [Start<S>; {nq}] {{
             let lit = S::lit;
             let bodies: [[Start<S>; 3]; {bodies}] = [
 {positions}            ];
@@ -239,10 +260,11 @@ fn starts(text: &mut String, emission: &Emission) {
             core::array::from_fn(|k| bodies[k / 3][k % 3])
         }}
 ",
-        bodies = model.bodies.len(),
-        positions = list("of_centre", false),
-        velocities = list("velocity_of_centre", true),
-    ));
+            bodies = model.bodies.len(),
+            positions = list("of_centre", false),
+            velocities = list("velocity_of_centre", true),
+        ),
+    );
 }
 
 /// Accelerations and multipliers for outputs, by rank where elimination is unhealthy.

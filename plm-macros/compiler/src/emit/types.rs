@@ -5,9 +5,12 @@ use super::{Emission, docs, push};
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
     let path = &emission.model.crate_path;
-    push(&mut text, format_args!(
-        "    use {path}::runtime::{{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start}};\n\n"
-    ));
+    push(
+        &mut text,
+        format_args!(
+            "    use {path}::runtime::{{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start}};\n\n"
+        ),
+    );
     mechanism(&mut text, emission);
     starts(&mut text, emission);
     inputs(&mut text, emission);
@@ -22,7 +25,10 @@ fn mechanism(text: &mut String, emission: &Emission) {
     if model.docs.is_empty() {
         docs::lines(text, 4, &["A mechanism with its parameters and start values.".to_owned()]);
     }
-    push(text, format_args!("    #[derive(Clone, Copy, Debug, PartialEq)]\n    pub struct {name}<S = f64> {{\n"));
+    push(
+        text,
+        format_args!("    #[derive(Clone, Copy, Debug, PartialEq)]\n    pub struct {name}<S = f64> {{\n"),
+    );
     for (param, field) in model.params.iter().zip(&fields.params) {
         docs::field(text, &param.docs, &format!("Parameter `{}`", param.name.text), &param.unit);
         push(text, format_args!("        pub {field}: S,\n"));
@@ -48,7 +54,9 @@ fn starts(text: &mut String, emission: &Emission) {
 
 fn inputs(text: &mut String, emission: &Emission) {
     let Emission { model, fields, .. } = emission;
-    text.push_str("    /// Inputs, held over a step, SI units.\n    #[derive(Clone, Copy, Debug, PartialEq)]\n");
+    text.push_str(
+        "    /// Inputs, held over a step, SI units.\n    #[derive(Clone, Copy, Debug, PartialEq)]\n",
+    );
     text.push_str("    pub struct Input<S = f64> {\n");
     for (input, field) in model.inputs.iter().zip(&fields.inputs) {
         docs::field(text, &input.docs, &format!("Input `{}`", input.name.text), &input.unit);
@@ -63,8 +71,10 @@ fn inputs(text: &mut String, emission: &Emission) {
 fn state(text: &mut String, emission: &Emission) {
     let Emission { name, equations, .. } = emission;
     let length = 2 * equations.q.len() + equations.x.len();
-    push(text, format_args!(
-        "    /// The mechanism at one moment; its methods read poses and outputs.
+    push(
+        text,
+        format_args!(
+            "    /// The mechanism at one moment; its methods read poses and outputs.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct State<S = f64> {{
         /// The mechanism with its parameters.
@@ -76,7 +86,8 @@ fn state(text: &mut String, emission: &Emission) {
     }}
 
 "
-    ));
+        ),
+    );
 }
 
 fn sizes(text: &mut String, emission: &Emission) {
@@ -89,10 +100,19 @@ fn sizes(text: &mut String, emission: &Emission) {
     for (constant, value, doc) in constants {
         push(text, format_args!("    /// {doc}\n    pub const {constant}: usize = {value};\n"));
     }
-    push(text, format_args!("    /// Degrees of freedom, `3 N - M`.\n    pub const NDOF: isize = {};\n", report.freedom));
+    push(
+        text,
+        format_args!(
+            "    /// Degrees of freedom, `3 N - M`.\n    pub const NDOF: isize = {};\n",
+            report.freedom
+        ),
+    );
     let count = &report.rate;
-    push(text, format_args!(
-        "    /// Operations of one evaluation of the right-hand side.\n    pub const OPERATIONS: Operations = {};\n",
-        docs::operations(count)
-    ));
+    push(
+        text,
+        format_args!(
+            "    /// Operations of one evaluation of the right-hand side.\n    pub const OPERATIONS: Operations = {};\n",
+            docs::operations(count)
+        ),
+    );
 }

@@ -22,7 +22,8 @@ const MAX_ITEMS: usize = 1 << 14;
 /// The names of a declaration as a mechanism; `None` if it has none itself.
 pub(crate) fn model(declaration: &Declaration, library: &Library) -> Option<Model> {
     let mechanism = declaration.mechanism.as_ref()?;
-    let mut names = Names { library, indices: Vec::new(), items: 0, found: Found::default() };
+    let shapes = Shapes::new(library, &mechanism.items);
+    let mut names = Names { library, shapes, indices: Vec::new(), items: 0, found: Found::default() };
     names.walk(&mechanism.items, "", 0);
     let Found { mut graph, params, inputs, mut bodies, states, outputs, .. } = names.found;
     if bodies.is_empty() {
@@ -66,6 +67,7 @@ struct Found {
 /// Collects the names that the emitted types have.
 struct Names<'a> {
     library: &'a Library,
+    shapes: Shapes<'a>,
     /// Indices of the repetitions around an item, and their values.
     indices: Vec<(&'a str, i64)>,
     items: usize,
@@ -92,10 +94,7 @@ impl<'a> Names<'a> {
                 ItemKind::Instance(instance) => self.instance(instance, prefix, depth),
                 ItemKind::Param(value) if depth == 0 => self.param(item, value),
                 ItemKind::Input(value) if depth == 0 => self.input(item, value),
-                ItemKind::Output(list) if depth == 0 => {
-                    let shapes = Shapes::new(self.library, items);
-                    list.iter().for_each(|output| self.output(output, &shapes));
-                }
+                ItemKind::Output(list) if depth == 0 => list.iter().for_each(|output| self.output(output)),
                 _ => {}
             }
         }
@@ -116,7 +115,9 @@ impl<'a> Names<'a> {
     }
 
     fn instance(&mut self, instance: &'a ast::Instance, prefix: &str, depth: usize) {
-        let (Some(name), Some(definition)) = (self.key(&instance.name), self.library.get(&instance.kind.text)) else {
+        let (Some(name), Some(definition)) =
+            (self.key(&instance.name), self.library.get(&instance.kind.text))
+        else {
             return;
         };
         if depth < MAX_DEPTH {
@@ -147,9 +148,9 @@ impl<'a> Names<'a> {
         self.found.states.push(State { name, symbol, rate: zero, start: zero, unit });
     }
 
-    fn output(&mut self, output: &'a ast::Output, shapes: &Shapes<'a>) {
+    fn output(&mut self, output: &'a ast::Output) {
         let Some(name) = self.output_name(output) else { return };
-        let count = if shapes.is_vector(&output.value) { 2 } else { 1 };
+        let count = if self.shapes.is_vector(&output.value) { 2 } else { 1 };
         let components = vec![self.found.graph.zero(); count];
         let unit = output.unit.as_ref().map_or_else(no_unit, |(unit, _)| unit.clone());
         self.found.outputs.push(Output { name, components, unit });
@@ -193,9 +194,12 @@ impl<'a> Names<'a> {
     fn int(&self, expr: &ast::Expr) -> Option<i64> {
         match &expr.kind {
             ExprKind::Number(number) => number.as_int(),
-            ExprKind::Name(name) if name.indices.is_empty() => {
-                self.indices.iter().rev().find(|(index, _)| *index == name.ident.text).map(|(_, value)| *value)
-            }
+            ExprKind::Name(name) if name.indices.is_empty() => self
+                .indices
+                .iter()
+                .rev()
+                .find(|(index, _)| *index == name.ident.text)
+                .map(|(_, value)| *value),
             ExprKind::Neg(inner) => self.int(inner)?.checked_neg(),
             ExprKind::Chain(first, links) => links.iter().try_fold(self.int(first)?, |left, link| {
                 let right = self.int(&link.operand)?;

@@ -7,19 +7,21 @@ use crate::syntax::ast::{Expr, ExprKind, IndexedName, Item, ItemKind, Operator};
 
 /// Members of bodies and frames that are vectors.
 const VECTORS: &[&str] = &["position", "velocity", "acceleration", "axis", "normal"];
-/// Definitions that are followed for one answer; more are a circle, or as good as one.
+/// Definitions that are followed for one answer, in all and one inside the other: they may form circles.
 const MAX_STEPS: u32 = 1000;
+const MAX_DEPTH: u32 = 8;
 
 /// The names that an expression can read.
 pub(super) struct Shapes<'a> {
     library: &'a Library,
     items: &'a [Item],
     steps: Cell<u32>,
+    depth: Cell<u32>,
 }
 
 impl<'a> Shapes<'a> {
     pub(super) fn new(library: &'a Library, items: &'a [Item]) -> Shapes<'a> {
-        Shapes { library, items, steps: Cell::new(0) }
+        Shapes { library, items, steps: Cell::new(0), depth: Cell::new(0) }
     }
 
     /// Is it a vector? What cannot be told is a number.
@@ -31,9 +33,12 @@ impl<'a> Shapes<'a> {
     fn of(&self, items: &'a [Item], expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Pair(..) => true,
-            ExprKind::Quantity(value, _) | ExprKind::Neg(value) | ExprKind::If(_, value, _) => self.of(items, value),
+            ExprKind::Quantity(value, _) | ExprKind::Neg(value) | ExprKind::If(_, value, _) => {
+                self.of(items, value)
+            }
             ExprKind::Chain(first, links) => {
-                let compares = links.iter().any(|link| link.operator.precedence() < Operator::Add.precedence());
+                let compares =
+                    links.iter().any(|link| link.operator.precedence() < Operator::Add.precedence());
                 !compares && (self.of(items, first) || links.iter().any(|link| self.of(items, &link.operand)))
             }
             ExprKind::Call(function, arguments) => match function.text.as_str() {
@@ -47,7 +52,7 @@ impl<'a> Shapes<'a> {
                     ItemKind::Let(of, value) if of.ident.text == name.ident.text => Some(value),
                     _ => None,
                 });
-                self.step() && lets.next().is_some_and(|value| self.of(items, value))
+                lets.next().is_some_and(|value| self.follow(items, value))
             }
             ExprKind::Path(base, members) => self.path(items, base, members),
             ExprKind::Number(_) | ExprKind::Not(_) | ExprKind::Power(..) => false,
@@ -75,14 +80,20 @@ impl<'a> Shapes<'a> {
             (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == first.ident.text,
             _ => false,
         });
-        let is_whole = rest.is_empty();
-        is_whole && self.step() && output.is_some_and(|output| self.of(&definition.items, &output.value))
+        rest.is_empty() && output.is_some_and(|output| self.follow(&definition.items, &output.value))
     }
 
-    /// One more definition, if there may be one.
-    fn step(&self) -> bool {
-        self.steps.set(self.steps.get() + 1);
-        self.steps.get() <= MAX_STEPS
+    /// The shape of a definition that stands elsewhere.
+    fn follow(&self, items: &'a [Item], expr: &Expr) -> bool {
+        let (steps, depth) = (self.steps.get() + 1, self.depth.get() + 1);
+        if steps > MAX_STEPS || depth > MAX_DEPTH {
+            return false;
+        }
+        self.steps.set(steps);
+        self.depth.set(depth);
+        let found = self.of(items, expr);
+        self.depth.set(depth - 1);
+        found
     }
 }
 

@@ -43,12 +43,14 @@ pub(crate) struct Absolute {
 /// Lays out rung 5.
 pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph) -> Absolute {
     let weights: Vec<Expr> = (0..equations.q.len()).map(|k| graph.symbol(&format!("w_{k}"))).collect();
-    let residual: Vec<Expr> = (0..equations.phi.len()).map(|k| graph.symbol(&format!("residual_{k}"))).collect();
+    let residual: Vec<Expr> =
+        (0..equations.phi.len()).map(|k| graph.symbol(&format!("residual_{k}"))).collect();
     let stored = |array: &'static str, values: &[Expr]| -> Vec<(Place, Expr)> {
         values.iter().enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
     };
     let entries = equations.phi_q.iter().enumerate();
-    let entries = entries.flat_map(|(i, row)| row.iter().map(move |&(j, e)| (Place::Entry("phi_q", i, j), e)));
+    let entries =
+        entries.flat_map(|(i, row)| row.iter().map(move |&(j, e)| (Place::Entry("phi_q", i, j), e)));
     let phi_q = Function::of_results(entries.collect());
     let one = graph.one();
     let inverse_mass: Vec<Expr> = equations.mass.iter().map(|&mass| graph.div(one, mass)).collect();
@@ -128,7 +130,9 @@ fn dynamics(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: 
     let mut results: Vec<(Place, Expr)> = Vec::new();
     results.extend(equations.v.iter().enumerate().map(|(k, &v)| (Place::Element("dx", k), v)));
     results.extend(acceleration.iter().enumerate().map(|(k, &a)| (Place::Element("dx", nq + k), a)));
-    results.extend(equations.x_dot.iter().enumerate().map(|(k, &rate)| (Place::Element("dx", 2 * nq + k), rate)));
+    results.extend(
+        equations.x_dot.iter().enumerate().map(|(k, &rate)| (Place::Element("dx", 2 * nq + k), rate)),
+    );
     results.extend(lambda.iter().enumerate().map(|(k, &value)| (Place::Element("lambda", k), value)));
     results.push((Place::Value, factor.health));
     let sections = sections_of(equations, free, &scaled, &factor, solution);
@@ -136,10 +140,19 @@ fn dynamics(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: 
 }
 
 /// The order in which a person would write the right-hand side down.
-fn sections_of(equations: &Equations, free: Vec<Expr>, scaled: &[SparseRow], factor: &Factor, solution: Vec<Expr>) -> Vec<Section> {
+fn sections_of(
+    equations: &Equations,
+    free: Vec<Expr>,
+    scaled: &[SparseRow],
+    factor: &Factor,
+    solution: Vec<Expr>,
+) -> Vec<Section> {
     let jacobian = equations.phi_q.iter().flatten().chain(scaled.iter().flatten());
     vec![
-        Section::new("Arms from G to each port: the entries of phi_q, and of phi_q M^-1", jacobian.map(|&(_, e)| e).collect()),
+        Section::new(
+            "Arms from G to each port: the entries of phi_q, and of phi_q M^-1",
+            jacobian.map(|&(_, e)| e).collect(),
+        ),
         Section::new("Accelerations without constraints, M^-1 Q", free),
         Section::new("phi_q M^-1 phi_q^T = L D L^T", factor.trace.clone()),
         Section::new("Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma", solution),

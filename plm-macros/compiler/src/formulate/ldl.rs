@@ -60,18 +60,18 @@ struct Elimination<'a> {
 impl Elimination<'_> {
     /// Eliminates one row; returns `1 / d` and the column of L below it.
     fn eliminate(&mut self, pivot: usize, rows: &[usize]) -> (Expr, Vec<(usize, Expr)>) {
-        let d = self.define(format!("d_{pivot}"), self.entries[&(pivot, pivot)]);
+        let d = self.define(&format!("d_{pivot}"), self.entries[&(pivot, pivot)]);
         let one = self.graph.one();
         let inverse = self.graph.div(one, d);
-        let reciprocal = self.define(format!("r_{pivot}"), inverse);
+        let reciprocal = self.define(&format!("r_{pivot}"), inverse);
         let mut column = Vec::with_capacity(rows.len());
         let mut below = Vec::with_capacity(rows.len());
         for &row in rows {
             let key = (row.max(pivot), row.min(pivot));
-            let entry = self.define(format!("g_{row}_{pivot}"), self.entries[&key]);
+            let entry = self.define(&format!("g_{row}_{pivot}"), self.entries[&key]);
             let scaled = self.graph.mul(entry, reciprocal);
             below.push((row, entry));
-            column.push((row, self.define(format!("l_{row}_{pivot}"), scaled)));
+            column.push((row, self.define(&format!("l_{row}_{pivot}"), scaled)));
         }
         for (k, &(row, factor)) in column.iter().enumerate() {
             for &(other, entry) in &below[..=k] {
@@ -89,8 +89,8 @@ impl Elimination<'_> {
         self.entries.insert(key, new);
     }
 
-    fn define(&mut self, name: String, value: Expr) -> Expr {
-        let atom = self.graph.define(&name, value);
+    fn define(&mut self, name: &str, value: Expr) -> Expr {
+        let atom = self.graph.define(name, value);
         self.trace.push(atom);
         atom
     }

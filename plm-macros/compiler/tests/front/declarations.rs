@@ -301,7 +301,7 @@ fn mistakes_inside_library_parts_are_quoted() {
     assert_eq!(found.code.id(), "E0403");
     let (anchor, _) = sources.get(0).unwrap().place(found.anchor()).unwrap();
     assert_eq!(text.get(anchor.column - 1..anchor.column), Some("s"));
-    let message = found.message(&sources);
+    let message = found.message(&sources, &|_| None);
     assert!(message.contains("spring.plm:") && message.contains("push/distance*between"), "{message}");
     assert!(message.contains("in the part `spring`, used as `s`"), "{message}");
 }

@@ -95,13 +95,21 @@ impl<M: System<S: Real>> Dopri5<M> {
         Ok(rate)
     }
 
-    /// Counts one more step, accepted or not.
-    fn count_try(&mut self, course: &Course<'_, M>) -> Result<(), Fault> {
+    /// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather
+    /// than be followed by a tiny one.
+    fn next_step(&mut self, course: &Course<'_, M>, proposal: M::S) -> Result<(M::S, bool), Fault> {
         if self.steps_left == 0 {
             return Err(course.fault(Cause::TooManySteps { steps: self.most_steps }));
         }
         self.steps_left -= 1;
-        Ok(())
+        let left = course.end - course.time;
+        if M::S::lit(1.01) * proposal >= left {
+            Ok((left, true))
+        } else if course.time + proposal > course.time {
+            Ok((proposal, false))
+        } else {
+            Err(course.fault(Cause::StepTooSmall { step: proposal.to_f64() }))
+        }
     }
 
     /// Error and drift of a trial step, as multiples of the tolerance.
@@ -171,12 +179,8 @@ impl<M: System<S: Real> + Copy> Method<M> for Dopri5<M> {
             None => first_step(course, &rate, self.tolerance())?,
         };
         loop {
-            self.count_try(course)?;
             proposal = proposal.min(self.longest_step);
-            let left = course.end - course.time;
-            // Stretched by 1 % at most rather than followed by a tiny one.
-            let last = M::S::lit(1.01) * proposal >= left;
-            let h = if last { left } else { proposal };
+            let (h, last) = self.next_step(course, proposal)?;
             let by_rank = course.stats.by_rank;
             let attempt = trial(course, &rate, h);
             let (error, drift) = match &attempt {

@@ -24,10 +24,10 @@ pub(super) fn first_step<M: System<S: Real>>(
         }
         (sum / lit(M::X::LEN.max(1) as f64)).sqrt()
     };
-    let least = lit(1e-10);
+    let (least, span) = (lit(1e-10), course.end - course.time);
     let (state, slope) = (size(&x), size(rate));
     let first = if state < least || slope < least { lit(1e-6) } else { lit(0.01) * (state / slope) };
-    let first = first.min(course.end - course.time);
+    let first = positive(first, lit(1e-6) * span).min(span);
 
     let (mut ahead, mut rate_after) = (x, *rate);
     ahead.add([(first, rate)]);
@@ -40,5 +40,10 @@ pub(super) fn first_step<M: System<S: Real>>(
     } else {
         ((lit(0.01) / steepest).ln() * lit(0.2)).exp()
     };
-    Ok((lit(100.0) * first).min(second))
+    Ok(positive((lit(100.0) * first).min(second), first))
+}
+
+/// The first step, or the second where the first is zero or not a number.
+fn positive<S: Real>(step: S, otherwise: S) -> S {
+    if step > S::lit(0.0) { step } else { otherwise }
 }

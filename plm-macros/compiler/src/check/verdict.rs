@@ -1,0 +1,210 @@
+//! What assembly found, in words: which locks are too many, which joint stays open, which says nothing new.
+
+use super::Assembly;
+use crate::diag::{Code, Diagnostics};
+use crate::model::{Model, Row};
+
+/// Names that one message lists.
+const MOST_NAMES: usize = 8;
+
+/// Rows that depend on others, each with all rows of that dependence.
+type Dependent<'a> = [&'a (usize, Vec<usize>)];
+
+/// Locks of positions or of velocities.
+pub(super) struct Locks<'a> {
+    pub(super) locked: &'a [bool],
+    /// What is locked: `position` or `velocity`.
+    pub(super) what: &'static str,
+}
+
+/// Locks that depend on the joints and on each other.
+pub(super) fn too_many_locks(
+    model: &Model,
+    locks: &Locks,
+    dependent: &Dependent,
+    diagnostics: &mut Diagnostics,
+) {
+    let rows = model.rows.len();
+    let coordinates: Vec<usize> = (0..locks.locked.len()).filter(|&k| locks.locked[k]).collect();
+    let mut members: Vec<usize> = dependent.iter().flat_map(|(_, rows)| rows.iter().copied()).collect();
+    members.sort_unstable();
+    members.dedup();
+    let tied = members.iter().filter_map(|row| row.checked_sub(rows));
+    let tied: Vec<String> = tied.map(|lock| lock_name(model, coordinates[lock], locks.what)).collect();
+    let joints = parts(model, members.iter().filter(|&&row| row < rows));
+    let count = dependent.len();
+    let first = coordinates[dependent[0].0 - rows];
+    let body = &model.bodies[first / 3];
+    let start = if locks.what == "position" { &body.start } else { &body.start_velocity };
+    let (verb, plural) = if count == 1 { ("is", "") } else { ("are", "s") };
+    diagnostics
+        .error(
+            Code::TooManyLocks,
+            start[first % 3].span,
+            format!("there {verb} {count} redundant constraint{plural} among the {} locks", locks.what),
+        )
+        .note(format!("locked, and tied to each other by {}: {}", listed(&joints), listed(&tied)))
+        .note(format!(
+            "F = 3 N - M = {} with {} locked",
+            3 * model.bodies.len() as isize - rows as isize,
+            coordinates.len()
+        ))
+        .help(format!("take away {count} of these locks"));
+}
+
+fn lock_name(model: &Model, k: usize, what: &str) -> String {
+    let body = &model.bodies[k / 3].name.text;
+    let names = if what == "position" { ["x", "y", "angle"] } else { ["vx", "vy", "omega"] };
+    format!("{body}.{}", names[k % 3])
+}
+
+/// Joints that cannot be closed together.
+pub(super) fn not_closed(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
+    let gaps = gaps(model, &found.phi);
+    let Some(widest) = gaps.first() else { return };
+    let others: Vec<String> =
+        gaps[1..].iter().map(|gap| format!("`{}` by {}", gap.joint(model), gap.text())).collect();
+    let diagnostic = diagnostics.error(
+        Code::NotAssembled,
+        widest.row.span,
+        format!(
+            "the mechanism cannot be assembled: `{}` stays open by {}",
+            widest.joint(model),
+            widest.text()
+        ),
+    );
+    diagnostic.note(format!("this is the best of {} Newton steps from the declared start", found.steps));
+    if !others.is_empty() {
+        diagnostic.note(format!("open too: {}", joined(&others)));
+    }
+    diagnostic.help("check the dimensions of the loop, or start its bodies closer to where they should be");
+}
+
+/// How far a joint is open.
+struct Gap<'a> {
+    row: &'a Row,
+    size: f64,
+    unit: String,
+}
+
+impl Gap<'_> {
+    fn joint<'m>(&self, model: &'m Model) -> &'m str {
+        &model.parts[self.row.part].name.text
+    }
+
+    fn text(&self) -> String {
+        format!("{} {}", rounded(self.size), self.unit)
+    }
+}
+
+/// The open joints by `phi`, the widest first; of the rows of a joint those in one unit count together.
+fn gaps<'a>(model: &'a Model, phi: &[f64]) -> Vec<Gap<'a>> {
+    let mut gaps: Vec<Gap> = Vec::new();
+    for (row, residual) in model.rows.iter().zip(phi) {
+        let size = if residual.is_finite() { residual.abs() } else { f64::INFINITY };
+        let same = |gap: &&mut Gap| gap.row.part == row.part && gap.unit == row.unit.text;
+        match gaps.iter_mut().find(same) {
+            Some(gap) => gap.size = plm_math::f64::sqrt(gap.size * gap.size + size * size),
+            None => gaps.push(Gap { row, size, unit: row.unit.text.clone() }),
+        }
+    }
+    gaps.retain(|gap| gap.size > super::assembly::CLOSED);
+    gaps.sort_by(|a, b| b.size.total_cmp(&a.size));
+    gaps
+}
+
+/// Joints that say what others say already, and agree with them.
+pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics: &mut Diagnostics) {
+    let mut judged: Vec<usize> = Vec::new();
+    for part in dependent.iter().map(|(row, _)| model.rows[*row].part) {
+        if judged.contains(&part) {
+            continue;
+        }
+        judged.push(part);
+        let of_part: Vec<_> = dependent.iter().filter(|(row, _)| model.rows[*row].part == part).collect();
+        let rows: Vec<String> = of_part.iter().map(|(row, _)| model.rows[*row].name.clone()).collect();
+        let members =
+            of_part.iter().flat_map(|(_, members)| members).filter(|&&row| model.rows[row].part != part);
+        let others = parts(model, members);
+        let (count, name) = (rows.len(), &model.parts[part].name.text);
+        let (verb, plural) = if count == 1 { ("is", "") } else { ("are", "s") };
+        let diagnostic = diagnostics.warning(
+            Code::RedundantConstraint,
+            model.rows[of_part[0].0].span,
+            format!("{count} constraint{plural} of `{name}` {verb} redundant: {}", listed(&rows)),
+        );
+        if !others.is_empty() {
+            diagnostic.note(format!("{} hold the same already", listed(&others)));
+        }
+        diagnostic.note(
+            "it runs, by the rank-revealing solution; reactions that are left open get their minimum norm",
+        );
+    }
+}
+
+/// Start velocities that the joints do not allow.
+pub(super) fn contradiction(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
+    if let Some(widest) = gaps(model, &found.phi_dot).first() {
+        diagnostics.error(
+            Code::NotAssembled,
+            widest.row.span,
+            format!("the start velocities contradict `{}` by {}/s", widest.joint(model), widest.text()),
+        );
+    }
+}
+
+/// Names of the parts of rows, each once.
+fn parts<'a>(model: &Model, rows: impl Iterator<Item = &'a usize>) -> Vec<String> {
+    let mut parts: Vec<usize> = rows.map(|&row| model.rows[row].part).collect();
+    parts.sort_unstable();
+    parts.dedup();
+    parts.into_iter().map(|part| model.parts[part].name.text.clone()).collect()
+}
+
+/// `a`, `b` and `c` in backticks.
+fn listed(names: &[String]) -> String {
+    joined(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())
+}
+
+/// With commas, and an `and` before the last; a long list is cut.
+fn joined(texts: &[String]) -> String {
+    match texts {
+        [] => "nothing".to_owned(),
+        [one] => one.clone(),
+        _ if texts.len() > MOST_NAMES => {
+            format!("{} and {} more", texts[..MOST_NAMES].join(", "), texts.len() - MOST_NAMES)
+        }
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// Three digits are enough to see how wrong it is.
+fn rounded(value: f64) -> String {
+    let digits = format!("{value:.2e}");
+    match digits.parse::<f64>() {
+        Ok(rounded) if (1e-3..1e4).contains(&rounded) => rounded.to_string(),
+        _ => digits,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{joined, rounded};
+
+    #[test]
+    fn amounts_are_short() {
+        assert_eq!(rounded(0.1), "0.1");
+        assert_eq!(rounded(1.7958), "1.8");
+        assert_eq!(rounded(123.456), "123");
+        assert_eq!(rounded(0.000_012_345), "1.23e-5");
+        assert_eq!(rounded(f64::INFINITY), "inf");
+    }
+
+    #[test]
+    fn lists_read_like_sentences() {
+        let names: Vec<String> = (0..12).map(|k| format!("n{k}")).collect();
+        assert_eq!(joined(&names[..1]), "n0");
+        assert_eq!(joined(&names[..3]), "n0, n1 and n2");
+        assert_eq!(joined(&names), "n0, n1, n2, n3, n4, n5, n6, n7 and 4 more");
+    }
+}
