@@ -6,6 +6,7 @@
 mod assembly;
 mod language;
 mod manual;
+mod operations;
 mod oracle;
 mod physics;
 mod references;

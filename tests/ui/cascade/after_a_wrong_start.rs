@@ -11,7 +11,8 @@ plm::mechanism! {
             inertia: 0.01 kg*m^2;
             port o: (0, 0) m;
             port tip: (1, 0) m;
-            start angle: 30 deg, locked; start x: 1 m, locked;
+            start angle: 30 deg, locked;
+            start x: 1 m, locked;
         }
         revolute foot(ground.o, boom.o);
         force hook(boom.tip) { y: lift*reach/(1 m); }

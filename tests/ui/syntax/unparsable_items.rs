@@ -8,7 +8,7 @@ plm::mechanism! {
         body arm {
             mass: 1 kg
             inertia: 0.01 kg*m^2;
-            port a: (0, 1 m;
+            port a: (0, 1) m
         }
         revolute hinge(ground.o arm.a);
         constraint x: arm.x == 0;

@@ -7,7 +7,7 @@ plm::mechanism! {
         body bob {
             mass: 1 kg;
             inertia: 0.01 kg*m^2;
-            port a: (0, length + 2 s) m;
+            port a: (0, length + 2 s);
         }
         revolute hinge(ground.o, bob.a);
     }

@@ -134,10 +134,10 @@ pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics
             format!("{count} constraint{plural} of `{name}` {verb} redundant: {}", listed(&rows)),
         );
         if !others.is_empty() {
-            diagnostic.note(format!("{} hold the same already", listed(&others)));
+            diagnostic.note(format!("the same is held by {} already", listed(&others)));
         }
         diagnostic.note(
-            "it runs, by the rank-revealing solution; reactions that are left open get their minimum norm",
+            "it runs all the same, by the rank-revealing solution; reactions that are left open get their minimum norm",
         );
     }
 }

@@ -6,23 +6,20 @@ use super::Diagnostic;
 
 /// The candidate nearest to a name, if one is near enough: at most a third of its letters differ (one at least), or one
 /// of the two begins the other (three letters at least). The first of equals wins.
-pub fn nearest<'a, I>(name: &str, candidates: I) -> Option<&'a str>
-where
-    I: IntoIterator<Item = &'a str> + Clone,
-{
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let limit = (name.chars().count() / 3).max(1);
-    let mut best = None;
-    for candidate in candidates.clone() {
+    let (mut best, mut begun) = (None, None);
+    for candidate in candidates {
         let distance = distance(name, candidate);
         if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
-    }
-    let begun = |candidate: &&str| {
         let shorter = name.len().min(candidate.len());
-        shorter >= 3 && name.get(..shorter) == candidate.get(..shorter)
-    };
-    best.map(|(_, candidate)| candidate).or_else(|| candidates.into_iter().find(begun))
+        if begun.is_none() && shorter >= 3 && name.get(..shorter) == candidate.get(..shorter) {
+            begun = Some(candidate);
+        }
+    }
+    best.map(|(_, candidate)| candidate).or(begun)
 }
 
 /// Number of letters to insert, delete, replace or swap with a neighbour (optimal string alignment), case ignored.

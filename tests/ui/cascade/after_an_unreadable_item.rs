@@ -11,10 +11,10 @@ plm::mechanism! {
             inertia: 0.01 kg*m^2;
             port o: (0, 0) m;
             port tip: (1, 0) m;
-            start angle: 30 deg
+            start angle 30 deg;
         }
         revolute foot(ground.o, boom.o);
-        force hook(boom.tip { y: lift; }
+        force hook boom.tip { y: lift; }
         output foot.force, boom.angle in deg, tip = boom.tip.position;
     }
 }

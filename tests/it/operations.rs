@@ -1,0 +1,56 @@
+//! Operations of one right-hand side: what a scene costs may fall, not grow.
+
+use plm_compiler::compile;
+use plm_compiler::token::Sources;
+
+use crate::scenes::{s1, s2, s5, s6};
+
+#[test]
+fn right_hand_sides_cost_no_more_than_committed() {
+    // (scene, operations now, committed); a sine and cosine of one angle count as one.
+    let table = [
+        ("S1", s1::double_pendulum::OPERATIONS.total(), COMMITTED[0]),
+        ("S2", s2::four_bar::OPERATIONS.total(), COMMITTED[1]),
+        ("S6", s6::slider_crank::OPERATIONS.total(), COMMITTED[2]),
+        ("S5", s5::andrews::OPERATIONS.total(), COMMITTED[3]),
+    ];
+    for (scene, now, committed) in table {
+        assert!(now <= committed, "{scene}: {now} operations, {committed} committed");
+        assert!(now + now / 20 >= committed, "{scene}: {now} operations: commit the new count");
+    }
+}
+
+/// S1, S2, S6, S5.
+const COMMITTED: [u32; 4] = [115, 284, 192, 939];
+
+/// A chain of so many uniform bars, 1 m and 1 kg in all.
+fn chain(bars: u32) -> String {
+    format!(
+        "pub Chain {{
+            gravity: 9.81 m/s^2;
+            ground {{ port o: (0, 0) m; }}
+            repeat i in 0..{bars} {{
+                body bar[i] {{
+                    mass: 1 kg / {bars}; inertia: 1 kg*m^2 / (12 * {bars}^3);
+                    port a: (-0.5 / {bars}, 0) m; port b: (0.5 / {bars}, 0) m;
+                    start x: (i + 0.5) / {bars} * 1 m;
+                }}
+            }}
+            revolute pin[0](ground.o, bar[0].a);
+            repeat i in 1..{bars} {{ revolute pin[i](bar[i-1].b, bar[i].a); }}
+        }}"
+    )
+}
+
+#[test]
+fn operations_grow_linearly_along_a_chain() {
+    let count = |bars: u32| {
+        let mut sources = Sources::new();
+        sources.add_text("declaration", &chain(bars));
+        compile(&mut sources).report.unwrap().rate.total()
+    };
+    let [few, some, many] = [4, 16, 64].map(count);
+    let per_bar = (some - few) as f64 / 12.0;
+    let later = (many - some) as f64 / 48.0;
+    assert!((later / per_bar - 1.0).abs() < 0.02, "{few}, {some}, {many}: {per_bar} then {later} per bar");
+}
