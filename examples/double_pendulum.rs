@@ -84,6 +84,9 @@ fn locked_assembly(figures: &mut Figures) -> Result<(), plm::Fault> {
 /// Step 7 of the manual: 40 s of motion, recorded every 20 ms.
 fn dynamic_run(figures: &mut Figures) -> Result<(), Box<dyn Error>> {
     let mut sim = DoublePendulum::new().start()?;
+    for (joint, turn) in sim.branches() {
+        println!("\nbranch: {joint} turns by {:.2} deg", turn.to_degrees());
+    }
     let mut recording = Recording::new(double_pendulum::State::<f64>::OUTPUTS);
     let run = sim.run(40.0, 0.02, |state| recording.push(state.time(), state.outputs()));
     // What was recorded before a failure is written all the same.

@@ -129,3 +129,22 @@ fn redundant_joints_that_agree_run_by_rank() {
     assert!(sim.undetermined().contains(&true));
     assert!((sim.one().angle - sim.three().angle).abs() < 1e-12);
 }
+
+#[test]
+fn the_branch_that_was_taken_is_told() {
+    let turn = |coupler: f64, rocker: f64| {
+        let mut four_bar = s2::FourBar::new();
+        four_bar.start.coupler.angle = Start::free(coupler.to_radians());
+        four_bar.start.rocker.angle = Start::free(rocker.to_radians());
+        let sim = four_bar.start().unwrap();
+        let [(_, _), (joint, turn)] = sim.branches();
+        assert_eq!(joint, "coupler_rocker");
+        (turn, sim.coupler().angle, sim.rocker().angle)
+    };
+    let (up, coupler, rocker) = turn(30.0, 95.0);
+    // From the coupler's direction to the way back along the rocker.
+    let expected = rocker + std::f64::consts::PI - coupler - 2.0 * std::f64::consts::PI;
+    assert!((up - expected).abs() < 1e-12, "{up} {expected}");
+    let (down, ..) = turn(-50.0, -120.0);
+    assert!(up < 0.0 && down > 0.0, "{up} {down}");
+}

@@ -82,7 +82,13 @@ impl Report {
     }
 
     /// Adds what assembly found.
-    pub(crate) fn add_assembly(&mut self, model: &Model, found: &Assembly, at: &dyn Fn(Expr) -> f64) {
+    pub(crate) fn add_assembly(
+        &mut self,
+        model: &Model,
+        equations: &Equations,
+        found: &Assembly,
+        turns: &[f64],
+    ) {
         let locks = found.locked.iter().filter(|lock| **lock).count();
         self.rank = Some((found.rank.value(), locks));
         let kind = if !found.rank.dependent.is_empty() {
@@ -108,7 +114,17 @@ impl Report {
         if moves.len() > MOST_MOVES {
             self.assembly.push(format!("… and {} coordinates more", moves.len() - MOST_MOVES));
         }
-        self.assembly.extend(crate::check::branches(model, found, at));
+        for (branch, turn) in equations.branches.iter().zip(turns).take(MOST_MOVES) {
+            let [first, second] = branch.bodies.map(|body| &model.bodies[body].name.text);
+            let turn = turn * DEGREES;
+            let side = if turn >= 0.0 { "left" } else { "right" };
+            let joint = &model.parts[branch.part].name.text;
+            let line = format!(
+                "branch: at `{joint}`, `{second}` turns {side} from `{first}` by {:.2} deg",
+                turn.abs()
+            );
+            self.assembly.push(line);
+        }
     }
 
     /// Lines for the documentation of the generated module.

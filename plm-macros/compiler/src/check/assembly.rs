@@ -49,6 +49,14 @@ impl Assembly {
         self.phi.iter().all(|residual| residual.abs() <= CLOSED)
     }
 
+    /// Values of all symbols at the assembled pose.
+    pub(crate) fn values(&self, equations: &Equations, others: &[(Expr, f64)]) -> Vec<(Expr, f64)> {
+        let mut values = others.to_vec();
+        values.extend(equations.q.iter().copied().zip(self.q.iter().copied()));
+        values.extend(equations.v.iter().copied().zip(self.v.iter().copied()));
+        values
+    }
+
     /// Do the velocities obey the constraints?
     pub(crate) fn moves_consistently(&self) -> bool {
         let speed = self.v.iter().fold(1.0_f64, |largest, v| largest.max(v.abs()));

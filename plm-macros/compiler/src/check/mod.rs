@@ -1,16 +1,14 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
-mod branch;
 mod pseudo_inverse;
 mod rank;
 mod start;
 mod verdict;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, run, value};
-pub(crate) use branch::branches;
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
@@ -81,7 +79,9 @@ pub(crate) fn check_assembly(
 ) {
     let values = defaults(model, graph);
     let found = assembly::assemble(model, equations, program, graph, &values);
-    report.add_assembly(model, &found, &|expr| value(graph, expr, &values));
+    let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
+    let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
+    report.add_assembly(model, equations, &found, &turns);
     if has_parameters(model, graph) {
         return;
     }

@@ -33,9 +33,7 @@ pub(crate) fn check_start(
     found: &Assembly,
     diagnostics: &mut Diagnostics,
 ) {
-    let mut values = values.to_vec();
-    values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
-    values.extend(equations.v.iter().copied().zip(found.v.iter().copied()));
+    let values = found.values(equations, values);
     let loads = model.loads.iter().flat_map(|load| {
         let name = &model.parts[load.part].name;
         load.force.map(|force| (name.text.as_str(), name.span, force))

@@ -10,7 +10,11 @@
 //! (E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, 1989, sections 3.6 and 6.3). `M` is diagonal
 //! because the coordinates stand at G.
 
+mod branch;
+
 use plm_cas::{Expr, Graph};
+
+pub(crate) use branch::Branch;
 
 use crate::model::Model;
 
@@ -44,6 +48,8 @@ pub(crate) struct Equations {
     pub(crate) gamma: Vec<Expr>,
     /// Rates of the first-order states, `NX`.
     pub(crate) x_dot: Vec<Expr>,
+    /// Which mirror image a pose is, joint by joint.
+    pub(crate) branches: Vec<Branch>,
 }
 
 /// Derives the equations of motion of a model.
@@ -74,6 +80,7 @@ pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
         x: model.states.iter().map(|state| state.symbol).collect(),
         mass: model.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia]).collect(),
         force: applied_force(model, graph),
+        branches: branch::branches(model, graph),
         x_dot: model.states.iter().map(|state| state.rate).collect(),
         q,
         v,

@@ -110,6 +110,9 @@ fn body_start(emission: &Emission, body: &Body, bindings: &Bindings) -> String {
 
 /// An expression of parameters as one Rust expression; a block where it needs locals.
 pub(crate) fn inline(emission: &Emission, expr: Expr, bindings: &Bindings) -> String {
+    if let Some(number) = emission.graph.as_number(expr) {
+        return lines::literal(number.to_f64());
+    }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
     let lines = lines::lower(emission.graph, &function, bindings, &reserved);
@@ -131,10 +134,7 @@ fn start_input(text: &mut String, emission: &Emission) {
 "
         ),
     );
-    let mut bindings = Bindings::new();
-    for (param, field) in model.params.iter().zip(&fields.params) {
-        bindings.insert(param.symbol, format!("self.{field}"));
-    }
+    let bindings = emission.parameters();
     let mut entries: Vec<String> = Vec::new();
     for (input, field) in model.inputs.iter().zip(&fields.inputs) {
         entries.push(format!("{field}: {}", inline(emission, input.default, &bindings)));

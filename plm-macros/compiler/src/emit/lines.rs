@@ -331,7 +331,7 @@ fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
 }
 
 /// A constant of any scalar.
-fn literal(value: f64) -> String {
+pub(crate) fn literal(value: f64) -> String {
     if value.is_finite() {
         format!("lit({value:?})")
     } else if value.is_nan() {

@@ -71,8 +71,16 @@ pub(crate) struct Fields {
 }
 
 /// Methods of the emitted state that no body or output may take.
-const STATE_METHODS: &[&str] =
-    &["time", "kinetic_energy", "gravity_energy", "load_power", "outputs", "solved"];
+const STATE_METHODS: &[&str] = &[
+    "time",
+    "kinetic_energy",
+    "gravity_energy",
+    "load_power",
+    "outputs",
+    "solved",
+    "undetermined",
+    "branches",
+];
 
 impl Fields {
     pub(crate) fn new(model: &Model) -> Fields {
@@ -154,6 +162,12 @@ pub(crate) enum Origin {
 }
 
 impl Emission<'_> {
+    /// Source text of the parameters, where `self` is the mechanism.
+    pub(crate) fn parameters(&self) -> lines::Bindings {
+        let params = self.model.params.iter().zip(&self.fields.params);
+        params.map(|(param, field)| (param.symbol, format!("self.{field}"))).collect()
+    }
+
     /// Source text of every symbol.
     pub(crate) fn bindings(&self, origin: Origin) -> lines::Bindings {
         let mut bindings = lines::Bindings::new();

@@ -25,6 +25,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
         text.push_str(&function_body(emission, function));
         text.push_str("        }\n\n");
     }
+    branches(&mut text, emission);
     table(&mut text, emission);
     text.push_str("    }\n\n");
     text
@@ -78,6 +79,33 @@ fn function_body(emission: &Emission, function: &Function) -> String {
     let bindings = emission.bindings(Origin::State);
     let lines = lines::lower(emission.graph, function, &bindings, &["lit", "value", "a", "lambda"]);
     blocks::with_literals(&lines, 12)
+}
+
+/// The turns that tell the mirror images of loops apart.
+fn branches(text: &mut String, emission: &Emission) {
+    let Emission { model, equations, program, .. } = emission;
+    let count = equations.branches.len();
+    let joints = equations
+        .branches
+        .iter()
+        .enumerate()
+        .map(|(k, branch)| format!("({:?}, value[{k}])", model.parts[branch.part].name.text));
+    let joints: Vec<String> = joints.collect();
+    push(
+        text,
+        format_args!(
+            "        /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
+        /// the second turns from the first, rad, positive to the left.
+        pub fn branches(&self) -> [(&'static str, S); {count}] {{
+            let mut value = [S::lit(0.0); {count}];
+{}            [{}]
+        }}
+
+",
+            function_body(emission, &program.outputs.branches),
+            joints.join(", ")
+        ),
+    );
 }
 
 /// The outputs as a row of a table, with names and units.

@@ -82,7 +82,7 @@ fn system(text: &mut String, emission: &Emission) {
             ),
         ),
         Stabilisation::Baumgarte(tau) => {
-            let value = defaults::inline(emission, tau, &emission.bindings(super::Origin::Arguments));
+            let value = defaults::inline(emission, tau, &emission.parameters());
             push(
                 text,
                 format_args!(
@@ -235,7 +235,7 @@ fn constraints(text: &mut String, emission: &Emission) {
 fn starts(text: &mut String, emission: &Emission) {
     let Emission { model, fields, equations, .. } = emission;
     let nq = equations.q.len();
-    let bindings = emission.bindings(super::Origin::Pose);
+    let bindings = emission.parameters();
     let list = |method: &str, angle: bool| {
         let entries = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
             let [x, y] = body.centre.map(|component| defaults::inline(emission, component, &bindings));

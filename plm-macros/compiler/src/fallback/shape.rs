@@ -55,7 +55,7 @@ impl<'a> Shapes<'a> {
                 lets.next().is_some_and(|value| self.follow(items, value))
             }
             ExprKind::Path(base, members) => self.path(items, base, members),
-            ExprKind::Number(_) | ExprKind::Not(_) | ExprKind::Power(..) => false,
+            ExprKind::Unknown | ExprKind::Number(_) | ExprKind::Not(_) | ExprKind::Power(..) => false,
         }
     }
 

@@ -24,6 +24,8 @@ pub(crate) struct Outputs {
     pub(crate) kinetic_energy: Function,
     /// Potential energy of gravity above y = 0, J.
     pub(crate) gravity_energy: Function,
+    /// Turns at the revolutes between bodies, rad.
+    pub(crate) branches: Function,
     /// Power of all loads but gravity, W.
     pub(crate) load_power: Function,
 }
@@ -45,6 +47,9 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
         Output { function: Function::of_results(results).optimise(graph), solves }
     });
     let user = user.collect();
+    let turns =
+        equations.branches.iter().enumerate().map(|(k, branch)| (Place::Element("value", k), branch.turn));
+    let branches = Function::of_results(turns.collect()).optimise(graph);
     let kinetic = kinetic_energy(equations, graph);
     let gravity = gravity_energy(model, graph);
     let power = load_power(model, graph);
@@ -54,6 +59,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
         kinetic_energy: scalar(kinetic),
         gravity_energy: scalar(gravity),
         load_power: scalar(power),
+        branches,
     }
 }
 

@@ -110,10 +110,16 @@ impl<'a> Resolver<'a> {
         let unit = match (&ast.unit, &ast.value) {
             (Some(unit), _) | (None, Some(Expr { kind: ExprKind::Quantity(_, unit), .. })) => unit.clone(),
             (None, Some(Expr { kind: ExprKind::Number(_), .. })) => DisplayUnit::si(Dimension::NUMBER),
-            (None, _) => {
-                let message = format!("`{key}` has no unit");
-                let help = format!("write `{key}: m`, or `{key}: 1` for a bare number");
-                self.error(scope, Code::MissingUnit, ast.name.ident.span, message).help(help);
+            (None, value) => {
+                let span = ast.name.ident.span;
+                if !matches!(value, Some(Expr { kind: ExprKind::Unknown, .. })) {
+                    let message = format!("`{key}` has no unit");
+                    let help = format!("write `{key}: m`, or `{key}: 1` for a bare number");
+                    self.error(scope, Code::MissingUnit, span, message).help(help);
+                }
+                // What reads it has been told already.
+                let slot = self.failed_slot(span);
+                self.bind(scope, &ast.name.ident, key, slot);
                 return None;
             }
         };
@@ -146,6 +152,7 @@ impl<'a> Resolver<'a> {
             let span = name.ident.span;
             let slot = self.find(scope, &key).map(|slot| self.force(slot, scope, span));
             let state = match slot {
+                Some(Err(_)) => continue,
                 Some(Ok(Value::Scalar(symbol, _))) => self.state_of.get(&symbol).copied(),
                 _ => None,
             };

@@ -32,6 +32,7 @@ impl<'a> Resolver<'a> {
 
     fn eval_kind(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
         match &expr.kind {
+            ExprKind::Unknown => Err(Failed),
             ExprKind::Number(number) => Ok(Value::Scalar(self.graph.number(*number), Nature::BARE)),
             ExprKind::Quantity(inner, unit) => self.quantity(scope, inner, unit),
             ExprKind::Pair(x, y) => self.pair(scope, expr.span, x, y),

@@ -136,7 +136,8 @@ impl<'a> Resolver<'a> {
             (instance.definition, instance.ast, instance.outer)
         };
         let (wanted, found) = (definition.arguments.len(), ast.arguments.len());
-        if wanted != found {
+        let is_read = !ast.arguments.iter().any(|of| matches!(of.kind, ast::ExprKind::Unknown));
+        if wanted != found && is_read {
             let names: Vec<&str> = definition.arguments.iter().map(|of| of.name.text.as_str()).collect();
             let message = format!("`{}` joins {wanted} frames, found {found}", definition.name.text);
             self.error(outer, Code::WrongCount, ast.name.ident.span, message)

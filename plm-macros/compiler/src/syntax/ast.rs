@@ -248,6 +248,8 @@ pub struct Expr {
 /// Forms of expressions.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
+    /// What could not be read. The mistake is reported; the item keeps its name, so that its uses are no mistakes.
+    Unknown,
     /// A bare number.
     Number(Number),
     /// A number or a pair with a unit.

@@ -67,9 +67,10 @@ impl Cursor<'_> {
                     name.text = "centre".to_string();
                 }
                 self.punct(':', "`:`")?;
-                let value = self.expr()?;
+                let value = self.value_expr();
+                let end = self.end_of(&value);
                 body.fields.push((name, value));
-                self.semicolon()?;
+                end?;
             }
             word => return Err(self.unknown_body_item(word)),
         }
@@ -91,16 +92,16 @@ impl Cursor<'_> {
         self.advance();
         let name = self.ident("the name of the port")?;
         self.punct(':', "`:`")?;
-        let at = self.expr()?;
+        let at = self.value_expr();
         let mut angle = None;
         if self.eat_punct(',') {
             if !self.eat_word("angle") && !self.eat_word("axis") {
                 return Err(self.expected("`angle`"));
             }
             self.punct(':', "`:`")?;
-            angle = Some(self.expr()?);
+            angle = Some(self.value_expr());
         }
-        self.semicolon()?;
+        self.end_of(angle.as_ref().unwrap_or(&at))?;
         Ok(Port { name, at, angle })
     }
 
@@ -114,12 +115,12 @@ impl Cursor<'_> {
                 .help(format!("write `start {}: 0, locked;`", coordinate.text));
             return Err(Reported);
         }
-        let value = self.expr()?;
+        let value = self.value_expr();
         let locked = self.eat_punct(',');
         if locked {
             self.word("locked")?;
         }
-        self.semicolon()?;
+        self.end_of(&value)?;
         Ok(Start { coordinate, value, locked })
     }
 }

@@ -25,6 +25,23 @@ impl Cursor<'_> {
         self.nested(|cursor| if cursor.is_word("if") { cursor.if_expr() } else { cursor.chain(0) })
     }
 
+    /// The value of an item. If it cannot be read, what is left of it is skipped: to a `;` or a `,`.
+    pub(super) fn value_expr(&mut self) -> Expr {
+        let start = self.position();
+        self.expr().unwrap_or_else(|Reported| self.unknown_expr(start))
+    }
+
+    /// Skips what is left of the value of an item.
+    pub(super) fn unknown_expr(&mut self, start: usize) -> Expr {
+        while self.peek().is_some_and(|token| !token.is_punct(';') && !token.is_punct(',')) {
+            self.go_to(match self.peek().map(|token| token.kind) {
+                Some(TokenKind::Open(_)) => self.behind_group(self.position()),
+                _ => self.position() + 1,
+            });
+        }
+        Expr { kind: ExprKind::Unknown, span: self.span_from(start) }
+    }
+
     fn if_expr(&mut self) -> Parse<Expr> {
         let start = self.position();
         self.word("if")?;

@@ -1,6 +1,6 @@
 //! Items: what stands in a mechanism, in a part, or in a repetition.
 
-use super::ast::{Ident, Item, ItemKind, Output, Repeat, Value};
+use super::ast::{Expr, ExprKind, Ident, Item, ItemKind, Output, Repeat, Value};
 use super::cursor::{Cursor, Parse, Reported};
 use crate::diag::{Code, nearest};
 use crate::token::{Delimiter, Token, TokenKind};
@@ -127,12 +127,17 @@ impl Cursor<'_> {
         if begins_field || begins_item || begins_part { Ok(()) } else { Err(reported) }
     }
 
+    /// The end of an item behind its value; what is missing behind an unreadable one is no second mistake.
+    pub(super) fn end_of(&mut self, value: &Expr) -> Parse<()> {
+        if matches!(value.kind, ExprKind::Unknown) && !self.is_punct(';') { Ok(()) } else { self.semicolon() }
+    }
+
     /// `word: expr;`, the word being known.
-    pub(super) fn field_value(&mut self) -> Parse<super::ast::Expr> {
+    pub(super) fn field_value(&mut self) -> Parse<Expr> {
         self.advance();
         self.punct(':', "`:`")?;
-        let value = self.expr()?;
-        self.semicolon()?;
+        let value = self.value_expr();
+        self.end_of(&value)?;
         Ok(value)
     }
 
@@ -169,21 +174,33 @@ impl Cursor<'_> {
     fn value(&mut self) -> Parse<Value> {
         self.advance();
         let name = self.indexed_name("a name")?;
-        let unit = if self.eat_punct(':') { Some(self.declared_unit()?) } else { None };
-        let value = if self.eat_punct('=') { Some(self.expr()?) } else { None };
-        self.semicolon()?;
+        let start = self.position();
+        let mut unit = None;
+        if self.eat_punct(':') {
+            let Ok(found) = self.declared_unit() else {
+                let value = self.unknown_expr(start);
+                self.end_of(&value)?;
+                return Ok(Value { name, unit, value: Some(value) });
+            };
+            unit = Some(found);
+        }
+        let value = self.eat_punct('=').then(|| self.value_expr());
+        match &value {
+            Some(value) => self.end_of(value)?,
+            None => self.semicolon()?,
+        }
         Ok(Value { name, unit, value })
     }
 
     fn definition_of_name(
         &mut self,
-        make: impl FnOnce(super::ast::IndexedName, super::ast::Expr) -> ItemKind,
+        make: impl FnOnce(super::ast::IndexedName, Expr) -> ItemKind,
     ) -> Parse<ItemKind> {
         self.advance();
         let name = self.indexed_name("a name")?;
         self.punct('=', "`=`")?;
-        let value = self.expr()?;
-        self.semicolon()?;
+        let value = self.value_expr();
+        self.end_of(&value)?;
         Ok(make(name, value))
     }
 

@@ -1,6 +1,6 @@
 //! Parts: their definitions and uses, and the items that only they hold.
 
-use super::ast::{Argument, Choice, Definition, Expr, Ident, Instance, ItemKind, Load};
+use super::ast::{Argument, Choice, Definition, Expr, ExprKind, Ident, Instance, ItemKind, Load};
 use super::cursor::{Cursor, Parse, Reported};
 use super::item::Context;
 use crate::token::{Delimiter, TokenKind};
@@ -40,7 +40,10 @@ impl Cursor<'_> {
     pub(super) fn instance(&mut self) -> Parse<Instance> {
         let kind = self.ident("the name of a part")?;
         let name = self.indexed_name("a name")?;
-        let arguments = self.expr_list()?;
+        let start = self.position();
+        let arguments = self
+            .expr_list()
+            .unwrap_or_else(|Reported| vec![Expr { kind: ExprKind::Unknown, span: self.span_from(start) }]);
         let mut fields = Vec::new();
         if self.is_open(Delimiter::Brace) {
             self.group(Delimiter::Brace, "`{`", |cursor| {
@@ -67,8 +70,8 @@ impl Cursor<'_> {
     fn field(&mut self) -> Parse<(Ident, Expr)> {
         let name = self.ident("the name of a parameter")?;
         self.punct(':', "`:`")?;
-        let value = self.expr()?;
-        self.semicolon()?;
+        let value = self.value_expr();
+        self.end_of(&value)?;
         Ok((name, value))
     }
 

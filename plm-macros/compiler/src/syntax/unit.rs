@@ -31,14 +31,20 @@ impl Cursor<'_> {
     /// A unit where a value is declared: also `1` for a bare number, and `1/s`.
     pub(super) fn declared_unit(&mut self) -> Parse<DisplayUnit> {
         let is_one = self.peek().is_some_and(|token| token.kind == TokenKind::Number && token.text == "1");
-        if !is_one {
-            return self.unit();
-        }
-        self.advance();
         let mut unit = UnitText { text: String::new(), factors: Vec::new() };
-        self.further_factors(&mut unit, 1)?;
-        let text = if unit.text.is_empty() { String::new() } else { format!("1{}", unit.text) };
-        Ok(DisplayUnit::product(text, &unit.factors))
+        if is_one {
+            self.advance();
+            self.further_factors(&mut unit, 1)?;
+            unit.text = if unit.text.is_empty() { String::new() } else { format!("1{}", unit.text) };
+        } else {
+            self.unit_factors(&mut unit, 1)?;
+        }
+        if self.is_punct('*') || self.is_punct('/') {
+            // No expression can go on here: it is a unit, and none that is known.
+            self.advance();
+            self.unit_atom(&mut unit, 1)?;
+        }
+        Ok(DisplayUnit::product(unit.text, &unit.factors))
     }
 
     /// A unit.
@@ -106,6 +112,11 @@ impl Cursor<'_> {
     fn unknown_unit(&mut self, name: &str, span: crate::span::Span) -> Reported {
         let advice = match name {
             "Nm" => Some("N*m"),
+            "meter" | "meters" | "metre" | "metres" => Some("m"),
+            "kilogram" | "kilograms" => Some("kg"),
+            "second" | "seconds" => Some("s"),
+            "newton" | "newtons" => Some("N"),
+            "turn" | "turns" => Some("rev"),
             "rpm" => Some("rev/min"),
             "g" => Some("kg"),
             "l" => Some("L"),
