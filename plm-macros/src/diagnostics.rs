@@ -1,7 +1,7 @@
 //! Diagnostics as tokens that rustc reports at the user's own source.
 
 use plm_compiler::bug_message;
-use plm_compiler::diag::{Diagnostic, Severity};
+use plm_compiler::diag::{Code, Diagnostic, Severity};
 use plm_compiler::token::Sources;
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
@@ -33,9 +33,9 @@ pub(crate) fn bug(what: &str) -> TokenStream {
     compile_error(&bug_message(what), Span::call_site(), Span::call_site())
 }
 
-/// A mistake that the compiler never sees.
+/// A mistake that the compiler never sees: the form is wrong.
 pub(crate) fn error(text: &str, span: Span) -> TokenStream {
-    compile_error(text, span, span)
+    compile_error(&format!("[{}] {text}", Code::UnexpectedToken), span, span)
 }
 
 /// `::core::compile_error! { text }`; rustc underlines from the first token's span to the last's.

@@ -34,14 +34,15 @@ pub(crate) fn carried(input: &TokenStream) -> Option<TokenStream> {
 /// `pub name { definitions }` as a `macro_rules!` by that name; `Err` says what was expected and where.
 pub(crate) fn shared(input: TokenStream) -> Result<TokenStream, (Span, &'static str)> {
     let trees: Vec<TokenTree> = input.into_iter().collect();
+    let start = trees.first().map_or_else(Span::call_site, TokenTree::span);
     let (head, definitions) = match trees.split_last() {
         Some((TokenTree::Group(group), head)) if group.delimiter() == Delimiter::Brace => {
             (head, group.stream())
         }
-        _ => return Err((Span::call_site(), "expected `pub name { joint … part … }`")),
+        _ => return Err((start, "expected `pub name { joint … part … }`")),
     };
     let Some((TokenTree::Ident(name), before)) = head.split_last() else {
-        return Err((Span::call_site(), "expected a name for the parts: `pub name { … }`"));
+        return Err((start, "expected a name for the parts: `pub name { … }`"));
     };
     let is_public = before.iter().any(|tree| is_word(Some(tree), "pub"))
         && !before.iter().any(|tree| matches!(tree, TokenTree::Group(_)));

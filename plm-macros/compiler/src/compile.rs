@@ -8,7 +8,7 @@ use crate::diag::Diagnostics;
 use crate::emit::{self, Code};
 use crate::fallback;
 use crate::formulate::{Absolute, formulate};
-use crate::front::{self, Reading};
+use crate::front;
 use crate::model::Model;
 use crate::oracle::Oracle;
 use crate::report::Report;
@@ -33,14 +33,14 @@ pub struct Expansion {
 /// Mistakes never end the compilation early with nothing: they are all in [`Expansion::diagnostics`].
 pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
-    let Reading { declaration, library, model } = front::read(sources, &mut sink);
-    let mut expansion = match model {
+    let reading = front::read(sources, &mut sink);
+    let mut expansion = match reading.model(&mut sink) {
         Some(model) => back_end(model, &mut sink),
         None => Expansion::default(),
     };
     if sink.has_errors() {
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| fallback::model(&declaration, &library).map(unchecked));
+        let code = expansion.code.or_else(|| fallback::model(&reading).map(unchecked));
         expansion = Expansion { code, ..Expansion::default() };
     }
     expansion.diagnostics = sink;
@@ -50,8 +50,8 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// A mechanism with the names of the declaration and nothing behind them, for code that uses it where [`compile`] gives
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
-    let Reading { declaration, library, .. } = front::read(sources, &mut Diagnostics::new());
-    fallback::model(&declaration, &library).map(unchecked)
+    let reading = front::read(sources, &mut Diagnostics::new());
+    fallback::model(&reading).map(unchecked)
 }
 
 /// From the model to source text.

@@ -11,16 +11,13 @@ use crate::token::Sources;
 /// Reads the declaration, source 0 of `sources`, and binds its names. Library parts that it uses are added to the
 /// sources, so that messages can quote them. `None` if there are errors; all that were found are in the sink.
 pub fn parse_and_resolve(sources: &mut Sources, sink: &mut Diagnostics) -> Option<Model> {
-    read(sources, sink).model
+    read(sources, sink).model(sink)
 }
 
-/// A declaration as it was read.
+/// A declaration as it was read, and the parts that it can use.
 pub(crate) struct Reading {
     pub(crate) declaration: Declaration,
-    /// The parts that it can use.
     pub(crate) library: Library,
-    /// `None` if there are errors.
-    pub(crate) model: Option<Model>,
 }
 
 pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
@@ -29,7 +26,13 @@ pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
         None => Declaration::default(),
     };
     let library = Library::load(&declaration, sources, sink);
-    let mechanism = declaration.mechanism.as_ref();
-    let model = mechanism.and_then(|mechanism| resolve(&declaration, mechanism, &library, sink));
-    Reading { declaration, library, model }
+    Reading { declaration, library }
+}
+
+impl Reading {
+    /// Names bound; `None` if there are errors.
+    pub(crate) fn model(&self, sink: &mut Diagnostics) -> Option<Model> {
+        let mechanism = self.declaration.mechanism.as_ref()?;
+        resolve(&self.declaration, mechanism, &self.library, sink)
+    }
 }

@@ -65,6 +65,26 @@ pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
     values
 }
 
+/// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
+fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
+    for body in &model.bodies {
+        let mass = ("mass", body.mass, body.mass_span, "kg");
+        let inertia = ("inertia", body.inertia, body.inertia_span, "kg*m^2");
+        for (what, expr, span, unit) in [mass, inertia] {
+            let found = value(graph, expr, values);
+            if !(found > 0.0 && found.is_finite()) {
+                let name = &body.name.text;
+                let message =
+                    format!("the {what} of `{name}` must be positive and finite, found {found} {unit}");
+                let diagnostic = diagnostics.error(Code::NotPositive, span, message);
+                if graph.as_number(expr).is_none() {
+                    diagnostic.note("this is its value with the defaults of the parameters");
+                }
+            }
+        }
+    }
+}
+
 /// Assembles the declared start and reports what is wrong with it.
 ///
 /// Where a dimension is a parameter the run can change it, so that only the run can judge; the report tells what the
@@ -78,6 +98,7 @@ pub(crate) fn check_assembly(
     diagnostics: &mut Diagnostics,
 ) {
     let values = defaults(model, graph);
+    check_masses(model, graph, &values, diagnostics);
     let found = assembly::assemble(model, equations, program, graph, &values);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));

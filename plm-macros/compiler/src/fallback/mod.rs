@@ -6,21 +6,24 @@
 mod shape;
 
 use plm_cas::{Expr, Graph};
+use std::fmt::Write;
 
+use crate::front::Reading;
 use crate::library::Library;
 use crate::model::{Body, Input, Model, Name, Output, Param, Stabilisation, Start, State};
 use crate::span::Span;
-use crate::syntax::ast::{self, Declaration, ExprKind, IndexedName, Item, ItemKind, Operator};
+use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
 use shape::Shapes;
 
 /// Parts within parts that are looked into.
 const MAX_DEPTH: usize = 16;
 /// Items that are looked at, those of repetitions counted by turns.
-const MAX_ITEMS: usize = 1 << 14;
+const MAX_ITEMS: usize = 1 << 12;
 
 /// The names of a declaration as a mechanism; `None` if it has none itself.
-pub(crate) fn model(declaration: &Declaration, library: &Library) -> Option<Model> {
+pub(crate) fn model(reading: &Reading) -> Option<Model> {
+    let Reading { declaration, library } = reading;
     let mechanism = declaration.mechanism.as_ref()?;
     let shapes = Shapes::new(library, &mechanism.items);
     let mut names = Names { library, shapes, indices: Vec::new(), items: 0, found: Found::default() };
@@ -185,7 +188,7 @@ impl<'a> Names<'a> {
     fn key(&self, written: &IndexedName) -> Option<String> {
         let mut key = written.ident.text.clone();
         for index in &written.indices {
-            key.push_str(&format!("[{}]", self.int(index)?));
+            let _ = write!(key, "[{}]", self.int(index)?);
         }
         Some(key)
     }

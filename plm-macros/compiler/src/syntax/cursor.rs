@@ -218,16 +218,21 @@ impl<'a> Cursor<'a> {
         (self.partners.get(position).map_or(self.end, |partner| *partner as usize) + 1).min(self.end)
     }
 
+    /// Position behind a token, or behind the group that it opens.
+    pub(crate) fn behind(&self, position: usize) -> usize {
+        match self.tokens.get(position).map(|token| token.kind) {
+            Some(TokenKind::Open(_)) => self.behind_group(position),
+            _ => position + 1,
+        }
+    }
+
     /// Skips what is left of an item that began at `start`: to behind a `;` or a `{ … }`, over one token at least.
     pub(crate) fn recover(&mut self, start: usize) {
         if self.at > start && ends_item(&self.tokens[self.at - 1]) {
             return;
         }
         while let Some(token) = self.peek() {
-            match token.kind {
-                TokenKind::Open(_) => self.at = self.behind_group(self.at),
-                _ => self.at += 1,
-            }
+            self.at = self.behind(self.at);
             if ends_item(token) {
                 return;
             }

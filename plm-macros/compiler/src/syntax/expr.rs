@@ -34,10 +34,7 @@ impl Cursor<'_> {
     /// Skips what is left of the value of an item.
     pub(super) fn unknown_expr(&mut self, start: usize) -> Expr {
         while self.peek().is_some_and(|token| !token.is_punct(';') && !token.is_punct(',')) {
-            self.go_to(match self.peek().map(|token| token.kind) {
-                Some(TokenKind::Open(_)) => self.behind_group(self.position()),
-                _ => self.position() + 1,
-            });
+            self.go_to(self.behind(self.position()));
         }
         Expr { kind: ExprKind::Unknown, span: self.span_from(start) }
     }

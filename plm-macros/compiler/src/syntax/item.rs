@@ -127,9 +127,16 @@ impl Cursor<'_> {
         if begins_field || begins_item || begins_part { Ok(()) } else { Err(reported) }
     }
 
-    /// The end of an item behind its value; what is missing behind an unreadable one is no second mistake.
+    /// The end of an item behind its value; what stands behind an unreadable one, or is missing, is no second mistake.
     pub(super) fn end_of(&mut self, value: &Expr) -> Parse<()> {
-        if matches!(value.kind, ExprKind::Unknown) && !self.is_punct(';') { Ok(()) } else { self.semicolon() }
+        if !matches!(value.kind, ExprKind::Unknown) {
+            return self.semicolon();
+        }
+        while self.peek().is_some() && !self.is_punct(';') {
+            self.go_to(self.behind(self.position()));
+        }
+        self.eat_punct(';');
+        Ok(())
     }
 
     /// `word: expr;`, the word being known.
