@@ -1,4 +1,4 @@
-//! The book's Rust code, compiled and run as doc tests.
+//! The Rust code of the book and the README, compiled and run as doc tests.
 //!
 //! `cargo test --doc` takes every block that is fenced as `rust`; nothing of this stands in the library.
 
@@ -10,6 +10,7 @@ macro_rules! pages {
 }
 
 pages! {
+    Readme = "../../README.md";
     GettingStarted = "getting-started.md";
     GeneratedCode = "generated-code.md";
     Parts = "language/parts.md";

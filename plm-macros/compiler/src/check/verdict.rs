@@ -45,7 +45,7 @@ pub(super) fn too_many_locks(
         )
         .note(format!("locked, and tied to each other by {}: {}", listed(&joints), listed(&tied)))
         .note(format!(
-            "F = 3 N - M = {} with {} locked",
+            "F = 3 N - M = {}, but {} are locked",
             3 * model.bodies.len() as isize - rows as isize,
             coordinates.len()
         ))

@@ -10,8 +10,9 @@ use plm_cas::{Count, Expr, Graph, Op, Ref, Tape};
 use super::names::Names;
 use crate::formulate::{Function, Place};
 
-/// rustc recurses over the terms of a statement; a longer one is cut by a `let`.
-const MOST_TERMS: usize = 12;
+/// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
+/// such values stays within 16.
+const MOST_TERMS: usize = 8;
 /// Angles whose sines and cosines are computed together.
 const LANES: usize = 8;
 
