@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use super::lines::{self, Bindings};
-use super::{Emission, blocks, push};
+use super::{Emission, blocks, piece, push};
 use crate::formulate::{Function, Place};
 use crate::model::{Body, Start};
 
@@ -111,7 +111,7 @@ fn body_start(emission: &Emission, body: &Body, bindings: &Bindings) -> String {
 /// An expression of parameters as one Rust expression; a block where it needs locals.
 pub(crate) fn inline(emission: &Emission, expr: Expr, bindings: &Bindings) -> String {
     if let Some(number) = emission.graph.as_number(expr) {
-        return lines::literal(number.to_f64());
+        return piece::literal(number.to_f64());
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use plm_cas::{Count, Expr, Graph, Op, Ref, Tape};
 
 use super::names::Names;
+use super::piece::{Piece, literal};
 use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
@@ -70,16 +71,6 @@ pub(crate) fn lower(graph: &Graph, function: &Function, bindings: &Bindings, res
         lowering.store(place, result);
     }
     lowering.finish()
-}
-
-/// Text of a value while it has no name.
-#[derive(Clone, Debug, Default)]
-struct Piece {
-    text: String,
-    /// 1 sum, 2 product, 3 negation, 4 atom.
-    strength: u8,
-    terms: usize,
-    reads: Vec<usize>,
 }
 
 struct Lowering<'a> {
@@ -331,62 +322,6 @@ fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
         }
     }
     uses
-}
-
-/// A constant of any scalar.
-pub(crate) fn literal(value: f64) -> String {
-    if value.is_finite() {
-        format!("lit({value:?})")
-    } else if value.is_nan() {
-        "lit(f64::NAN)".to_owned()
-    } else {
-        format!("lit({}f64::INFINITY)", if value < 0.0 { "-" } else { "" })
-    }
-}
-
-impl Piece {
-    fn atom(text: String) -> Piece {
-        Piece { text, strength: 4, terms: 1, reads: Vec::new() }
-    }
-
-    /// In brackets, unless it binds at least this strongly.
-    fn within(&self, strength: u8) -> String {
-        if self.strength >= strength { self.text.clone() } else { format!("({})", self.text) }
-    }
-
-    /// `self operator right`; equal strength on the right needs brackets, or the order would change.
-    fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
-        let text = format!("{}{operator}{}", self.within(strength), right.within(strength + 1));
-        Piece { text, strength, terms: self.terms + right.terms, reads: merged(&[self, right]) }
-    }
-
-    /// `self.function(arguments)`.
-    fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
-        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
-        let mut all = vec![self];
-        all.extend(arguments);
-        Piece {
-            text: format!("{}.{function}({})", self.within(4), listed.join(", ")),
-            strength: 4,
-            terms: all.iter().map(|piece| piece.terms).sum(),
-            reads: merged(&all),
-        }
-    }
-
-    /// `function(arguments)`.
-    fn call(function: &str, arguments: &[&Piece]) -> Piece {
-        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
-        Piece {
-            text: format!("{function}({})", listed.join(", ")),
-            strength: 4,
-            terms: arguments.iter().map(|piece| piece.terms).sum(),
-            reads: merged(arguments),
-        }
-    }
-}
-
-fn merged(pieces: &[&Piece]) -> Vec<usize> {
-    pieces.iter().flat_map(|piece| piece.reads.iter().copied()).collect()
 }
 
 impl Statement {

@@ -10,6 +10,7 @@ mod docs;
 mod lines;
 mod names;
 mod outputs;
+mod piece;
 mod system;
 mod types;
 

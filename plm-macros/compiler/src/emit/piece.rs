@@ -1,0 +1,70 @@
+//! Text of a value that stands where it is used.
+
+/// Text of a value while it has no name.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Piece {
+    /// Rust source.
+    pub(crate) text: String,
+    /// How strongly its outermost operation binds: 1 sum, 2 product, 3 negation, 4 atom.
+    pub(crate) strength: u8,
+    /// Leaves of the expression.
+    pub(crate) terms: usize,
+    /// Locals that it reads, by their numbers.
+    pub(crate) reads: Vec<usize>,
+}
+
+/// A constant of any scalar.
+pub(crate) fn literal(value: f64) -> String {
+    if value.is_finite() {
+        format!("lit({value:?})")
+    } else if value.is_nan() {
+        "lit(f64::NAN)".to_owned()
+    } else {
+        format!("lit({}f64::INFINITY)", if value < 0.0 { "-" } else { "" })
+    }
+}
+
+impl Piece {
+    pub(crate) fn atom(text: String) -> Piece {
+        Piece { text, strength: 4, terms: 1, reads: Vec::new() }
+    }
+
+    /// In brackets, unless it binds at least this strongly.
+    pub(crate) fn within(&self, strength: u8) -> String {
+        if self.strength >= strength { self.text.clone() } else { format!("({})", self.text) }
+    }
+
+    /// `self operator right`; equal strength on the right needs brackets, or the order would change.
+    pub(crate) fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
+        let text = format!("{}{operator}{}", self.within(strength), right.within(strength + 1));
+        Piece { text, strength, terms: self.terms + right.terms, reads: merged(&[self, right]) }
+    }
+
+    /// `self.function(arguments)`.
+    pub(crate) fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
+        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
+        let mut all = vec![self];
+        all.extend(arguments);
+        Piece {
+            text: format!("{}.{function}({})", self.within(4), listed.join(", ")),
+            strength: 4,
+            terms: all.iter().map(|piece| piece.terms).sum(),
+            reads: merged(&all),
+        }
+    }
+
+    /// `function(arguments)`.
+    pub(crate) fn call(function: &str, arguments: &[&Piece]) -> Piece {
+        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
+        Piece {
+            text: format!("{function}({})", listed.join(", ")),
+            strength: 4,
+            terms: arguments.iter().map(|piece| piece.terms).sum(),
+            reads: merged(arguments),
+        }
+    }
+}
+
+fn merged(pieces: &[&Piece]) -> Vec<usize> {
+    pieces.iter().flat_map(|piece| piece.reads.iter().copied()).collect()
+}
