@@ -103,7 +103,7 @@ fn run<M: Mechanism<S = f64>>(mechanism: M, h: f64, level: Level, steps: u32) {
         }
         black_box(sim.state().x());
     } else {
-        let (input, mut x) = (*sim.state().input(), *sim.state().x());
+        let (input, mut x) = (sim.state().held(), *sim.state().x());
         for step in 0..steps {
             black_box(Rk4Formula::plain_step(&mechanism, f64::from(step) * h, &input, &mut x, h));
         }

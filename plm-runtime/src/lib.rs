@@ -40,5 +40,5 @@ pub use operations::Operations;
 pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start};
-pub use system::{Drift, Health, System};
+pub use system::{Accepted, Drift, Health, System};
 pub use vector::Vector;

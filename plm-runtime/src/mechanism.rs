@@ -11,23 +11,28 @@ pub trait Moment: Copy {
     /// The mechanism.
     type M: System;
 
-    /// The mechanism at `time` under `input` in the state `x`.
+    /// The mechanism at `time` in the state `x`, with what is held over a step: inputs, chart, branches.
     fn new(
         mechanism: Self::M,
-        input: <Self::M as System>::U,
+        held: <Self::M as System>::U,
         time: <Self::M as System>::S,
         x: <Self::M as System>::X,
     ) -> Self;
     /// The mechanism and its parameters.
     fn mechanism(&self) -> &Self::M;
-    /// The inputs.
-    fn input(&self) -> &<Self::M as System>::U;
+    /// What is held over a step.
+    fn held(&self) -> <Self::M as System>::U;
     /// The time, s.
     fn time(&self) -> <Self::M as System>::S;
     /// The state.
     fn x(&self) -> &<Self::M as System>::X;
     /// Moves on to another time and state.
-    fn set(&mut self, time: <Self::M as System>::S, x: &<Self::M as System>::X);
+    fn set(
+        &mut self,
+        time: <Self::M as System>::S,
+        held: &<Self::M as System>::U,
+        x: &<Self::M as System>::X,
+    );
 }
 
 /// A mechanism that can be started.
@@ -35,14 +40,11 @@ pub trait Mechanism: System<S: Real> + Copy {
     /// The generated readable state.
     type State: Moment<M = Self>;
 
-    /// The inputs as declared.
-    fn start_input(&self) -> Self::U;
-
-    /// The assembled state at the time `t`.
+    /// The assembled state at the time `t`, with the inputs as declared.
     ///
     /// # Errors
     /// When the mechanism cannot be assembled, or when locks are redundant.
-    fn start_state(&self, t: Self::S) -> Result<Self::X, Fault>;
+    fn start_state(&self, t: Self::S) -> Result<(Self::U, Self::X), Fault>;
 
     /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 5(4).
     ///
@@ -59,7 +61,7 @@ pub trait Mechanism: System<S: Real> + Copy {
     fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {
         use crate::scalar::Scalar as _;
         let time = Self::S::lit(0.0);
-        let state = Self::State::new(self, self.start_input(), time, self.start_state(time)?);
-        Ok(Sim::new(state, method))
+        let (held, x) = self.start_state(time)?;
+        Ok(Sim::new(Self::State::new(self, held, time, x), method))
     }
 }

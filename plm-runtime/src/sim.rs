@@ -36,6 +36,10 @@ pub struct Stats {
     pub settled: u64,
     /// Evaluations that were done again by rank.
     pub by_rank: u64,
+    /// Changes of chart.
+    pub charts: u64,
+    /// Singular poses that were passed, where the mechanism could have gone on in another way.
+    pub change_points: u64,
     /// Longest accepted step, s.
     pub longest_step: f64,
 }
@@ -108,7 +112,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     pub fn settle(&mut self) -> Result<(), Fault> {
         let (time, mut x) = (self.state.time(), *self.state.x());
         self.state.mechanism().settle(time, &mut x)?;
-        self.state.set(time, &x);
+        let held = self.state.held();
+        self.state.set(time, &held, &x);
         self.stats.settled += 1;
         self.method.restart();
         Ok(())
@@ -167,23 +172,37 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return Err(self.bad_interval(end - time));
         }
         let Self { state, method, stats } = self;
-        let (system, input, x) = (state.mechanism(), state.input(), *state.x());
-        let mut course = Course { system, input, time, x, end, stats };
+        let (system, held, x) = (state.mechanism(), state.held(), *state.x());
+        let mut course = Course { system, held, time, x, end, stats };
         let mut outcome = if time < end { method.begin(&mut course) } else { Ok(()) };
         while outcome.is_ok() && course.time < end {
             outcome = method.advance(&mut course);
             if outcome.is_ok() {
                 outcome = observe(method, &course);
             }
+            if outcome.is_ok() && method.accepts() {
+                outcome = accept(method, &mut course);
+            }
         }
-        let (time, x) = (course.time, course.x);
-        state.set(time, &x);
+        let (time, held, x) = (course.time, course.held, course.x);
+        state.set(time, &held, &x);
         outcome
     }
 
     fn bad_interval(&self, length: M::S) -> Fault {
         Fault::new(self.state.time().to_f64(), Cause::Interval { length: length.to_f64() })
     }
+}
+
+/// Lets the system look at the state reached.
+fn accept<M: Mechanism, I: Method<M>>(method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    let accepted = course.system.accept(course.time, &mut course.held, &mut course.x)?;
+    course.stats.charts += u64::from(accepted.moved);
+    course.stats.change_points += u64::from(accepted.passed);
+    if accepted.moved {
+        method.restart();
+    }
+    Ok(())
 }
 
 /// Puts `moment` at a time within the last step, onto the constraints.
@@ -198,7 +217,7 @@ fn sample_at<M: Mechanism, I: Method<M>>(
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
         course.system.settle(time, &mut x)?;
     }
-    moment.set(time, &x);
+    moment.set(time, &course.held, &x);
     Ok(())
 }
 

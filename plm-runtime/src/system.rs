@@ -10,7 +10,7 @@ pub trait System {
     type S: Scalar;
     /// The state and its rate: [q (NQ), v (NQ), first-order states], SI units.
     type X: Vector<Self::S>;
-    /// The inputs, held over a step.
+    /// What is held over a step: the inputs, and what the formulation remembers (its chart, the branch of each loop).
     type U: Copy;
     /// The switching conditions.
     type G: Vector<Self::S>;
@@ -45,6 +45,15 @@ pub trait System {
         Drift { phi: Self::S::lit(0.0), phi_dot: Self::S::lit(0.0) }
     }
 
+    /// Looks at an accepted state and brings what is held over the next step up to date: charts, branches of loops.
+    ///
+    /// # Errors
+    /// When the state cannot be the continuation of the one before.
+    fn accept(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<Accepted, Fault> {
+        let _ = (t, u, x);
+        Ok(Accepted::default())
+    }
+
     /// Values that change sign where the equations switch.
     fn guards(&self, t: Self::S, x: &Self::X, g: &mut Self::G) {
         let _ = (t, x, g);
@@ -65,6 +74,15 @@ pub trait System {
         let _ = index;
         ""
     }
+}
+
+/// What [`System::accept`] did to a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Accepted {
+    /// The state was mapped to another chart: rates that were kept belong to the old one.
+    pub moved: bool,
+    /// A singular pose was passed, where the mechanism could have gone on in another way.
+    pub passed: bool,
 }
 
 /// Smallest pivot of a solution without pivoting, over its diagonal entry before elimination: 1 is perfect, 0 singular.

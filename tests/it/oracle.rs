@@ -73,7 +73,7 @@ fn compare<M: Mechanism<S = f64>>(mechanism: M, text: &str) {
     let mut sim = mechanism.start().unwrap();
     for _ in 0..20 {
         let (state, mut dx) = (*sim.state(), *sim.state().x());
-        let health = mechanism.rate(state.time(), state.input(), state.x(), &mut dx);
+        let health = mechanism.rate(state.time(), &state.held(), state.x(), &mut dx);
         let x: Vec<f64> = (0..oracle.states()).map(|k| plm::runtime::Vector::at(state.x(), k)).collect();
         let expected = oracle.dynamics(state.time(), &x);
         for k in 0..oracle.states() {

@@ -22,18 +22,17 @@ mod flat {
 
 #[test]
 fn near_the_flat_pose_the_rank_revealing_solution_keeps_the_digits() {
-    use plm::{Mechanism, Moment, System};
+    use plm::{Mechanism, System};
     let mut lost = 0.0_f64;
     for distance in [1e-1, 1e-2, 1e-3, 1e-5, 1e-7] {
         let mut mechanism = flat::Parallelogram::new();
         mechanism.start.left.angle = Start::locked(distance);
         mechanism.start.top.y = Start::free(distance);
         mechanism.start.right.angle = Start::free(distance);
-        let x = mechanism.start_state(0.0).unwrap();
-        let state = <flat::parallelogram::State as Moment>::new(mechanism, mechanism.start_input(), 0.0, x);
+        let (held, x) = mechanism.start_state(0.0).unwrap();
         let (mut straight, mut by_rank) = (x, x);
-        let health = mechanism.rate(0.0, state.input(), &x, &mut straight);
-        mechanism.rate_by_rank(0.0, state.input(), &x, &mut by_rank).unwrap();
+        let health = mechanism.rate(0.0, &held, &x, &mut straight);
+        mechanism.rate_by_rank(0.0, &held, &x, &mut by_rank).unwrap();
         // It turns at constant speed; what is left of 1 rad/s^2 is the rounding of the pose over the distance.
         let angular = [by_rank[11], by_rank[14], by_rank[17]];
         assert!(angular.iter().all(|alpha| alpha.abs() < 1e-6), "{distance}: {angular:?}");

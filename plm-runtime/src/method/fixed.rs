@@ -88,7 +88,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     #[inline]
     fn step<M: System<S = S>>(&mut self, course: &mut Course<'_, M>, x: &mut M::X) -> Result<(), Fault> {
         if !self.careful {
-            let health = F::plain_step(course.system, course.time, course.input, x, self.plan.h);
+            let health = F::plain_step(course.system, course.time, &course.held, x, self.plan.h);
             course.stats.evaluations += F::STAGES;
             if health.is_good() {
                 return Ok(());
@@ -196,6 +196,10 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
 
     fn restart(&mut self) {
         self.until_check = 0;
+    }
+
+    fn accepts(&self) -> bool {
+        self.until_check == self.check_every || self.careful
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {

@@ -50,6 +50,11 @@ pub trait Method<M: System>: Copy {
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
     fn restart(&mut self);
 
+    /// Whether the state reached is to be looked at by [`System::accept`]; a method with cheap steps may leave some out.
+    fn accepts(&self) -> bool {
+        true
+    }
+
     /// The drift above which a state is settled.
     fn drift_limit(&self, system: &M) -> Drift<M::S>;
 }
@@ -58,8 +63,8 @@ pub trait Method<M: System>: Copy {
 pub struct Course<'a, M: System> {
     /// The equations.
     pub system: &'a M,
-    /// The inputs, held.
-    pub input: &'a M::U,
+    /// What is held over the step: inputs, chart, branches.
+    pub held: M::U,
     /// The time reached, s.
     pub time: M::S,
     /// The state reached.
@@ -79,7 +84,7 @@ impl<M: System> Course<'_, M> {
     /// The rate at `(t, x)`, by rank where it is unhealthy.
     fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         self.stats.evaluations += 1;
-        if self.system.rate(t, self.input, x, dx).is_good() {
+        if self.system.rate(t, &self.held, x, dx).is_good() {
             return Ok(());
         }
         // What is not a number makes every matrix look singular; it is named for what it is.
@@ -87,7 +92,7 @@ impl<M: System> Course<'_, M> {
             return Err(not_finite(self.system, t, x));
         }
         self.stats.by_rank += 1;
-        self.system.rate_by_rank(t, self.input, x, dx)
+        self.system.rate_by_rank(t, &self.held, x, dx)
     }
 
     /// Projects a state onto the constraints.

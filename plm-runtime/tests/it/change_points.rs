@@ -32,9 +32,8 @@ impl System for Equivalent {
 impl Mechanism for Equivalent {
     type State = At<Self>;
 
-    fn start_input(&self) {}
-    fn start_state(&self, _t: f64) -> Result<[f64; 2], Fault> {
-        Ok(self.start)
+    fn start_state(&self, _t: f64) -> Result<(Self::U, [f64; 2]), Fault> {
+        Ok(((), self.start))
     }
 }
 

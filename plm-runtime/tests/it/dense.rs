@@ -65,7 +65,7 @@ fn a_changed_input_is_felt_at_once() {
     let mut sim = oscillator().start_with(Dopri5::new(1e-10)).unwrap();
     sim.step(1.0).unwrap();
     let evaluations = sim.stats().evaluations;
-    sim.input = 1.0;
+    sim.held = 1.0;
     sim.step(1.0).unwrap();
     let expected = crate::oscillator::exact(2.0)[0] + 1.0 - 1.0_f64.cos();
     assert!((sim.x[0] - expected).abs() < 1e-8, "{}", sim.x[0] - expected);

@@ -28,9 +28,8 @@ impl System for BlowUp {
 impl Mechanism for BlowUp {
     type State = At<Self>;
 
-    fn start_input(&self) {}
-    fn start_state(&self, _t: f64) -> Result<[f64; 1], Fault> {
-        Ok([1.0])
+    fn start_state(&self, _t: f64) -> Result<(Self::U, [f64; 1]), Fault> {
+        Ok(((), [1.0]))
     }
 }
 

@@ -195,7 +195,7 @@ pub fn pose<S: Real>(x: f64, y: f64, angle: f64) -> BodyStart<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct At<M: plm_runtime::System> {
     pub mechanism: M,
-    pub input: M::U,
+    pub held: M::U,
     pub time: M::S,
     pub x: M::X,
 }
@@ -203,14 +203,14 @@ pub struct At<M: plm_runtime::System> {
 impl<M: plm_runtime::System + Copy> plm_runtime::Moment for At<M> {
     type M = M;
 
-    fn new(mechanism: M, input: M::U, time: M::S, x: M::X) -> Self {
-        Self { mechanism, input, time, x }
+    fn new(mechanism: M, held: M::U, time: M::S, x: M::X) -> Self {
+        Self { mechanism, held, time, x }
     }
     fn mechanism(&self) -> &M {
         &self.mechanism
     }
-    fn input(&self) -> &M::U {
-        &self.input
+    fn held(&self) -> M::U {
+        self.held
     }
     fn time(&self) -> M::S {
         self.time
@@ -218,8 +218,8 @@ impl<M: plm_runtime::System + Copy> plm_runtime::Moment for At<M> {
     fn x(&self) -> &M::X {
         &self.x
     }
-    fn set(&mut self, time: M::S, x: &M::X) {
-        (self.time, self.x) = (time, *x);
+    fn set(&mut self, time: M::S, held: &M::U, x: &M::X) {
+        (self.time, self.held, self.x) = (time, *held, *x);
     }
 }
 
@@ -314,12 +314,11 @@ macro_rules! linkage {
         impl<S: plm_runtime::Real> plm_runtime::Mechanism for $name<S> {
             type State = $crate::linkage::At<Self>;
 
-            fn start_input(&self) {}
-            fn start_state(&self, t: S) -> Result<Self::X, plm_runtime::Fault> {
+            fn start_state(&self, t: S) -> Result<(Self::U, Self::X), plm_runtime::Fault> {
                 let assembly = plm_runtime::absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 2 * $nq];
                 plm_runtime::absolute::join(&assembly.q, &assembly.v, &mut x);
-                Ok(x)
+                Ok(((), x))
             }
         }
     };

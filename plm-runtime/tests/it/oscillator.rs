@@ -28,11 +28,8 @@ impl<S: Real> System for Oscillator<S> {
 impl<S: Real> Mechanism for Oscillator<S> {
     type State = At<Self>;
 
-    fn start_input(&self) -> f64 {
-        0.0
-    }
-    fn start_state(&self, _t: S) -> Result<[S; 3], Fault> {
-        Ok(exact(0.0).map(S::lit))
+    fn start_state(&self, _t: S) -> Result<(Self::U, [S; 3]), Fault> {
+        Ok((0.0, exact(0.0).map(S::lit)))
     }
 }
 

@@ -91,7 +91,7 @@ fn moments<M: Mechanism>(
 
     let state = sim.state();
     let mut rate = *state.x();
-    mechanism.rate_by_rank(state.time(), state.input(), state.x(), &mut rate)?;
+    mechanism.rate_by_rank(state.time(), &state.held(), state.x(), &mut rate)?;
     emit_all(state.time(), &rate);
     Ok(())
 }

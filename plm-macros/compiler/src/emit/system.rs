@@ -144,14 +144,14 @@ fn mechanism(text: &mut String, emission: &Emission) {
             "    impl<S: Real> rt::Moment for State<S> {{
         type M = {name}<S>;
 
-        fn new(mechanism: {name}<S>, input: Input<S>, time: S, x: [S; {length}]) -> Self {{
-            State {{ mechanism, input, time, x }}
+        fn new(mechanism: {name}<S>, held: Input<S>, time: S, x: [S; {length}]) -> Self {{
+            State {{ mechanism, input: held, time, x }}
         }}
         fn mechanism(&self) -> &{name}<S> {{
             &self.mechanism
         }}
-        fn input(&self) -> &Input<S> {{
-            &self.input
+        fn held(&self) -> Input<S> {{
+            self.input
         }}
         fn time(&self) -> S {{
             self.time
@@ -159,8 +159,9 @@ fn mechanism(text: &mut String, emission: &Emission) {
         fn x(&self) -> &[S; {length}] {{
             &self.x
         }}
-        fn set(&mut self, time: S, x: &[S; {length}]) {{
+        fn set(&mut self, time: S, held: &Input<S>, x: &[S; {length}]) {{
             self.time = time;
+            self.input = *held;
             self.x = *x;
         }}
     }}
@@ -168,11 +169,7 @@ fn mechanism(text: &mut String, emission: &Emission) {
     impl<S: Real> rt::Mechanism for {name}<S> {{
         type State = State<S>;
 
-        fn start_input(&self) -> Input<S> {{
-            self.declared_input()
-        }}
-
-        fn start_state(&self, t: S) -> Result<[S; {length}], Fault> {{
+        fn start_state(&self, t: S) -> Result<(Input<S>, [S; {length}]), Fault> {{
             let assembly = absolute::assemble(self, t)?;
             let mut x = [S::lit(0.0); {length}];
             absolute::join(&assembly.q, &assembly.v, &mut x);
@@ -182,7 +179,7 @@ fn mechanism(text: &mut String, emission: &Emission) {
     for (k, field) in fields.states.iter().enumerate() {
         push(text, format_args!("            x[{}] = self.start.{field};\n", 2 * equations.q.len() + k));
     }
-    text.push_str("            Ok(x)\n        }\n    }\n\n");
+    text.push_str("            Ok((self.declared_input(), x))\n        }\n    }\n\n");
 }
 
 /// `Absolute`: the constraints, for assembly, projection and the fallback.
