@@ -11,4 +11,5 @@ mod oracle;
 mod physics;
 mod references;
 mod robust;
+mod rungs;
 mod scenes;

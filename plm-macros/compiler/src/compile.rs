@@ -4,12 +4,12 @@ use plm_cas::Graph;
 
 use crate::check;
 use crate::derive::{Equations, derive};
-use crate::diag::Diagnostics;
+use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
-use crate::formulate::{Absolute, formulate};
+use crate::formulate::{Absolute, Reduced, formulate, reduce};
 use crate::front;
-use crate::model::Model;
+use crate::model::{Model, Rung, Stabilisation};
 use crate::oracle::Oracle;
 use crate::report::Report;
 use crate::token::Sources;
@@ -60,22 +60,25 @@ fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
     if sink.has_errors() {
         return Expansion::default();
     }
-    let Lowered { model, graph, equations, program } = lower(model);
-    let defaults = check::defaults(&model, &graph);
-    let mut report = Report::new(&model, &equations, &program, &graph, &defaults);
-    check::check_assembly(&model, &equations, &program, &graph, &mut report, sink);
+    let lowered = lower(model);
+    if let (Some((Rung::Tree, span)), Err(reason)) = (lowered.model.rung, &lowered.reduced) {
+        sink.error(Problem::NoRung, span, format!("there is no `tree` of this mechanism: {reason}"))
+            .help("leave `rung` out: the least formulation is taken, and the report says which and why");
+    }
+    let mut report = lowered.report();
+    let Lowered { model, graph, equations, program, .. } = &lowered;
+    check::check_assembly(model, equations, program, graph, &mut report, sink);
     sink.allow(&model.allowed);
-    let code = emit::emit(&model, &graph, &equations, &program, &report);
-    let oracle = Oracle { model, graph, equations, program };
+    let code = lowered.emit(&report);
+    let Lowered { model, graph, equations, program, reduced } = lowered;
+    let oracle = Oracle { model, graph, equations, program, reduced: reduced.ok() };
     Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() }
 }
 
 /// The source of a model that stands for one with errors; nothing about it is checked.
 fn unchecked(model: Model) -> Code {
-    let Lowered { model, graph, equations, program } = lower(model);
-    let defaults = check::defaults(&model, &graph);
-    let report = Report::new(&model, &equations, &program, &graph, &defaults);
-    emit::emit(&model, &graph, &equations, &program, &report)
+    let lowered = lower(model);
+    lowered.emit(&lowered.report())
 }
 
 /// A model on the way to source text.
@@ -83,12 +86,33 @@ struct Lowered {
     model: Model,
     graph: Graph,
     equations: Equations,
+    /// Rung 5, which assembly, reactions and the fallback need on every rung.
     program: Absolute,
+    /// The rung above it that is taken, or why there is none.
+    reduced: Result<Reduced, String>,
 }
 
 fn lower(mut model: Model) -> Lowered {
     let mut graph = std::mem::take(&mut model.graph);
     let equations = derive(&model, &mut graph);
     let program = formulate(&model, &equations, &mut graph);
-    Lowered { model, graph, equations, program }
+    let reduced = match (model.rung, model.stabilisation) {
+        (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
+        (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
+        _ => reduce(&model, &equations, &mut graph),
+    };
+    Lowered { model, graph, equations, program, reduced }
+}
+
+impl Lowered {
+    fn report(&self) -> Report {
+        let defaults = check::defaults(&self.model, &self.graph);
+        let formulation = self.reduced.as_ref().map_err(String::as_str);
+        Report::new(&self.model, &self.equations, &self.program, formulation, &self.graph, &defaults)
+    }
+
+    fn emit(&self, report: &Report) -> Code {
+        let Lowered { model, graph, equations, program, reduced } = self;
+        emit::emit(model, graph, equations, program, reduced.as_ref().ok(), report)
+    }
 }

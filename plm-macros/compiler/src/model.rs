@@ -28,6 +28,8 @@ pub struct Model {
     pub time: Expr,
     /// Gravity, m/s^2, positive downwards along -y.
     pub gravity: Expr,
+    /// The rung that the user ordered, and where.
+    pub rung: Option<(Rung, Span)>,
     /// How constraints are kept.
     pub stabilisation: Stabilisation,
     /// Fields that can change between runs.
@@ -68,6 +70,25 @@ pub enum Stabilisation {
     Projection,
     /// Baumgarte's method with `alpha = beta = 1 / tau`; `tau` in s, a constant or parameter expression.
     Baumgarte(Expr),
+}
+
+/// Rungs of the ladder of formulations that can be ordered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rung {
+    /// Rung 2: joint coordinates of a tree.
+    Tree,
+    /// Rung 5: absolute coordinates and multipliers.
+    Absolute,
+}
+
+impl Rung {
+    /// The rungs as the language names them.
+    pub const NAMES: [(&'static str, Rung); 2] = [("tree", Rung::Tree), ("absolute", Rung::Absolute)];
+
+    /// The rung of a name.
+    pub fn named(name: &str) -> Option<Rung> {
+        Rung::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
+    }
 }
 
 /// A `param`: a field of the generated type.

@@ -3,7 +3,7 @@
 use plm_cas::{Expr, Graph, Tape};
 
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Function};
+use crate::formulate::{Absolute, Function, Reduced};
 use crate::model::Model;
 
 /// A compiled mechanism that can be evaluated without rustc.
@@ -13,12 +13,26 @@ pub struct Oracle {
     pub(crate) graph: Graph,
     pub(crate) equations: Equations,
     pub(crate) program: Absolute,
+    pub(crate) reduced: Option<Reduced>,
 }
 
 impl Oracle {
-    /// Length of the state `[q, v, first-order states]`.
+    /// Length of the state in absolute coordinates, `[q, v, first-order states]`.
     pub fn states(&self) -> usize {
         2 * self.equations.q.len() + self.equations.x.len()
+    }
+
+    /// Length of the state on the rung that was taken, `[y, y', first-order states]`.
+    pub fn reduced_states(&self) -> Option<usize> {
+        self.reduced.as_ref().map(|reduced| 2 * reduced.y.len() + self.equations.x.len())
+    }
+
+    /// `dx` on the rung that was taken, if that is above 5; `x` has [`Oracle::reduced_states`] values.
+    pub fn rate(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
+        let reduced = self.reduced.as_ref()?;
+        let symbols: Vec<Expr> =
+            reduced.y.iter().chain(&reduced.y_dot).chain(&self.equations.x).copied().collect();
+        Some(self.run_at(&reduced.rate, time, &symbols, x))
     }
 
     /// Number of constraint rows.
@@ -42,11 +56,16 @@ impl Oracle {
     }
 
     fn run(&self, function: &Function, time: f64, x: &[f64]) -> Vec<f64> {
+        let Equations { q, v, x: first_order, .. } = &self.equations;
+        let symbols: Vec<Expr> = q.iter().chain(v).chain(first_order).copied().collect();
+        self.run_at(function, time, &symbols, x)
+    }
+
+    fn run_at(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
         let mut values: Vec<(Expr, f64)> = crate::check::defaults(&self.model, &self.graph);
         values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
         values.push((self.model.time, time));
-        let symbols = self.equations.q.iter().chain(&self.equations.v).chain(&self.equations.x);
-        values.extend(symbols.copied().zip(x.iter().copied()));
+        values.extend(symbols.iter().copied().zip(x.iter().copied()));
         let results: Vec<Expr> = function.roots();
         let tape = Tape::new(&self.graph, &results);
         let mut all = crate::check::run(&tape, &values);

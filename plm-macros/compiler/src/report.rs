@@ -4,7 +4,7 @@ use plm_cas::{Count, Expr, Graph, Tape};
 
 use crate::check::Assembly;
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Function};
+use crate::formulate::{Absolute, Function, Reduced};
 use crate::model::{Model, Stabilisation};
 
 /// Degrees per radian.
@@ -31,8 +31,10 @@ pub struct Report {
     pub freedom: isize,
     /// Rank of `phi_q` with the position locks, and the number of locks, where they are known at compile time.
     pub rank: Option<(usize, usize)>,
-    /// How the constraints are kept.
-    pub stabilisation: &'static str,
+    /// The rung that was taken, and why.
+    pub formulation: Vec<String>,
+    /// Numbers in the state.
+    pub state: usize,
     /// Size of the scene, m.
     pub length: f64,
     /// Operations of one right-hand side.
@@ -49,6 +51,7 @@ impl Report {
         model: &Model,
         equations: &Equations,
         program: &Absolute,
+        reduced: Result<&Reduced, &str>,
         graph: &Graph,
         values: &[(Expr, f64)],
     ) -> Report {
@@ -65,12 +68,10 @@ impl Report {
             states: equations.x.len(),
             freedom: equations.q.len() as isize - equations.phi.len() as isize,
             rank: None,
-            stabilisation: match model.stabilisation {
-                Stabilisation::Projection => "projection",
-                Stabilisation::Baumgarte(_) => "Baumgarte",
-            },
+            formulation: formulation(model, reduced),
+            state: reduced.map_or(2 * equations.q.len(), |reduced| 2 * reduced.y.len()) + equations.x.len(),
             length: length(model, graph, values),
-            rate: count(&program.dynamics),
+            rate: count(reduced.map_or(&program.dynamics, |reduced| &reduced.rate)),
             functions: vec![
                 ("phi", count(&program.phi)),
                 ("phi_dot", count(&program.phi_dot)),
@@ -129,17 +130,14 @@ impl Report {
 
     /// Lines for the documentation of the generated module.
     pub(crate) fn summary(&self) -> Vec<String> {
-        vec![
-            format!(
-                "{} bodies, {} parts: {} coordinates, {} constraint rows, F = 3 N - M = {}.",
-                self.bodies, self.parts, self.coordinates, self.constraints, self.freedom
-            ),
-            format!(
-                "Rung 5: absolute coordinates and multipliers, kept on the constraints by {}.",
-                self.stabilisation
-            ),
-            format!("One right-hand side: {}.", self.rate),
-        ]
+        let mut lines = vec![format!(
+            "{} bodies, {} parts: {} coordinates, {} constraint rows, F = 3 N - M = {}.",
+            self.bodies, self.parts, self.coordinates, self.constraints, self.freedom
+        )];
+        lines.extend(self.formulation.iter().cloned());
+        lines.push(format!("State: {} numbers, {} bytes in f64.", self.state, 8 * self.state));
+        lines.push(format!("One right-hand side: {}.", self.rate));
+        lines
     }
 }
 
@@ -153,6 +151,25 @@ impl std::fmt::Display for Report {
             writeln!(f, "  {name}: {count}")?;
         }
         Ok(())
+    }
+}
+
+/// The rung, and why it was taken.
+fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
+    match reduced {
+        Ok(reduced) => vec![
+            "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.".to_owned(),
+            format!("Coordinates: {}.", reduced.names.join(", ")),
+        ],
+        Err(reason) => {
+            let kept = match model.stabilisation {
+                Stabilisation::Projection => "projection",
+                Stabilisation::Baumgarte(_) => "Baumgarte's method",
+            };
+            vec![format!(
+                "Rung 5: absolute coordinates and multipliers, kept on the constraints by {kept}, because {reason}."
+            )]
+        }
     }
 }
 

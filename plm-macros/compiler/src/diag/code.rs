@@ -82,6 +82,7 @@ catalogue! {
     TooManyLocks = "E0502", "there are more locks than degrees of freedom";
     NotAssembled = "E0503", "the mechanism cannot be assembled";
     NoBody = "E0504", "the mechanism has no body";
+    NoRung = "E0505", "a formulation that does not hold the mechanism";
 
     // W0: warnings.
     RedundantConstraint = "W0001", "a constraint says what others say already";

@@ -149,14 +149,20 @@ fn constraints(text: &mut String, emission: &Emission) {
 }
 
 /// What surrounds the statements of a function.
-struct Shape<'a> {
-    docs: &'a [&'a str],
-    attribute: &'a str,
-    signature: &'a str,
-    arguments: &'a [&'a str],
+pub(super) struct Shape<'a> {
+    pub(super) docs: &'a [&'a str],
+    pub(super) attribute: &'a str,
+    pub(super) signature: &'a str,
+    pub(super) arguments: &'a [&'a str],
 }
 
-fn write(text: &mut String, emission: &Emission, function: &Function, origin: Origin, shape: &Shape) {
+pub(super) fn write(
+    text: &mut String,
+    emission: &Emission,
+    function: &Function,
+    origin: Origin,
+    shape: &Shape,
+) {
     let mut reserved = vec!["lit"];
     reserved.extend(shape.arguments);
     let lines: Lines = lines::lower(emission.graph, function, &emission.bindings(origin), &reserved);

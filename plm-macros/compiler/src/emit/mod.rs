@@ -11,6 +11,7 @@ mod lines;
 mod names;
 mod outputs;
 mod piece;
+mod reduced;
 mod system;
 mod types;
 
@@ -19,7 +20,7 @@ use std::fmt::Write;
 use plm_cas::{Expr, Graph};
 
 use crate::derive::Equations;
-use crate::formulate::Absolute;
+use crate::formulate::{Absolute, Reduced};
 use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
@@ -53,6 +54,8 @@ pub(crate) struct Emission<'a> {
     pub(crate) graph: &'a Graph,
     pub(crate) equations: &'a Equations,
     pub(crate) program: &'a Absolute,
+    /// The rung above 5 that was taken.
+    pub(crate) reduced: Option<&'a Reduced>,
     pub(crate) report: &'a Report,
     /// Name of the type.
     pub(crate) name: String,
@@ -100,12 +103,13 @@ impl Fields {
     }
 }
 
-/// Emits a mechanism on rung 5.
+/// Emits a mechanism on rung 5, or on the one above that is given.
 pub(crate) fn emit(
     model: &Model,
     graph: &Graph,
     equations: &Equations,
     program: &Absolute,
+    reduced: Option<&Reduced>,
     report: &Report,
 ) -> Code {
     let emission = Emission {
@@ -113,6 +117,7 @@ pub(crate) fn emit(
         graph,
         equations,
         program,
+        reduced,
         report,
         name: names::ident(&model.name.text),
         fields: Fields::new(model),
@@ -122,6 +127,7 @@ pub(crate) fn emit(
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
+    implementation.push_str(&reduced::emit(&emission));
     Code {
         before: before(model),
         module: docs::module(&emission),
@@ -158,11 +164,24 @@ pub(crate) enum Origin {
     Arguments,
     /// `self` is the mechanism; coordinates and velocities are arguments `q`, `v`.
     Pose,
-    /// `self` is a `State`.
+    /// `self` is a `State`; on a rung above 5 the pose is in the locals `q`, `v`.
     State,
+    /// `self` is the mechanism; `x` is the state on a rung above 5.
+    Reduced,
 }
 
 impl Emission<'_> {
+    /// Numbers in the state, and how many of them stand before the first-order states.
+    pub(crate) fn state_length(&self) -> (usize, usize) {
+        let second_order = 2 * self.reduced.map_or(self.equations.q.len(), |reduced| reduced.y.len());
+        (second_order + self.equations.x.len(), second_order)
+    }
+
+    /// The line that gives an accessor of `State` the pose, where that is not the state itself.
+    pub(crate) fn pose_line(&self) -> &'static str {
+        if self.reduced.is_some() { "            let (q, v) = self.pose();\n" } else { "" }
+    }
+
     /// Source text of the parameters, where `self` is the mechanism.
     pub(crate) fn parameters(&self) -> lines::Bindings {
         let params = self.model.params.iter().zip(&self.fields.params);
@@ -174,7 +193,7 @@ impl Emission<'_> {
         let mut bindings = lines::Bindings::new();
         let Emission { model, equations, fields, .. } = self;
         let (mechanism, input, state, time) = match origin {
-            Origin::Arguments | Origin::Pose => ("self", "u", "x", "t"),
+            Origin::Arguments | Origin::Pose | Origin::Reduced => ("self", "u", "x", "t"),
             Origin::State => ("self.mechanism", "self.input", "self.x", "self.time"),
         };
         for (param, field) in model.params.iter().zip(&fields.params) {
@@ -190,12 +209,22 @@ impl Emission<'_> {
                 bindings.insert(symbol, format!("{array}[{}]", offset + k));
             }
         };
-        match origin {
-            Origin::Pose => {
+        match (origin, self.reduced) {
+            (Origin::Pose, _) => {
                 bind(&equations.q, "q", 0);
                 bind(&equations.v, "v", 0);
             }
-            Origin::Arguments | Origin::State => {
+            (Origin::State, Some(reduced)) => {
+                bind(&equations.q, "q", 0);
+                bind(&equations.v, "v", 0);
+                bind(&equations.x, state, 2 * reduced.y.len());
+            }
+            (Origin::Reduced, Some(reduced)) => {
+                bind(&reduced.y, state, 0);
+                bind(&reduced.y_dot, state, reduced.y.len());
+                bind(&equations.x, state, 2 * reduced.y.len());
+            }
+            _ => {
                 bind(&equations.q, state, 0);
                 bind(&equations.v, state, nq);
                 bind(&equations.x, state, 2 * nq);

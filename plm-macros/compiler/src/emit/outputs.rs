@@ -35,22 +35,26 @@ fn poses(text: &mut String, emission: &Emission) {
     let Emission { model, fields, equations, .. } = emission;
     let nq = equations.q.len();
     for (k, (body, field)) in model.bodies.iter().zip(&fields.bodies).enumerate() {
-        let (q, v) = (3 * k, nq + 3 * k);
+        let (q, v, i, j) = if emission.reduced.is_some() {
+            ("q", "v", 3 * k, 3 * k)
+        } else {
+            ("self.x", "self.x", 3 * k, nq + 3 * k)
+        };
         push(
             text,
             format_args!(
                 "        /// Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.
         pub fn {field}(&self) -> BodyState<S> {{
-            let x = &self.x;
-            BodyState {{ x: x[{q}], y: x[{}], angle: x[{}], vx: x[{v}], vy: x[{}], omega: x[{}] }}
+{}            BodyState {{ x: {q}[{i}], y: {q}[{}], angle: {q}[{}], vx: {v}[{j}], vy: {v}[{}], omega: {v}[{}] }}
         }}
 
 ",
                 body.name.text,
-                q + 1,
-                q + 2,
-                v + 1,
-                v + 2
+                emission.pose_line(),
+                i + 1,
+                i + 2,
+                j + 1,
+                j + 2
             ),
         );
     }
@@ -77,8 +81,9 @@ fn user_output(text: &mut String, emission: &Emission, index: usize) {
 
 fn function_body(emission: &Emission, function: &Function) -> String {
     let bindings = emission.bindings(Origin::State);
-    let lines = lines::lower(emission.graph, function, &bindings, &["lit", "value", "a", "lambda"]);
-    blocks::with_literals(&lines, 12)
+    let reserved = ["lit", "value", "a", "lambda", "q", "v"];
+    let lines = lines::lower(emission.graph, function, &bindings, &reserved);
+    format!("{}{}", emission.pose_line(), blocks::with_literals(&lines, 12))
 }
 
 /// The turns that tell the mirror images of loops apart.

@@ -1,6 +1,6 @@
 //! The contracts of the runtime, implemented for the mechanism.
 
-use super::{Emission, defaults, push};
+use super::{Emission, defaults, push, reduced};
 use crate::formulate::coordinate_name;
 use crate::model::Stabilisation;
 
@@ -19,7 +19,11 @@ pub(crate) fn emit(emission: &Emission) -> String {
             "    /// What assembly found.\n    pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;\n\n"
         ),
     );
-    system(&mut text, emission);
+    if emission.reduced.is_some() {
+        reduced::system(&mut text, emission);
+    } else {
+        system(&mut text, emission);
+    }
     mechanism(&mut text, emission);
     constraints(&mut text, emission);
     solved(&mut text, emission);
@@ -136,8 +140,13 @@ fn typical(text: &mut String, emission: &Emission) {
 
 /// `Moment` for the state and `Mechanism` for the mechanism.
 fn mechanism(text: &mut String, emission: &Emission) {
-    let Emission { name, equations, fields, .. } = emission;
-    let length = 2 * equations.q.len() + equations.x.len();
+    let Emission { name, fields, .. } = emission;
+    let (length, second_order) = emission.state_length();
+    let begin = if emission.reduced.is_some() {
+        "self.project(t, &assembly.q, &assembly.v, &mut x)"
+    } else {
+        "absolute::join(&assembly.q, &assembly.v, &mut x)"
+    };
     push(
         text,
         format_args!(
@@ -172,12 +181,12 @@ fn mechanism(text: &mut String, emission: &Emission) {
         fn start_state(&self, t: S) -> Result<(Input<S>, [S; {length}]), Fault> {{
             let assembly = absolute::assemble(self, t)?;
             let mut x = [S::lit(0.0); {length}];
-            absolute::join(&assembly.q, &assembly.v, &mut x);
+            {begin};
 "
         ),
     );
     for (k, field) in fields.states.iter().enumerate() {
-        push(text, format_args!("            x[{}] = self.start.{field};\n", 2 * equations.q.len() + k));
+        push(text, format_args!("            x[{}] = self.start.{field};\n", second_order + k));
     }
     text.push_str("            Ok((self.declared_input(), x))\n        }\n    }\n\n");
 }
@@ -269,6 +278,7 @@ fn solved(text: &mut String, emission: &Emission) {
     let Emission { name, equations, .. } = emission;
     let (nq, nc) = (equations.q.len(), equations.phi.len());
     let length = 2 * nq + equations.x.len();
+    let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
     push(text, format_args!(
         "    impl<S: Real> {name}<S> {{
         /// Accelerations and multipliers by a rank-revealing decomposition.
@@ -288,9 +298,10 @@ fn solved(text: &mut String, emission: &Emission) {
         /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
         fn solved(&self) -> ([S; {nq}], [S; {nc}]) {{
             let (mut dx, mut lambda) = ([S::lit(0.0); {length}], [S::lit(0.0); {nc}]);
-            let health = self.mechanism.dynamics(self.time, &self.input, &self.x, &mut dx, &mut lambda);
+            let x = {absolute};
+            let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
             if !rt::Health(health).is_good() {{
-                if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &self.x) {{
+                if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {{
                     return (solution.a, solution.lambda);
                 }}
             }}
@@ -300,7 +311,7 @@ fn solved(text: &mut String, emission: &Emission) {
 
         /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
         pub fn undetermined(&self) -> [bool; {nc}] {{
-            match self.mechanism.accelerate(self.time, &self.input, &self.x) {{
+            match self.mechanism.accelerate(self.time, &self.input, &{absolute}) {{
                 Ok(solution) => solution.undetermined,
                 Err(_) => [true; {nc}],
             }}

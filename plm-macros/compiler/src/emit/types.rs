@@ -69,8 +69,8 @@ fn inputs(text: &mut String, emission: &Emission) {
 }
 
 fn state(text: &mut String, emission: &Emission) {
-    let Emission { name, equations, .. } = emission;
-    let length = 2 * equations.q.len() + equations.x.len();
+    let Emission { name, .. } = emission;
+    let (length, _) = emission.state_length();
     push(
         text,
         format_args!(

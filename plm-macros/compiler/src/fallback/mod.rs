@@ -40,6 +40,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
         time: graph.symbol("t"),
         gravity: graph.zero(),
+        rung: None,
         stabilisation: Stabilisation::Projection,
         params,
         inputs,

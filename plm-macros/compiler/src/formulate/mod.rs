@@ -1,5 +1,7 @@
 //! Chooses the unknowns and lays out what is computed, function by function.
 //!
+//! The least formulation that a mechanism allows is taken: rung 2, joint coordinates, for trees; else rung 5.
+//!
 //! Rung 5 of the ladder: absolute coordinates and multipliers. It holds every mechanism, whatever its loops and
 //! redundancies, so it is also the independent check of the rungs above it.
 
@@ -8,6 +10,8 @@ mod function;
 mod ldl;
 mod order;
 mod outputs;
+mod reduced;
 
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};
+pub(crate) use reduced::{Reduced, formulate as reduce};

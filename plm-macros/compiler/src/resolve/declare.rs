@@ -7,7 +7,7 @@ use super::scope::{ScopeId, SlotId, Thunk};
 use super::value::{Nature, Reads, Value};
 use super::{Resolver, StateState, ValueState};
 use crate::diag::Code;
-use crate::model::Name;
+use crate::model::{Name, Rung};
 use crate::syntax::ast::{self, Expr, ExprKind, Item, ItemKind, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -26,6 +26,7 @@ impl<'a> Resolver<'a> {
         for item in items {
             match &item.kind {
                 ItemKind::Gravity(value) => self.declare_gravity(scope, item, value),
+                ItemKind::Rung(rung) => self.declare_rung(scope, rung),
                 ItemKind::Stabilisation(method, time) => {
                     self.declare_stabilisation(scope, method, time.as_ref());
                 }
@@ -72,6 +73,18 @@ impl<'a> Resolver<'a> {
             self.stabilisation = Some((method, time));
         } else {
             self.unknown_option(scope, &method.text, method.span, &["projection", "baumgarte"]);
+        }
+    }
+
+    fn declare_rung(&mut self, scope: ScopeId, rung: &'a ast::Ident) {
+        if let Some(first) = self.rung {
+            let first = first.span;
+            self.error(scope, Code::RepeatedItem, rung.span, "the rung is declared twice")
+                .note_at(first, "it is declared first here");
+        } else if Rung::NAMES.iter().any(|(name, _)| rung.text == *name) {
+            self.rung = Some(rung);
+        } else {
+            self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map(|(name, _)| name));
         }
     }
 

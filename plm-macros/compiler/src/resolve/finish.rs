@@ -6,7 +6,7 @@ use super::Resolver;
 use super::value::{Eval, Failed, Reads, Value, all};
 use crate::diag::Code;
 use crate::model::{
-    Body, FrameRef, Input, Load, Model, Name, Output, Param, Port, Row, Stabilisation, State,
+    Body, FrameRef, Input, Load, Model, Name, Output, Param, Port, Row, Rung, Stabilisation, State,
 };
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
@@ -37,6 +37,7 @@ impl<'a> Resolver<'a> {
             time: self.time,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
+            rung: self.rung.and_then(|rung| Some((Rung::named(&rung.text)?, rung.span))),
             params: params.ok()?,
             inputs: inputs.ok()?,
             bodies: bodies.ok()?,

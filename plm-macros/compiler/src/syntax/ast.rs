@@ -78,6 +78,8 @@ pub struct Item {
 pub enum ItemKind {
     /// `gravity: expr;`
     Gravity(Expr),
+    /// `rung: tree;`
+    Rung(Ident),
     /// `stabilisation: projection;` or `baumgarte(expr);`
     Stabilisation(Ident, Option<Expr>),
     /// `allow(W0002, …);`

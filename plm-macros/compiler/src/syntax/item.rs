@@ -16,6 +16,7 @@ pub(super) enum Context {
 const WORDS: &[(&str, Option<Context>)] = &[
     ("gravity", Some(Context::Mechanism)),
     ("stabilisation", Some(Context::Mechanism)),
+    ("rung", Some(Context::Mechanism)),
     ("allow", Some(Context::Mechanism)),
     ("ground", Some(Context::Mechanism)),
     ("joint", Some(Context::Mechanism)),
@@ -67,6 +68,7 @@ impl Cursor<'_> {
         match word {
             "gravity" => self.field_value().map(ItemKind::Gravity),
             "stabilisation" => self.stabilisation(),
+            "rung" => self.rung(),
             "allow" => self.allow(),
             "param" => self.value().map(ItemKind::Param),
             "input" => self.value().map(ItemKind::Input),
@@ -159,6 +161,14 @@ impl Cursor<'_> {
         };
         self.semicolon()?;
         Ok(ItemKind::Stabilisation(method, time))
+    }
+
+    fn rung(&mut self) -> Parse<ItemKind> {
+        self.advance();
+        self.punct(':', "`:`")?;
+        let rung = self.ident("`tree` or `absolute`")?;
+        self.semicolon()?;
+        Ok(ItemKind::Rung(rung))
     }
 
     fn allow(&mut self) -> Parse<ItemKind> {

@@ -1,0 +1,46 @@
+//! Places as sums of vectors that are fixed in turning axes.
+
+use std::collections::BTreeMap;
+
+use plm_cas::Graph;
+
+use super::plane::{self, Vec2};
+
+/// `p = sum over c of R(theta_c) (d_c + sum over j of s_j e_cj)`.
+///
+/// `theta_c` are the angles of classes of bodies that never turn against each other (class 0 is the ground, with angle
+/// 0), `s_j` slides, `d` and `e` constant vectors. The key of a vector is its class, and the unknown that it is
+/// multiplied with if it is one along a slide.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Chain {
+    terms: BTreeMap<(usize, Option<usize>), Vec2>,
+}
+
+impl Chain {
+    /// Adds `sign * R(theta_class) vector`, times a slide if one is given.
+    pub(crate) fn add(
+        &mut self,
+        graph: &mut Graph,
+        class: usize,
+        slide: Option<usize>,
+        vector: Vec2,
+        negative: bool,
+    ) {
+        let signed = if negative { vector.map(|component| graph.neg(component)) } else { vector };
+        let key = (class, slide);
+        let sum = match self.terms.get(&key) {
+            Some(&old) => plane::add(graph, old, signed),
+            None => signed,
+        };
+        if plane::is_zero(graph, sum) {
+            self.terms.remove(&key);
+        } else {
+            self.terms.insert(key, sum);
+        }
+    }
+
+    /// The vectors: class, slide, components in the axes of the class; ascending.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (usize, Option<usize>, Vec2)> {
+        self.terms.iter().map(|(&(class, slide), &vector)| (class, slide, vector))
+    }
+}

@@ -1,0 +1,231 @@
+//! Joint coordinates: which they are, and where they put the bodies.
+//!
+//! A revolute is left to the absolute angles of its bodies, so that no sine of a sum is needed and velocities have no
+//! Coriolis terms; a prismatic joint or a slot adds its displacement; a body that hangs on nothing adds the position
+//! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class.
+
+use plm_cas::{Expr, Graph};
+
+use super::chain::Chain;
+use super::plane::{self, Vec2};
+use crate::model::{FrameRef, Model, Pair, Port};
+use crate::topology::spanning_forest;
+
+/// What a coordinate is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unknown {
+    /// The angle of a class, that of the body `body`.
+    Angle { class: usize, body: usize },
+    /// The displacement in a prismatic joint or slot: index of the part.
+    Slide { part: usize },
+    /// x (0) or y (1) of G of a body that hangs on nothing.
+    Centre { body: usize, axis: usize },
+}
+
+/// A joint that the coordinates walk through.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Joint {
+    /// Index of the part.
+    pub(crate) part: usize,
+    pub(crate) pair: Pair,
+    pub(crate) a: FrameRef,
+    pub(crate) b: FrameRef,
+    /// The unknown of its displacement.
+    pub(crate) slide: Option<usize>,
+}
+
+/// The angle of a body: that of its class, and a constant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Heading {
+    pub(crate) class: usize,
+    pub(crate) offset: Expr,
+}
+
+/// The joint coordinates of a mechanism.
+#[derive(Debug)]
+pub(crate) struct Coordinates {
+    pub(crate) unknowns: Vec<Unknown>,
+    /// By class; the ground has none.
+    pub(crate) angle_of_class: Vec<Option<usize>>,
+    /// By body.
+    pub(crate) headings: Vec<Heading>,
+    /// G of each body.
+    pub(crate) centres: Vec<Chain>,
+    pub(crate) joints: Vec<Joint>,
+    /// Bodies from the ground outwards: body, the joint that holds it, and the body on its other side.
+    pub(crate) order: Vec<Hold>,
+}
+
+/// What holds a body on the way from the ground.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hold {
+    pub(crate) body: usize,
+    /// The joint, by its place in [`Coordinates::joints`]; none for a body that hangs on nothing.
+    pub(crate) joint: Option<usize>,
+    /// The body on the other side; none for the ground.
+    pub(crate) parent: Option<usize>,
+}
+
+impl Coordinates {
+    /// The coordinates of a mechanism without loops.
+    ///
+    /// # Errors
+    /// Why this mechanism has none: words that go on "needs rung 5: …".
+    pub(crate) fn of_tree(model: &Model, graph: &mut Graph) -> Result<Coordinates, String> {
+        let joints = joints(model, graph)?;
+        let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);
+        let edges: Vec<(usize, usize)> = joints.iter().map(|joint| (node(joint.a), node(joint.b))).collect();
+        let forest = spanning_forest(model.bodies.len() + 1, &edges);
+        if let Some(&chord) = forest.chords.first() {
+            return Err(format!("`{}` closes a loop", model.parts[joints[chord].part].name.text));
+        }
+        let order = forest.order.iter().filter(|&&node| node > 0).map(|&node| {
+            let held = forest.parent[node];
+            let parent = held.and_then(|(_, parent)| parent.checked_sub(1));
+            Hold { body: node - 1, joint: held.map(|(joint, _)| joint), parent }
+        });
+        let order = order.collect();
+        let mut coordinates = Coordinates {
+            unknowns: Vec::new(),
+            angle_of_class: vec![None],
+            headings: vec![Heading { class: 0, offset: graph.zero() }; model.bodies.len()],
+            centres: vec![Chain::default(); model.bodies.len()],
+            joints,
+            order,
+        };
+        coordinates.walk(model, graph);
+        Ok(coordinates)
+    }
+
+    /// From the ground outwards: a coordinate for every freedom, a place for every body.
+    fn walk(&mut self, model: &Model, graph: &mut Graph) {
+        for hold in self.order.clone() {
+            let Some(joint) = hold.joint else {
+                self.new_class(hold.body, graph);
+                for axis in 0..2 {
+                    let along =
+                        if axis == 0 { [graph.one(), graph.zero()] } else { [graph.zero(), graph.one()] };
+                    let unknown = self.new_unknown(Unknown::Centre { body: hold.body, axis });
+                    self.centres[hold.body].add(graph, 0, Some(unknown), along, false);
+                }
+                continue;
+            };
+            let Joint { part, pair, a, b, .. } = self.joints[joint];
+            let outward = b.body == Some(hold.body);
+            match pair {
+                Pair::Revolute | Pair::PinSlot => self.new_class(hold.body, graph),
+                Pair::Prismatic | Pair::Weld => self.same_class(model, graph, hold, a, b, outward),
+            }
+            if matches!(pair, Pair::Prismatic | Pair::PinSlot) {
+                self.joints[joint].slide = Some(self.new_unknown(Unknown::Slide { part }));
+            }
+            let mut centre = hold.parent.map_or(Chain::default(), |parent| self.centres[parent].clone());
+            self.add_across(&mut centre, model, graph, joint, !outward);
+            self.centres[hold.body] = centre;
+        }
+    }
+
+    fn new_unknown(&mut self, unknown: Unknown) -> usize {
+        self.unknowns.push(unknown);
+        self.unknowns.len() - 1
+    }
+
+    fn new_class(&mut self, body: usize, graph: &Graph) {
+        let class = self.angle_of_class.len();
+        let unknown = self.new_unknown(Unknown::Angle { class, body });
+        self.angle_of_class.push(Some(unknown));
+        self.headings[body] = Heading { class, offset: graph.zero() };
+    }
+
+    /// The body keeps the angle of its parent but for the angles of the two ports.
+    fn same_class(
+        &mut self,
+        model: &Model,
+        graph: &mut Graph,
+        hold: Hold,
+        a: FrameRef,
+        b: FrameRef,
+        outward: bool,
+    ) {
+        let (near, far) = if outward { (a, b) } else { (b, a) };
+        let parent = self.heading(near, graph);
+        let (of_near, of_far) = (port(model, near).angle, port(model, far).angle);
+        let turned = graph.sub(of_near, of_far);
+        let offset = graph.add(parent.offset, turned);
+        self.headings[hold.body] = Heading { class: parent.class, offset };
+    }
+
+    /// Heading of the body of a frame.
+    pub(crate) fn heading(&self, frame: FrameRef, graph: &Graph) -> Heading {
+        frame.body.map_or(Heading { class: 0, offset: graph.zero() }, |body| self.headings[body])
+    }
+
+    /// From G (on the ground: from the origin) to a port, in the axes of the class.
+    pub(crate) fn arm(&self, model: &Model, graph: &mut Graph, frame: FrameRef) -> (usize, Vec2) {
+        let heading = self.heading(frame, graph);
+        let axis = [graph.cos(heading.offset), graph.sin(heading.offset)];
+        (heading.class, plane::turn(graph, axis, port(model, frame).at))
+    }
+
+    /// The x axis of a port, in the axes of the class.
+    pub(crate) fn axis(&self, model: &Model, graph: &mut Graph, frame: FrameRef) -> (usize, Vec2) {
+        let heading = self.heading(frame, graph);
+        let angle = graph.add(heading.offset, port(model, frame).angle);
+        (heading.class, [graph.cos(angle), graph.sin(angle)])
+    }
+
+    /// Adds the way from G of the body of `a` to G of the body of `b` through a joint, or its negative.
+    fn add_across(&self, chain: &mut Chain, model: &Model, graph: &mut Graph, joint: usize, negative: bool) {
+        let Joint { a, b, slide, .. } = self.joints[joint];
+        let (class, arm) = self.arm(model, graph, a);
+        chain.add(graph, class, None, arm, negative);
+        if slide.is_some() {
+            let (class, axis) = self.axis(model, graph, a);
+            chain.add(graph, class, slide, axis, negative);
+        }
+        let (class, arm) = self.arm(model, graph, b);
+        chain.add(graph, class, None, arm, !negative);
+    }
+}
+
+/// The port of a frame.
+pub(crate) fn port(model: &Model, frame: FrameRef) -> &Port {
+    match frame.body {
+        Some(body) => &model.bodies[body].ports[frame.port],
+        None => &model.ground[frame.port],
+    }
+}
+
+/// All joints, if they are pairs and nothing else constrains.
+fn joints(model: &Model, graph: &Graph) -> Result<Vec<Joint>, String> {
+    let mut rows = vec![0; model.parts.len()];
+    for row in &model.rows {
+        rows[row.part] += 1;
+    }
+    let mut joints = Vec::new();
+    for (part, count) in rows.into_iter().enumerate() {
+        let declared = &model.parts[part];
+        let expected = match declared.pair {
+            None => 0,
+            Some(Pair::PinSlot) => 1,
+            Some(Pair::Revolute | Pair::Prismatic) => 2,
+            Some(Pair::Weld) => 3,
+        };
+        let name = &declared.name.text;
+        if count != expected {
+            return Err(format!("`{name}` constrains in a way of its own"));
+        }
+        let turning = |frame: &FrameRef| {
+            frame.body.is_none() && graph.symbols(&[port(model, *frame).angle]).contains(&model.time)
+        };
+        if declared.pair.is_some() && declared.frames.iter().any(turning) {
+            return Err(format!("`{name}` stands on a port that turns with the time"));
+        }
+        if let (Some(pair), &[a, b]) = (declared.pair, declared.frames.as_slice()) {
+            joints.push(Joint { part, pair, a, b, slide: None });
+        } else if declared.pair.is_some() {
+            return Err(format!("`{name}` does not join two frames"));
+        }
+    }
+    Ok(joints)
+}

@@ -1,0 +1,181 @@
+//! The equations of motion in joint coordinates, as a dense symmetric system.
+//!
+//! `M_ij = sum over bodies of m J_i . J_j + I w_i w_j` with the partial velocities `J` of G (T. R. Kane, D. A. Levinson,
+//! Dynamics: Theory and Applications, 1985, chapter 6). Vectors are constant in the axes of their classes, so the sums
+//! over the bodies are constants, and what is left of a pair of classes is the cosine and the sine of the angle between
+//! them.
+
+use std::collections::BTreeMap;
+
+use plm_cas::{Expr, Graph};
+
+use super::chain::Chain;
+use super::coordinates::{Coordinates, Unknown};
+use super::motion::Motion;
+use super::plane::{self, Vec2};
+use crate::model::Model;
+
+/// `M a = Q` for the second derivatives `a` of the coordinates.
+#[derive(Debug)]
+pub(crate) struct Dense {
+    /// Lower entries of M, (row, column) with `row >= column`; what is absent is zero.
+    pub(crate) mass: BTreeMap<(usize, usize), Expr>,
+    /// Forces less what the velocities ask for.
+    pub(crate) force: Vec<Expr>,
+}
+
+/// `factor R(theta_class) vector`.
+struct Term {
+    class: usize,
+    factor: Expr,
+    vector: Vec2,
+}
+
+/// Sums of `m u . w` and `m u x w` over the bodies, by (class of u, class of w, factor).
+type Products = BTreeMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
+
+/// Sets up the equations; `force` are the applied forces at each G in absolute axes, without gravity.
+pub(crate) fn dense(
+    model: &Model,
+    coordinates: &Coordinates,
+    motion: &Motion,
+    force: &[[Expr; 3]],
+    graph: &mut Graph,
+) -> Dense {
+    let count = coordinates.unknowns.len();
+    let mut mass: BTreeMap<(usize, usize), Products> = BTreeMap::new();
+    let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
+    let mut inertial: Vec<Products> = (0..count).map(|_| Products::new()).collect();
+    let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
+    for (body, declared) in model.bodies.iter().enumerate() {
+        let columns = partial_velocities(coordinates, motion, &coordinates.centres[body], graph);
+        let bias = bias(model, motion, &coordinates.centres[body], graph);
+        for (k, (i, left)) in columns.iter().enumerate() {
+            for (j, right) in &columns[..=k] {
+                let entry = mass.entry((*i, *j)).or_default();
+                multiply(graph, entry, declared.mass, left, right);
+            }
+            multiply(graph, &mut inertial[*i], declared.mass, left, &bias);
+            let [fx, fy, _] = force[body];
+            for term in left {
+                let along = motion.turned(graph, term.class, term.vector);
+                let work = plane::dot(graph, along, [fx, fy]);
+                applied[*i].push(graph.mul(term.factor, work));
+            }
+        }
+        if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
+            spin.entry((angle, angle)).or_default().push(declared.inertia);
+            applied[angle].push(force[body][2]);
+        }
+    }
+    let mut entries: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+    for (key, products) in mass {
+        let value = collect(graph, motion, products);
+        entries.insert(key, value);
+    }
+    for (key, terms) in spin {
+        let own = graph.sum(&terms);
+        let old = entries.get(&key).copied().unwrap_or_else(|| graph.zero());
+        entries.insert(key, graph.add(old, own));
+    }
+    entries.retain(|&(i, j), entry| i == j || !graph.is_zero(*entry));
+    let force = inertial.into_iter().zip(applied).map(|(inertial, applied)| {
+        let against = collect(graph, motion, inertial);
+        let applied = graph.sum(&applied);
+        graph.sub(applied, against)
+    });
+    Dense { mass: entries, force: force.collect() }
+}
+
+/// `dp/dy_i` of a place, for every coordinate that moves it, ascending.
+fn partial_velocities(
+    coordinates: &Coordinates,
+    motion: &Motion,
+    place: &Chain,
+    graph: &mut Graph,
+) -> Vec<(usize, Vec<Term>)> {
+    let mut columns: BTreeMap<usize, Vec<Term>> = BTreeMap::new();
+    for (class, slide, vector) in place.terms() {
+        let one = graph.one();
+        let factor = slide.map_or(one, |slide| motion.value[slide]);
+        if let Some(angle) = coordinates.angle_of_class[class] {
+            let across = plane::left(graph, vector);
+            columns.entry(angle).or_default().push(Term { class, factor, vector: across });
+        }
+        if let Some(slide) = slide {
+            columns.entry(slide).or_default().push(Term { class, factor: one, vector });
+        }
+    }
+    columns.into_iter().collect()
+}
+
+/// The acceleration of a place while the second derivatives of the coordinates are zero, less that of gravity.
+fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec<Term> {
+    let mut terms = vec![Term { class: 0, factor: model.gravity, vector: [graph.zero(), graph.one()] }];
+    for (class, slide, vector) in place.terms() {
+        let omega = motion.omega[class];
+        let squared = graph.powi(omega, 2);
+        let inward = vector.map(|component| graph.neg(component));
+        let factor = match slide {
+            Some(slide) => graph.mul(squared, motion.value[slide]),
+            None => squared,
+        };
+        terms.push(Term { class, factor, vector: inward });
+        if let Some(slide) = slide {
+            // Coriolis: 2 omega s'.
+            let turning = graph.mul(omega, motion.rate[slide]);
+            let factor = graph.add(turning, turning);
+            terms.push(Term { class, factor, vector: plane::left(graph, vector) });
+        }
+        if class == 0 && slide.is_none() {
+            let rate = vector.map(|component| graph.diff(component, model.time));
+            let moved = rate.map(|component| graph.diff(component, model.time));
+            terms.push(Term { class, factor: graph.one(), vector: moved });
+        }
+    }
+    terms.retain(|term| !graph.is_zero(term.factor) && !plane::is_zero(graph, term.vector));
+    terms
+}
+
+/// Adds the products of two sums of vectors, times a mass.
+fn multiply(graph: &mut Graph, into: &mut Products, mass: Expr, left: &[Term], right: &[Term]) {
+    for a in left {
+        for b in right {
+            let along = plane::dot(graph, a.vector, b.vector);
+            let across = plane::cross(graph, a.vector, b.vector);
+            let factor = graph.mul(a.factor, b.factor);
+            let (dots, crosses) = into.entry((a.class, b.class, factor)).or_default();
+            dots.push(graph.mul(mass, along));
+            crosses.push(graph.mul(mass, across));
+        }
+    }
+}
+
+/// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are cosine and sine of the angle from the class of `u`
+/// to that of `w`.
+fn collect(graph: &mut Graph, motion: &Motion, products: Products) -> Expr {
+    let mut terms = Vec::new();
+    for ((a, b, factor), (dots, crosses)) in products {
+        let (dots, crosses) = (graph.sum(&dots), graph.sum(&crosses));
+        let along = if a == b {
+            dots
+        } else {
+            let (from, to) = (motion.axis[a], motion.axis[b]);
+            let cosine = plane::dot(graph, from, to);
+            let sine = plane::cross(graph, from, to);
+            let (first, second) = (graph.mul(cosine, dots), graph.mul(sine, crosses));
+            graph.sub(first, second)
+        };
+        terms.push(graph.mul(factor, along));
+    }
+    graph.sum(&terms)
+}
+
+/// Index of the coordinate in words, for names in the code.
+pub(crate) fn name(model: &Model, unknown: Unknown) -> String {
+    match unknown {
+        Unknown::Angle { body, .. } => format!("{}.angle", model.bodies[body].name.text),
+        Unknown::Centre { body, axis } => format!("{}.{}", model.bodies[body].name.text, ["x", "y"][axis]),
+        Unknown::Slide { part } => format!("{}.displacement", model.parts[part].name.text),
+    }
+}

@@ -1,0 +1,17 @@
+//! What can be known of a mechanism before any algebra: its loops, the order in which they can be solved, and from
+//! which coordinates.
+//!
+//! Plain indices in, plain indices out. Everything here is structure, that is, true for almost all dimensions: whether
+//! the dimensions at hand are an exception (parallel cranks, a bar of length zero) is for a numerical rank to say.
+
+mod blocks;
+mod cycles;
+mod drivers;
+mod matching;
+#[cfg(test)]
+mod scenes;
+mod strong;
+
+pub(crate) use blocks::{Block, Equation, Unsolved, blocks};
+pub(crate) use cycles::{Cycle, Forest, Step, shortest_cycle_basis, spanning_forest};
+pub(crate) use drivers::{Choice, drivers};

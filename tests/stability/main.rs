@@ -1,8 +1,0 @@
-//! Where methods fail: each scene beside the value that theory or a reference gives.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
-#![allow(dead_code, reason = "the example shows more of the scenes")]
-
-#[path = "../../examples/stability/scenes/mod.rs"]
-mod scenes;
-
-mod flat;
