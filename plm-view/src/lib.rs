@@ -26,7 +26,7 @@ mod error;
 mod figures;
 mod recording;
 
-pub use chart::Chart;
+pub use chart::{Axis, Chart, Rule, Series};
 pub use error::Error;
 pub use figures::{Figure, Figures};
 pub use recording::{Column, Recording};

@@ -1,189 +1,153 @@
-//! A linear axis: its range, its ticks and their labels.
-//!
-//! Ticks stand at the multiples of 1, 2 or 5 times a power of ten: P. S. Heckbert, "Nice numbers for graph
-//! labels", Graphics Gems, Academic Press 1990, page 61.
+//! An axis as it is asked for, and the ruler that it becomes once the values along it are known.
 
-use super::label::power_of_ten;
+use super::label::with_unit;
 use super::thin::drawable;
+use super::{decades, nice};
 
-/// How many steps an axis is cut into, about.
-const STEPS: f64 = 6.0;
-
-/// A range of numbers with what stands beside it.
+/// What is measured along an axis, and how it is divided.
+///
+/// The range comes from what is drawn: the curves and the reference lines.
 #[derive(Clone, Debug)]
-pub(super) struct Axis {
+pub struct Axis {
     /// Quantity and unit.
     pub(super) label: String,
+    scale: Scale,
+    falling: bool,
+    tight: bool,
+    extra: Vec<f64>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Scale {
+    Linear,
+    Log,
+}
+
+impl Axis {
+    /// Equal distances for equal differences; the unit is written as in declarations (`N*m`, `m/s^2`), empty for
+    /// a pure number.
+    pub fn linear(quantity: &str, unit: &str) -> Self {
+        Self {
+            label: with_unit(quantity, unit),
+            scale: Scale::Linear,
+            falling: false,
+            tight: false,
+            extra: Vec::new(),
+        }
+    }
+
+    /// Equal distances for equal ratios, with ticks at decades. Values that are not positive have no place on it.
+    pub fn log(quantity: &str, unit: &str) -> Self {
+        Self { scale: Scale::Log, ..Self::linear(quantity, unit) }
+    }
+
+    /// The same axis with its large values on the left, or at the bottom.
+    #[must_use]
+    pub fn falling(self) -> Self {
+        Self { falling: true, ..self }
+    }
+
+    /// The same axis without room beyond the smallest and the largest value.
+    #[must_use]
+    pub fn tight(self) -> Self {
+        Self { tight: true, ..self }
+    }
+
+    /// The same axis, reaching to `value` at least.
+    #[must_use]
+    pub fn including(mut self, value: f64) -> Self {
+        self.extra.push(value);
+        self
+    }
+
+    /// The ruler for these values.
+    pub(super) fn ruler(&self, values: impl Iterator<Item = f64>) -> Ruler {
+        let values = values.chain(self.extra.iter().copied());
+        let (low, high) = match self.scale {
+            Scale::Linear => nice::extent(values.filter(|&value| drawable(value))),
+            Scale::Log => {
+                decades::extent(values.filter(|&value| drawable(value) && value > 0.0).map(f64::log10))
+            }
+        };
+        // A little room, so that no curve runs along the frame.
+        let padding = if self.tight { 0.0 } else { self.scale.padding() * (high - low) };
+        Ruler { scale: self.scale, falling: self.falling, low: low - padding, high: high + padding }
+    }
+}
+
+impl Scale {
+    /// Room beyond the values, as a fraction of their range.
+    fn padding(self) -> f64 {
+        match self {
+            Self::Linear => 0.06,
+            Self::Log => 0.04,
+        }
+    }
+}
+
+/// A range of numbers along an edge of a frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ruler {
+    scale: Scale,
+    falling: bool,
+    /// On a logarithmic scale the decimal logarithm of the range's ends.
     low: f64,
     high: f64,
 }
 
-/// A mark on an axis.
+/// A mark on an axis; without a label between the labelled ones of a logarithmic scale.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tick {
     pub(super) value: f64,
     pub(super) label: String,
 }
 
-impl Axis {
-    /// From the smallest of `values` to the largest.
-    pub(super) fn tight(label: String, values: impl Iterator<Item = f64>) -> Self {
-        let (low, high) = extent(values);
-        Self { label, low, high }
+impl Ruler {
+    /// Whether a value has a place.
+    pub(super) fn holds(&self, value: f64) -> bool {
+        drawable(value) && (self.scale == Scale::Linear || value > 0.0)
     }
 
-    /// From a little below the smallest of `values` to a little above the largest, so that no curve runs
-    /// along the frame.
-    pub(super) fn padded(label: String, values: impl Iterator<Item = f64>) -> Self {
-        let (low, high) = extent(values);
-        let padding = 0.06 * (high - low);
-        Self { label, low: low - padding, high: high + padding }
-    }
-
-    /// Where `value` stands between the pixels `from` (the low end) and `to` (the high end).
+    /// Where `value` stands between the pixels `from` (the beginning of the axis) and `to` (its end).
     pub(super) fn place(&self, value: f64, from: i32, to: i32) -> i32 {
+        let value = if self.scale == Scale::Log { value.log10() } else { value };
         let share = (value - self.low) / (self.high - self.low);
+        let share = if self.falling { 1.0 - share } else { share };
         from + (share * f64::from(to - from)).round() as i32
     }
 
     /// The ticks in the range, in rising order.
     pub(super) fn ticks(&self) -> Vec<Tick> {
-        let step = Step::near((self.high - self.low) / STEPS);
-        // A hair of the step, so that the ends of a tight range keep their ticks in spite of rounding.
-        let first = (self.low / step.value() - 1e-9).ceil() as i64;
-        let last = (self.high / step.value() + 1e-9).floor() as i64;
-        let largest = first.abs().max(last.abs());
-        (first..=last)
-            .map(|count| Tick { value: step.times(count), label: step.label(count, largest) })
-            .collect()
-    }
-}
-
-/// The smallest and the largest drawable value, and never an empty range: a constant gets room around it.
-fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (low, high) = values
-        .filter(|&value| drawable(value))
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-    if low > high {
-        return (0.0, 1.0);
-    }
-    let size = low.abs().max(high.abs());
-    // Below that relative width a difference is mostly rounding, and tick labels would need too many digits.
-    if high - low > 1e-12 * size && high - low > 1e-300 {
-        (low, high)
-    } else if size > 1e-300 {
-        (low - 0.1 * size, high + 0.1 * size)
-    } else {
-        (-1.0, 1.0)
-    }
-}
-
-/// A distance between ticks: `digit` · 10^`exponent`, kept in decimal so that labels are exact.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    digit: i64,
-    exponent: i32,
-}
-
-impl Step {
-    /// The nice number nearest to `width` > 0.
-    fn near(width: f64) -> Self {
-        let exponent = width.log10().floor() as i32;
-        let leading = width / ten_to(exponent);
-        match leading {
-            ..1.5 => Self { digit: 1, exponent },
-            ..3.0 => Self { digit: 2, exponent },
-            ..7.0 => Self { digit: 5, exponent },
-            _ => Self { digit: 1, exponent: exponent + 1 },
+        match self.scale {
+            Scale::Linear => nice::ticks(self.low, self.high),
+            Scale::Log => decades::ticks(self.low, self.high),
         }
     }
 
-    fn value(self) -> f64 {
-        self.times(1)
+    /// Whether the tick at zero deserves a stronger line.
+    pub(super) fn has_zero_line(&self) -> bool {
+        self.scale == Scale::Linear
     }
-
-    /// `count` steps. A negative power is divided by, because 10^n is exact and 10^-n is not.
-    fn times(self, count: i64) -> f64 {
-        let whole = (count * self.digit) as f64;
-        if self.exponent < 0 { whole / ten_to(-self.exponent) } else { whole * ten_to(self.exponent) }
-    }
-
-    /// The text of `count` steps on an axis whose largest tick is `largest` steps: plain digits, or with a
-    /// power of ten common to the axis where plain digits would be many.
-    fn label(self, count: i64, largest: i64) -> String {
-        let number = count * self.digit;
-        let leading = self.exponent + (largest * self.digit).max(1).ilog10() as i32;
-        if number == 0 {
-            "0".to_owned()
-        } else if leading < 5 && self.exponent > -5 {
-            decimal(number, self.exponent)
-        } else {
-            format!("{}×{}", decimal(number, self.exponent - leading), power_of_ten(leading))
-        }
-    }
-}
-
-/// `number` · 10^`exponent` in plain digits, with a minus sign as long as a plus.
-fn decimal(number: i64, exponent: i32) -> String {
-    let sign = if number < 0 { "−" } else { "" };
-    let digits = number.unsigned_abs().to_string();
-    if exponent >= 0 {
-        return format!("{sign}{digits}{}", "0".repeat(exponent as usize));
-    }
-    let places = exponent.unsigned_abs() as usize;
-    let digits = format!("{digits:0>width$}", width = places + 1);
-    let (whole, fraction) = digits.split_at(digits.len() - places);
-    format!("{sign}{whole}.{fraction}")
-}
-
-fn ten_to(exponent: i32) -> f64 {
-    10_f64.powi(exponent)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn labels(low: f64, high: f64) -> Vec<String> {
-        Axis::tight(String::new(), [low, high].into_iter()).ticks().into_iter().map(|t| t.label).collect()
-    }
-
-    #[test]
-    fn ticks_stand_at_nice_numbers() {
-        for (low, high, expected) in [
-            (0.0, 40.0, "0 5 10 15 20 25 30 35 40"),
-            (0.0, 1.0, "0 0.2 0.4 0.6 0.8 1.0"),
-            (-0.3, 0.3, "−0.3 −0.2 −0.1 0 0.1 0.2 0.3"),
-            (-95.0, 48.0, "−80 −60 −40 −20 0 20 40"),
-            (98.0, 98.3, "98.00 98.05 98.10 98.15 98.20 98.25 98.30"),
-            (0.0, 2e-15, "0 0.5×10⁻¹⁵ 1.0×10⁻¹⁵ 1.5×10⁻¹⁵ 2.0×10⁻¹⁵"),
-            (-1.2e7, 0.0, "−1.2×10⁷ −1.0×10⁷ −0.8×10⁷ −0.6×10⁷ −0.4×10⁷ −0.2×10⁷ 0"),
-            (0.0, 30_000.0, "0 5000 10000 15000 20000 25000 30000"),
-        ] {
-            assert_eq!(labels(low, high).join(" "), expected);
-        }
-    }
-
-    #[test]
-    fn ticks_are_the_numbers_that_their_labels_say() {
-        for axis in [(0.0, 1.0), (-0.7, 0.2), (3.0, 3.001), (-4.0e4, 9.0e4)] {
-            for tick in Axis::tight(String::new(), [axis.0, axis.1].into_iter()).ticks() {
-                assert_eq!(tick.label.replace('−', "-").parse::<f64>(), Ok(tick.value));
-            }
-        }
-    }
-
     #[test]
     fn any_numbers_give_a_range_with_ticks() {
         let extremes = [0.0, 1.0, -1.0, 1e-310, 1e-290, 1e299, -1e299, 1e308, f64::NAN, f64::INFINITY, 7e15];
-        for low in extremes {
-            for high in extremes {
-                let axis = Axis::padded(String::new(), [low, high].into_iter());
-                let ticks = axis.ticks();
-                assert!((3..=13).contains(&ticks.len()), "{low:e} to {high:e}: {ticks:?}");
-                assert!(ticks.is_sorted_by(|a, b| a.value < b.value), "{low:e} to {high:e}: {ticks:?}");
-                for value in [low, high].into_iter().filter(|&value| drawable(value)) {
-                    assert!((0..=1000).contains(&axis.place(value, 0, 1000)), "{low:e} to {high:e}");
+        for axis in [Axis::linear("x", "m"), Axis::log("x", "m"), Axis::log("x", "m").falling()] {
+            for low in extremes {
+                for high in extremes {
+                    let ruler = axis.ruler([low, high].into_iter());
+                    let ticks = ruler.ticks();
+                    let labels = ticks.iter().filter(|tick| !tick.label.is_empty()).count();
+                    assert!((2..=13).contains(&labels), "{low:e} to {high:e}: {ticks:?}");
+                    assert!(ticks.is_sorted_by(|a, b| a.value < b.value), "{low:e} to {high:e}: {ticks:?}");
+                    for value in [low, high].into_iter().filter(|&value| ruler.holds(value)) {
+                        assert!((0..=1000).contains(&ruler.place(value, 0, 1000)), "{low:e} to {high:e}");
+                    }
                 }
             }
         }
@@ -191,7 +155,17 @@ mod tests {
 
     #[test]
     fn the_ends_of_a_range_stand_at_its_ends() {
-        let axis = Axis::tight(String::new(), [-2.0, 6.0].into_iter());
-        assert_eq!([-2.0, 0.0, 6.0].map(|value| axis.place(value, 500, 100)), [500, 400, 100]);
+        let ruler = Axis::linear("x", "m").tight().ruler([-2.0, 6.0].into_iter());
+        assert_eq!([-2.0, 0.0, 6.0].map(|value| ruler.place(value, 500, 100)), [500, 400, 100]);
+        let ruler = Axis::log("x", "m").tight().ruler([1e-8, 1.0].into_iter());
+        assert_eq!([1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0, 400)), [0, 100, 400]);
+        let ruler = Axis::log("x", "m").tight().falling().ruler([1e-8, 1.0].into_iter());
+        assert_eq!([1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0, 400)), [400, 300, 0]);
+    }
+
+    #[test]
+    fn a_range_reaches_to_what_it_has_to_include() {
+        let ruler = Axis::linear("x", "m").tight().including(10.0).ruler([0.0, 5.0].into_iter());
+        assert_eq!(ruler.place(10.0, 0, 100), 100);
     }
 }

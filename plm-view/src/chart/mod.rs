@@ -1,11 +1,14 @@
 //! Charts as SVG: panels one above another over a common horizontal axis.
 //!
-//! A chart is data first: a list of panels, each with two axes and some curves. A kind of chart is one function
-//! that fills the panels ([`Chart::over_time`]); how panels are drawn is the same for all of them.
+//! A chart is data first: axes, and a list of panels with their curves. A kind of chart is one function that fills
+//! them ([`Chart::over_time`]); how panels are drawn is the same for all.
 
 mod axis;
+mod decades;
 mod draw;
 mod label;
+mod nice;
+mod series;
 mod thin;
 
 use std::io;
@@ -14,12 +17,31 @@ use std::path::Path;
 use crate::error::{Error, write_file};
 use crate::recording::Recording;
 
-use axis::Axis;
+pub use axis::Axis;
+pub use series::{Rule, Series};
 
-/// A picture of curves.
+/// Height of a frame in a row of panels, in pixels.
+const STRIP: f64 = 190.0;
+/// Height of the first frame of a chart of its own.
+const PLATE: f64 = 380.0;
+
+/// A picture of curves, 800 pixels wide.
+///
+/// ```
+/// use plm_view::{Axis, Chart, Rule, Series};
+///
+/// let coarse_to_fine = [(1e-4, 8.0), (1e-7, 30.0), (1e-10, 110.0)];
+/// let chart = Chart::new(Axis::log("error", "m").falling(), Axis::log("CPU time", "µs"))
+///     .titled("Accuracy against speed")
+///     .with(Series::new("method A", coarse_to_fine).marked())
+///     .with_rule(Rule::vertical(1e-9, "rounding"));
+/// assert!(chart.to_svg()?.starts_with("<svg"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Chart {
     title: String,
+    note: String,
     /// The horizontal axis, common to all panels and labelled under the last one.
     x: Axis,
     panels: Vec<Panel>,
@@ -29,20 +51,19 @@ pub struct Chart {
 #[derive(Clone, Debug)]
 struct Panel {
     y: Axis,
-    curves: Vec<Curve>,
-}
-
-/// A named line through points. A point that cannot be drawn (NaN, infinite) interrupts it.
-#[derive(Clone, Debug)]
-struct Curve {
-    name: String,
-    points: Vec<(f64, f64)>,
+    height: f64,
+    series: Vec<Series>,
+    rules: Vec<Rule>,
 }
 
 impl Chart {
+    /// A chart with one panel, still empty.
+    pub fn new(x: Axis, y: Axis) -> Self {
+        Self { title: String::new(), note: String::new(), x, panels: vec![Panel::new(y, PLATE)] }
+    }
+
     /// The recorded quantities over time, in one panel for each unit, in the order of the columns.
     pub fn over_time<const N: usize>(recording: &Recording<N>) -> Self {
-        let times = recording.times();
         let mut units: Vec<&str> = Vec::new();
         for column in recording.columns() {
             if !units.contains(&column.unit.as_str()) {
@@ -51,7 +72,8 @@ impl Chart {
         }
         Self {
             title: String::new(),
-            x: Axis::tight(label::with_unit("time", "s"), times.iter().copied()),
+            note: String::new(),
+            x: Axis::linear("time", "s").tight(),
             panels: units.into_iter().map(|unit| Panel::of_unit(recording, unit)).collect(),
         }
     }
@@ -60,6 +82,37 @@ impl Chart {
     #[must_use]
     pub fn titled(self, title: impl Into<String>) -> Self {
         Self { title: title.into(), ..self }
+    }
+
+    /// The same chart with a smaller text between title and curves; `\n` begins a new line.
+    #[must_use]
+    pub fn noted(self, note: impl Into<String>) -> Self {
+        Self { note: note.into(), ..self }
+    }
+
+    /// The same chart with a further panel under the others; what is added from now on stands there.
+    #[must_use]
+    pub fn below(mut self, y: Axis) -> Self {
+        self.panels.push(Panel::new(y, STRIP));
+        self
+    }
+
+    /// The same chart with a curve in its last panel.
+    #[must_use]
+    pub fn with(mut self, series: Series) -> Self {
+        if let Some(panel) = self.panels.last_mut() {
+            panel.series.push(series);
+        }
+        self
+    }
+
+    /// The same chart with a line of reference in its last panel.
+    #[must_use]
+    pub fn with_rule(mut self, rule: Rule) -> Self {
+        if let Some(panel) = self.panels.last_mut() {
+            panel.rules.push(rule);
+        }
+        self
     }
 
     /// The picture as the text of an SVG file. It needs no font of its own and the same chart gives the same
@@ -81,18 +134,22 @@ impl Chart {
 }
 
 impl Panel {
+    fn new(y: Axis, height: f64) -> Self {
+        Self { y, height, series: Vec::new(), rules: Vec::new() }
+    }
+
     /// The columns of this unit over time.
     fn of_unit<const N: usize>(recording: &Recording<N>, unit: &str) -> Self {
         let times = recording.times();
-        let mut curves = Vec::new();
+        let mut series = Vec::new();
         for (index, column) in recording.columns().iter().enumerate() {
             if column.unit == unit {
                 let points = times.iter().zip(recording.rows()).map(|(&time, row)| (time, row[index]));
-                curves.push(Curve { name: column.name.clone(), points: points.collect() });
+                series.push(Series::new(column.name.clone(), points));
             }
         }
-        let quantity = label::common_quantity(curves.iter().map(|curve| curve.name.as_str()));
-        let values = curves.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
-        Self { y: Axis::padded(label::with_unit(quantity, unit), values), curves }
+        let quantity = label::common_quantity(series.iter().map(|curve| curve.name.as_str()));
+        let y = Axis::linear(quantity, unit);
+        Self { series, ..Self::new(y, STRIP) }
     }
 }

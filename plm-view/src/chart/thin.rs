@@ -5,9 +5,12 @@ pub(super) fn drawable(number: f64) -> bool {
     number.abs() < 1e300
 }
 
-/// The unbroken pieces of a curve: it is interrupted where a point cannot be drawn.
-pub(super) fn pieces(points: &[(f64, f64)]) -> impl Iterator<Item = &[(f64, f64)]> {
-    points.split(|point| !(drawable(point.0) && drawable(point.1))).filter(|piece| !piece.is_empty())
+/// The unbroken pieces of a curve: it is interrupted where a point has no place.
+pub(super) fn pieces(
+    points: &[(f64, f64)],
+    has_place: impl Fn((f64, f64)) -> bool,
+) -> impl Iterator<Item = &[(f64, f64)]> {
+    points.split(move |&point| !has_place(point)).filter(|piece| !piece.is_empty())
 }
 
 /// Drops points that cannot be seen: of consecutive points in one pixel column, the first, the lowest, the
@@ -39,7 +42,7 @@ mod tests {
     fn a_curve_breaks_where_it_cannot_be_drawn() {
         let points =
             [(0.0, 1.0), (1.0, f64::NAN), (2.0, 2.0), (3.0, 3.0), (f64::INFINITY, 0.0), (5.0, 1e305)];
-        let pieces: Vec<_> = pieces(&points).collect();
+        let pieces: Vec<_> = pieces(&points, |(x, y)| drawable(x) && drawable(y)).collect();
         assert_eq!(pieces, [&points[..1], &points[2..4]]);
     }
 

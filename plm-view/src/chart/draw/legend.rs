@@ -1,0 +1,38 @@
+//! The legend stands right of its frame, so that it covers nothing.
+
+use plotters::style::text_anchor::{HPos, VPos};
+
+use super::WIDTH;
+use super::panel::Plot;
+use super::pen::{Canvas, Outcome, Pen, TEXT, text, text_width, units};
+use crate::chart::{Chart, Panel};
+
+const ROW: f64 = 20.0;
+/// The line and the blanks beside a name.
+const LINE: f64 = 48.0;
+
+/// Room for the longest name, within half of the picture.
+pub(super) fn width(chart: &Chart) -> f64 {
+    let series = chart.panels.iter().flat_map(|panel| &panel.series);
+    let longest = series.map(|series| text_width(&series.name, TEXT)).fold(0.0, f64::max);
+    (LINE + longest).min(WIDTH / 2.0)
+}
+
+pub(super) fn height(panel: &Panel) -> f64 {
+    ROW * panel.series.len() as f64
+}
+
+pub(super) fn draw(plot: &Plot, canvas: &Canvas) -> Outcome {
+    let style = text(TEXT, HPos::Left, VPos::Center);
+    for (index, series) in plot.panel.series.iter().enumerate() {
+        let pen = Pen::of(series.look, index);
+        let row = plot.frame.top + units(ROW * (index as f64 + 0.5));
+        let (from, to) = (plot.frame.right + units(12.0), plot.frame.right + units(LINE - 8.0));
+        pen.curve(&[(from, row), (to, row)], canvas)?;
+        if series.marked {
+            pen.marker((i32::midpoint(from, to), row), canvas)?;
+        }
+        canvas.draw_text(&series.name, &style, (plot.frame.right + units(LINE), row))?;
+    }
+    Ok(())
+}
