@@ -12,7 +12,8 @@
 //! | [`method`] | semi-implicit Euler, Runge-Kutta 4, Dormand-Prince 5(4) |
 //! | [`sim`] | a running simulation |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
-//! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space |
+//! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
 //! Symbols: q coordinates, v = q', a = v', phi(t, q) = 0 constraints, phi_q their Jacobian, phi_q v = nu,
 //! phi_q a = gamma, M a + phi_q^T lambda = Q; the reaction of the joints is -phi_q^T lambda.
@@ -20,8 +21,10 @@
 
 pub mod absolute;
 mod body;
+pub mod dual;
 pub mod fault;
 pub mod linalg;
+pub mod linear;
 pub mod mechanism;
 pub mod method;
 mod operations;
@@ -33,7 +36,9 @@ pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
 pub use body::BodyState;
+pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
+pub use linear::Linear;
 pub use mechanism::{Mechanism, Moment};
 pub use method::{Dopri5, Method, Rk4, SemiImplicitEuler};
 pub use operations::Operations;

@@ -4,8 +4,10 @@
 mod assembly;
 mod change_points;
 mod dense;
+mod dual;
 mod faults;
 mod linalg;
+mod linear;
 mod linkage;
 mod mechanisms;
 mod order;
@@ -16,3 +18,4 @@ mod redundant;
 mod references;
 mod resume;
 mod single;
+mod smooth;
