@@ -38,8 +38,8 @@ pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
 pub use plm_runtime as runtime;
 pub use plm_runtime::{
-    BodyStart, BodyState, Cause, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations, Real,
-    Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,
+    BodyStart, BodyState, Cause, Dop853, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations,
+    Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,
 };
 #[cfg(doctest)]
 mod book;

@@ -9,9 +9,11 @@
 //! | [`scalar`], [`vector`] | numbers (`f32`, `f64`, later lanes of them) and fixed arrays of them |
 //! | [`system`], [`mechanism`], [`start`] | what generated code provides |
 //! | [`fault`] | errors as values that name the time and the part |
-//! | [`method`] | semi-implicit Euler, Runge-Kutta 4, Dormand-Prince 5(4) |
+//! | [`events`] | switching: where it happens, and how often it may |
+//! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
+//! | [`ports`] | inputs and outputs by number |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
@@ -22,12 +24,14 @@
 pub mod absolute;
 mod body;
 pub mod dual;
+pub mod events;
 pub mod fault;
 pub mod linalg;
 pub mod linear;
 pub mod mechanism;
 pub mod method;
 mod operations;
+pub mod ports;
 pub mod scalar;
 pub mod sim;
 pub mod start;
@@ -40,8 +44,9 @@ pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
 pub use linear::Linear;
 pub use mechanism::{Mechanism, Moment};
-pub use method::{Dopri5, Method, Rk4, SemiImplicitEuler};
+pub use method::{Dop853, Dopri5, Method, Rk4, SemiImplicitEuler};
 pub use operations::Operations;
+pub use ports::Ports;
 pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start};
