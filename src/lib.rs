@@ -43,6 +43,11 @@ pub use plm_runtime::{
 };
 #[cfg(doctest)]
 mod book;
+#[cfg(feature = "linearise")]
+mod linearise;
+
+#[cfg(feature = "linearise")]
+pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 
 #[cfg(feature = "view")]
 pub use plm_view as view;
