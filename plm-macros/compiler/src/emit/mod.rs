@@ -7,6 +7,7 @@ mod blocks;
 mod bodies;
 mod defaults;
 mod docs;
+mod linear;
 mod lines;
 mod names;
 mod outputs;
@@ -126,6 +127,7 @@ pub(crate) fn emit(
     public.push_str(&outputs::emit(&emission));
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
+    implementation.push_str(&linear::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
     Code {
