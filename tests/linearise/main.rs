@@ -1,6 +1,8 @@
 //! Linearisation against analytic frequencies and dampings, on systems written as generated code is.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod generated;
+
 use plm::runtime::{Dual, Health, Linear, Ports, System, Vector};
 use plm::{Fault, Linearisation, Mechanism, Moment, Real, linearise};
 
