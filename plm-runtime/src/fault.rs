@@ -29,10 +29,29 @@ pub enum Cause {
         /// The last step tried, s.
         step: f64,
     },
+    /// The estimated error of a step of fixed length is out of all proportion.
+    StepTooLong {
+        /// The step, s.
+        step: f64,
+        /// The error as a fraction of the size of the state.
+        error: f64,
+    },
+    /// The stages of an implicit step were not found.
+    NotConverged {
+        /// The step, s.
+        step: f64,
+    },
     /// The interval needed more internal steps than allowed.
     TooManySteps {
         /// The number allowed.
         steps: u64,
+    },
+    /// A condition switches more and more often: the times have a limit that they do not pass.
+    Zeno {
+        /// How often something switched.
+        events: u32,
+        /// In how short a time, s.
+        within: f64,
     },
     /// An interval ends before it begins, or is not a number.
     Interval {
@@ -110,7 +129,23 @@ impl fmt::Display for Cause {
             Self::StepTooSmall { step } => {
                 write!(f, "the error stays above the tolerance down to a step of {step:e} s")
             }
+            Self::StepTooLong { step, error } => {
+                write!(
+                    f,
+                    "a step of {step:e} s errs by about {:.0} % of the state; shorter steps",
+                    100.0 * error
+                )
+            }
+            Self::NotConverged { step } => {
+                write!(
+                    f,
+                    "the stages of a step of {step:e} s were not found; shorter steps, or a method for stiff equations"
+                )
+            }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::Zeno { events, within } => {
+                write!(f, "switches without end: {events} times within {within:e} s")
+            }
             Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
             Self::Drift { phi, phi_dot } => {
                 write!(f, "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s")

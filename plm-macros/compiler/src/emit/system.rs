@@ -152,7 +152,7 @@ fn mechanism(text: &mut String, emission: &Emission) {
     } else {
         ("State { mechanism, input: held, time, x }", "self.input", "self.input = *held")
     };
-    let held_type = if loops { format!("<{name}<S> as rt::System>::U") } else { "Input<S>".to_owned() };
+    let held_type = emission.held("S");
     push(
         text,
         format_args!(
