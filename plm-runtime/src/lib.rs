@@ -12,6 +12,7 @@
 //! | [`events`] | switching: where it happens, and how often it may |
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
+//! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
 //! | [`ports`] | inputs and outputs by number |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
@@ -23,6 +24,7 @@
 
 pub mod absolute;
 mod body;
+pub mod charts;
 pub mod dual;
 pub mod events;
 pub mod fault;

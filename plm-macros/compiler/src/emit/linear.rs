@@ -23,7 +23,13 @@ fn lift(text: &mut String, emission: &Emission) {
     let inputs = if model.inputs.is_empty() {
         "                none: core::marker::PhantomData,\n".to_owned()
     } else {
-        list(&fields.inputs, "held")
+        list(&fields.inputs, if emission.loops().is_some() { "held.input" } else { "held" })
+    };
+    let (held, lifted) = (emission.held("S"), emission.held("rt::Dual<S, K>"));
+    let wrapped = if emission.loops().is_some() {
+        "rt::charts::Held { input, chart: held.chart, memory: held.memory.map(lift) }"
+    } else {
+        "input"
     };
     let constraints = if emission.reduced.is_some() {
         String::new()
@@ -42,16 +48,16 @@ fn lift(text: &mut String, emission: &Emission) {
             "    impl<S: Real> rt::Linear for {name}<S> {{
         type Lifted<const K: usize> = {name}<rt::Dual<S, K>>;
 
-        fn lift<const K: usize>(&self, held: &Input<S>) -> ({name}<rt::Dual<S, K>>, Input<rt::Dual<S, K>>) {{
+        fn lift<const K: usize>(&self, held: &{held}) -> ({name}<rt::Dual<S, K>>, {lifted}) {{
             let lift = rt::Dual::constant;
             let start = Starts {{
 {bodies}{states}            }};
             let mechanism = {name} {{
                 start,
 {params}            }};
-            let held = Input {{
+            let input = Input {{
 {inputs}            }};
-            (mechanism, held)
+            (mechanism, {wrapped})
         }}
 {constraints}    }}
 
@@ -68,7 +74,10 @@ fn ports(text: &mut String, emission: &Emission) {
     let names =
         model.inputs.iter().map(|input| format!("({:?}, {:?})", input.name.text, docs::si(&input.unit)));
     let names: Vec<String> = names.collect();
-    let arms = each(&fields.inputs, |k, field| format!("                {k} => Some(&mut held.{field}),\n"));
+    let input = if emission.loops().is_some() { "held.input" } else { "held" };
+    let held = emission.held("S");
+    let arms =
+        each(&fields.inputs, |k, field| format!("                {k} => Some(&mut {input}.{field}),\n"));
     push(
         text,
         format_args!(
@@ -76,7 +85,7 @@ fn ports(text: &mut String, emission: &Emission) {
         const INPUTS: &'static [(&'static str, &'static str)] = &[{}];
         const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
 
-        fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {{
+        fn input(held: &mut {held}, index: usize) -> Option<&mut S> {{
             match index {{
 {arms}                _ => None,
             }}
