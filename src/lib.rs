@@ -37,6 +37,7 @@ extern crate self as plm;
 pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
 pub use plm_runtime as runtime;
+pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
     BodyStart, BodyState, Cause, Dop853, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations,
     Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,

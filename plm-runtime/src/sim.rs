@@ -7,7 +7,7 @@ use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dop853, Method};
 use crate::scalar::{Real, Scalar};
-use crate::system::Drift;
+use crate::system::{Accepted, Drift, System};
 
 /// A running simulation.
 ///
@@ -218,14 +218,57 @@ fn stretch<M: Mechanism, I: Method<M>>(
     watch.begin(method, course)?;
     method.begin(course)?;
     while course.time < course.end {
+        let before = (course.time, course.x);
         let due = watch.step(method, course)?;
+        let next = if method.accepts() { Some(look(method, course, watch, before)?) } else { None };
+        // Samples within the step belong to what was held over it.
         observe(method, course)?;
-        if method.accepts() {
-            accept(method, course)?;
+        if let Some(next) = next {
+            next.hold(method, course);
         }
         watch.switch(method, course, due)?;
     }
     Ok(())
+}
+
+/// What a look at the state reached has found.
+struct Next<M: System> {
+    accepted: Accepted,
+    held: M::U,
+    x: M::X,
+}
+
+/// Lets the system look at the state reached; one that it refuses is not kept.
+fn look<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    watch: &mut Watch<M::S, M::G>,
+    before: (M::S, M::X),
+) -> Result<Next<M>, Fault> {
+    let (mut held, mut x) = (course.held, course.x);
+    match course.system.accept(course.time, &mut held, &mut x) {
+        Ok(accepted) => Ok(Next { accepted, held, x }),
+        Err(fault) => {
+            (course.time, course.x) = before;
+            course.stats.steps -= 1;
+            course.stats.rejected += 1;
+            method.restart();
+            watch.forget();
+            Err(fault)
+        }
+    }
+}
+
+impl<M: Mechanism> Next<M> {
+    /// Goes on with it.
+    fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
+        (course.held, course.x) = (self.held, self.x);
+        course.stats.charts += u64::from(self.accepted.moved);
+        course.stats.change_points += u64::from(self.accepted.passed);
+        if self.accepted.moved {
+            method.restart();
+        }
+    }
 }
 
 /// Holds what applies after the known time that was reached.
@@ -238,17 +281,6 @@ fn pass<M: Mechanism, I: Method<M>>(
     course.stats.switches += 1;
     method.restart();
     watch.forget();
-}
-
-/// Lets the system look at the state reached.
-fn accept<M: Mechanism, I: Method<M>>(method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-    let accepted = course.system.accept(course.time, &mut course.held, &mut course.x)?;
-    course.stats.charts += u64::from(accepted.moved);
-    course.stats.change_points += u64::from(accepted.passed);
-    if accepted.moved {
-        method.restart();
-    }
-    Ok(())
 }
 
 /// Puts `moment` at a time within the last step, onto the constraints.

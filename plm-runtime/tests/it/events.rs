@@ -2,8 +2,8 @@
 
 use core::f64::consts::{LN_2, PI, SQRT_2};
 
-use plm_runtime::method::{Embedded, Method, Pair};
-use plm_runtime::{Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, Sim, System};
+use plm_runtime::method::{Embedded, Gauss, Method, Pair};
+use plm_runtime::{Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, SemiImplicitEuler, Sim, System};
 
 use crate::linkage::At;
 
@@ -327,4 +327,41 @@ fn runs_that_switch_resume_to_the_bit() {
         sim.step(2.7).unwrap();
         assert_eq!((sim.x.map(f64::to_bits), sim.stats()), (x, stats));
     }
+}
+
+/// x'' = -|x| - x / 2: two half waves, of the frequencies sqrt(1.5) and (growing) sqrt(0.5).
+const KINK: Scene = Scene { rate: |_, _, x| [x[1], -x[0].abs() - 0.5 * x[0], 0.0], ..SMOOTH };
+
+#[test]
+fn kinks_are_left_to_error_control() {
+    let (fast, slow) = (1.5_f64.sqrt(), 0.5_f64.sqrt());
+    let t = PI / (2.0 * fast) + 1.0;
+    // Down from 1 with a quarter of a wave, then away from zero.
+    let exact = -fast / slow * slow.sinh();
+    let run = |rtol: f64| run(KINK, Dop853::new(rtol), t);
+    let errors = [1e-6, 1e-9, 1e-12].map(|rtol| {
+        let sim = run(rtol);
+        assert_eq!(sim.stats().switches, 0);
+        ((sim.x[0] - exact).abs(), sim.stats().evaluations)
+    });
+    for ((error, _), rtol) in errors.iter().zip([1e-6, 1e-9, 1e-12]) {
+        assert!(*error < 30.0 * rtol, "{error:e} at {rtol:e}");
+    }
+    // What it costs: a few shorter steps.
+    assert!(errors[1].1 < 400, "{errors:?}");
+}
+
+#[test]
+fn known_times_are_hit_by_every_method() {
+    fn passes<I: Method<Scene>>(method: I) {
+        // The rate of KNOWN itself refuses times beyond what is held.
+        let sim = run(KNOWN, method, 4.0);
+        assert_eq!((sim.time, sim.held.passed), (4.0, 2));
+    }
+    passes(Dop853::new(1e-4));
+    passes(Dopri5::new(1e-4));
+    passes(Rk4::new(0.7));
+    passes(SemiImplicitEuler::new(0.7));
+    passes(Gauss::<_, 2>::new(0.7));
+    passes(Gauss::<_, 3>::new(0.7));
 }

@@ -3,6 +3,7 @@
 
 mod assembly;
 mod change_points;
+mod charts;
 mod dense;
 mod dual;
 mod events;

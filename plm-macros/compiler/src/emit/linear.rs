@@ -15,14 +15,11 @@ pub(crate) fn emit(emission: &Emission) -> String {
 fn lift(text: &mut String, emission: &Emission) {
     let Emission { model, fields, name, .. } = emission;
     let (length, _) = emission.state_length();
-    let list = |fields: &[String], from: &str| -> String {
-        fields.iter().map(|field| format!("                {field}: lift({from}.{field}),\n")).collect()
+    let list = |fields: &[String], from: &str| {
+        each(fields, |_, field| format!("                {field}: lift({from}.{field}),\n"))
     };
-    let bodies: String = fields
-        .bodies
-        .iter()
-        .map(|field| format!("                {field}: self.start.{field}.map(lift),\n"))
-        .collect();
+    let bodies =
+        each(&fields.bodies, |_, field| format!("                {field}: self.start.{field}.map(lift),\n"));
     let inputs = if model.inputs.is_empty() {
         "                none: core::marker::PhantomData,\n".to_owned()
     } else {
@@ -79,9 +76,8 @@ fn ports(text: &mut String, emission: &Emission) {
     let names: Vec<String> = names.collect();
     let input = if emission.loops().is_some() { "held.input" } else { "held" };
     let held = emission.held("S");
-    let arms = fields.inputs.iter().enumerate();
-    let arms: String =
-        arms.map(|(k, field)| format!("                {k} => Some(&mut {input}.{field}),\n")).collect();
+    let arms =
+        each(&fields.inputs, |k, field| format!("                {k} => Some(&mut {input}.{field}),\n"));
     push(
         text,
         format_args!(
@@ -106,4 +102,10 @@ fn ports(text: &mut String, emission: &Emission) {
             names.join(", ")
         ),
     );
+}
+
+/// A line for every field.
+fn each(fields: &[String], line: impl Fn(usize, &str) -> String) -> String {
+    let lines: Vec<String> = fields.iter().enumerate().map(|(k, field)| line(k, field)).collect();
+    lines.concat()
 }

@@ -51,8 +51,8 @@ impl Pair for DormandPrince853 {
     const DENSE_EVALUATIONS: u64 = 3;
     /// As dear as Dormand-Prince 5(4) at 1e-8, and a hundred times as accurate.
     const RTOL: f64 = 1e-9;
-    /// The authors' but for the safety, theirs is 0.9: with that a third of the steps is rejected, which costs the double
-    /// pendulum, a four-bar and a slider-crank an eighth more evaluations to the same error (1e-7 to 1e-10).
+    /// The authors' but for the safety, theirs is 0.9: with that up to a third of the steps is rejected, which costs the
+    /// double pendulum, a four-bar and a slider-crank a third more evaluations to an error of 1e-10.
     const LIMITS: Limits = Limits { safety: 0.7, exponent: 0.125, memory: 0.0, shrink: 0.333, growth: 6.0 };
 
     type Stages<X: Copy + Debug> = Stages<X>;
