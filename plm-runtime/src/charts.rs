@@ -6,6 +6,7 @@
 //! where the solutions meet is passed as the motion passes it. After each accepted step, a chart whose worst dyad is
 //! flat is left for one that is better by far, if there is one.
 
+use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, System};
 use crate::vector::Vector;
@@ -49,6 +50,9 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     /// The same of a pose in some chart, with determinants at rest.
     fn survey(&self, chart: usize, t: Self::S, q: &Self::Q) -> (Self::Memory, Self::S);
 
+    /// The fault of a state whose loops cannot be closed.
+    fn apart(&self, t: Self::S, held: &Self::U, x: &Self::X) -> Fault;
+
     /// Writes the coordinates of a chart and their rates; first-order states stay.
     fn project(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
 }
@@ -61,16 +65,23 @@ pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &
 }
 
 /// Remembers an accepted state, and leaves its chart if another one is better by far.
+///
+/// # Errors
+/// The part that is open widest, where the state is out of reach of a loop.
 #[inline]
-pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Accepted {
+pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Accepted, Fault> {
     let (memory, measure) = system.look(t, held, x);
+    // Rounding may put a flat pose out of reach by itself.
+    if measure < -M::S::lit(1e-10).max(M::S::lit(64.0) * M::S::EPSILON) {
+        return Err(system.apart(t, held, x));
+    }
     let mirrored = |k: usize| held.memory.at(k) * memory.at(k) < M::S::lit(0.0);
     let passed = (M::BEFORE_AREAS..M::Memory::LEN).step_by(2).any(mirrored);
     if memory.is_finite() {
         held.memory = memory;
     }
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
-    Accepted { moved, passed: passed && !moved }
+    Ok(Accepted { moved, passed: passed && !moved })
 }
 
 #[cold]

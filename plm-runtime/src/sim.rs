@@ -220,16 +220,17 @@ fn stretch<M: Mechanism, I: Method<M>>(
     while course.time < course.end {
         let before = (course.time, course.x);
         let due = watch.step(method, course)?;
-        let next = if method.accepts() { Some(look(method, course, watch, before)?) } else { None };
+        let Some(next) = look(method, course, watch, before)? else { continue };
         // Samples within the step belong to what was held over it.
         observe(method, course)?;
-        if let Some(next) = next {
-            next.hold(method, course);
-        }
+        next.hold(method, course);
         watch.switch(method, course, due)?;
     }
     Ok(())
 }
+
+/// A step that was refused is not shortened below so many units in the last place of the time.
+const SHORTEST_ULPS: f64 = 64.0;
 
 /// What a look at the state reached has found.
 struct Next<M: System> {
@@ -238,22 +239,26 @@ struct Next<M: System> {
     x: M::X,
 }
 
-/// Lets the system look at the state reached; one that it refuses is not kept.
+/// Lets the system look at the state reached. One that it refuses is not kept: none, if a shorter step is to be tried.
 fn look<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     watch: &mut Watch<M::S, M::G>,
     before: (M::S, M::X),
-) -> Result<Next<M>, Fault> {
+) -> Result<Option<Next<M>>, Fault> {
     let (mut held, mut x) = (course.held, course.x);
     match course.system.accept(course.time, &mut held, &mut x) {
-        Ok(accepted) => Ok(Next { accepted, held, x }),
+        Ok(accepted) => Ok(Some(Next { accepted, held, x })),
         Err(fault) => {
+            let (h, time) = (course.time - before.0, course.time);
             (course.time, course.x) = before;
             course.stats.steps -= 1;
             course.stats.rejected += 1;
-            method.restart();
             watch.forget();
+            if method.shorten(h) && h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs() {
+                watch.begin(method, course)?;
+                return Ok(None);
+            }
             Err(fault)
         }
     }

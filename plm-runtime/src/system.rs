@@ -49,7 +49,8 @@ pub trait System {
     /// Looks at an accepted state and brings what is held over the next step up to date: charts, branches of loops.
     ///
     /// # Errors
-    /// When the state cannot be the continuation of the one before. The run ends, with the state before the step.
+    /// When the state cannot be the continuation of the one before. Methods with error control then
+    /// try shorter steps; in the end the run stops with this fault and the state before the step.
     fn accept(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<Accepted, Fault> {
         let _ = (t, u, x);
         Ok(Accepted::default())

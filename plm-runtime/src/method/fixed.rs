@@ -154,10 +154,6 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         self.until_check = 0;
     }
 
-    fn accepts(&self) -> bool {
-        self.until_check == self.check_every || self.careful
-    }
-
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
     }

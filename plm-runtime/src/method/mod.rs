@@ -75,9 +75,12 @@ pub trait Method<M: System>: Copy {
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
     fn restart(&mut self);
 
-    /// Whether the state reached is to be looked at by [`System::accept`]; a method with cheap steps may leave some out.
-    fn accepts(&self) -> bool {
-        true
+    /// The system has refused the state that the last step, of `h`, led to, and the state is that before it again:
+    /// whether a shorter step is tried next. Not where steps are fixed.
+    fn shorten(&mut self, h: M::S) -> bool {
+        let _ = h;
+        self.restart();
+        false
     }
 
     /// The drift above which a state is settled.

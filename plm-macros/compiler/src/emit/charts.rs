@@ -92,7 +92,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) 
 
         #[inline]
         fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; {length}]) -> Result<rt::Accepted, Fault> {{
-            Ok(rt::charts::accept(self, t, u, x))
+            rt::charts::accept(self, t, u, x)
         }}
 
 "
@@ -137,6 +137,10 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
             let mut memory = [S::lit(0.0); {memory}];
             let measure = {survey};
             (memory, measure)
+        }}
+        fn apart(&self, t: S, held: &Self::U, x: &[S; {length}]) -> Fault {{
+            let (q, v) = rt::charts::Charted::place(self, t, held, x);
+            absolute::apart(self, t, &q, &v)
         }}
         fn project(&self, {chart}: usize, t: S, q: &[S; {nq}], v: &[S; {nq}], x: &mut [S; {length}]) {{
             {project}

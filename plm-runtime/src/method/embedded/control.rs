@@ -28,6 +28,11 @@ impl<S: Real> Control<S> {
         factor.max(S::lit(limits.shrink)).min(S::lit(most))
     }
 
+    /// The step was accepted by its error and refused for something else.
+    pub(super) fn refuse(&mut self) {
+        self.rejected = true;
+    }
+
     /// Factor for another try after `error` > 1, or NaN.
     pub(super) fn reject(&mut self, limits: &Limits, error: S) -> S {
         self.rejected = true;

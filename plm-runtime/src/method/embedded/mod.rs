@@ -292,6 +292,13 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         self.residue = M::S::lit(0.0);
     }
 
+    fn shorten(&mut self, h: M::S) -> bool {
+        self.restart();
+        self.control.refuse();
+        self.proposal = Some(M::S::lit(0.5) * h);
+        true
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
     }

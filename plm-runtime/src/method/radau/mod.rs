@@ -321,6 +321,13 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         self.residue = M::S::ZERO;
     }
 
+    fn shorten(&mut self, h: M::S) -> bool {
+        self.restart();
+        self.control.rejected = true;
+        self.proposal = Some(M::S::lit(0.5) * h);
+        true
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
     }
