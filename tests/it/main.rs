@@ -10,6 +10,7 @@ mod manual;
 mod operations;
 mod oracle;
 mod physics;
+mod reach;
 mod references;
 mod robust;
 mod rungs;

@@ -80,16 +80,25 @@ fn charts_change_between_steps_and_samples_know_theirs() {
 fn a_state_that_is_refused_is_not_kept() {
     // 2.5 is passed at 2.419 s.
     let limit = (-0.75_f64).acos();
-    let mut sim = Charted { most: 2.5 }.start_with(Dop853::new(1e-10)).unwrap();
-    let mut last: f64 = 0.0;
-    let fault = sim.run(4.0, 0.001, |moment| last = last.max(moment.held * moment.x[0])).unwrap_err();
-    assert_eq!(fault.part, "coupler");
-    assert!(fault.time > limit && matches!(fault.cause, Cause::Drift { phi, .. } if phi > 0.0), "{fault}");
-    // Neither the state nor a sample is beyond it.
-    assert!(sim.time < limit && (sim.held * sim.x[0] - exact(sim.time)).abs() < 1e-8, "{}", sim.time);
-    assert!(last <= 2.5, "{last}");
-    // With steps that end before it the run goes on, from what it knows to be right.
-    sim.step(limit - sim.time - 1e-6).unwrap();
-    assert!((sim.held * sim.x[0] - 2.5).abs() < 1e-5);
+    fn refused<I: Method<Charted>>(method: I) -> (Sim<Charted, I>, Fault) {
+        let mut sim = Charted { most: 2.5 }.start_with(method).unwrap();
+        let mut last: f64 = 0.0;
+        let sample = |moment: &At<Charted>| last = last.max(moment.held * moment.x[0]);
+        let fault = sim.run(4.0, 0.001, sample).unwrap_err();
+        assert_eq!(fault.part, "coupler");
+        assert!(matches!(fault.cause, Cause::Drift { phi, .. } if phi > 0.0), "{fault}");
+        // Neither the state nor a sample is beyond it.
+        assert!((sim.held * sim.x[0] - exact(sim.time)).abs() < 1e-8, "{}", sim.time);
+        assert!(last <= 2.5, "{last}");
+        (sim, fault)
+    }
+    // Fixed steps end with the last one before it, and go on from there if they may.
+    let (mut sim, fault) = refused(Rk4::new(1e-3));
+    assert!(sim.time < limit && limit < fault.time && fault.time - sim.time < 1.001e-3, "{fault}");
+    sim.step(0.9 * (limit - sim.time)).unwrap();
     assert!(sim.step(1e-3).is_err());
+    // Steps that may be shortened come as near as there are numbers between.
+    let (sim, fault) = refused(Dop853::new(1e-12));
+    assert!((sim.time - limit).abs() < 1e-9 && (fault.time - limit).abs() < 1e-9, "{fault}");
+    assert!(sim.stats().rejected > 30 && sim.stats().steps < 200, "{:?}", sim.stats());
 }

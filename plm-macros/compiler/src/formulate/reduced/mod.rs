@@ -33,6 +33,8 @@ pub(crate) struct Reduced {
     pub(crate) charts: Vec<Chart>,
     /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
     pub(crate) memory: Vec<Expr>,
+    /// The bodies whose angles are remembered, in that order.
+    pub(crate) turning: Vec<String>,
     /// How many of them stand before the determinants of the dyads and their rates.
     pub(crate) before_areas: usize,
 }
@@ -102,7 +104,12 @@ pub(crate) fn formulate(
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
-    Ok(Reduced { charts, memory: memory.symbols(), before_areas: memory.before_areas() })
+    let turning = coordinates.unknowns.iter().filter_map(|unknown| match *unknown {
+        Unknown::Angle { body, .. } => Some(model.bodies[body].name.text.clone()),
+        _ => None,
+    });
+    let turning = turning.collect();
+    Ok(Reduced { turning, charts, memory: memory.symbols(), before_areas: memory.before_areas() })
 }
 
 /// What all charts share.
