@@ -41,6 +41,17 @@ pub enum Cause {
         /// The step, s.
         step: f64,
     },
+    /// A loop cannot be closed any further: the mechanism locks up.
+    Locked,
+    /// A body turned so far within a step that its loop could not be followed.
+    TurnedTooFar {
+        /// The angle, rad.
+        angle: f64,
+    },
+    /// The bars of a loop lie in one line at rest: it can go on in several ways.
+    Flat,
+    /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there.
+    ChangePoint,
     /// The interval needed more internal steps than allowed.
     TooManySteps {
         /// The number allowed.
@@ -142,6 +153,18 @@ impl fmt::Display for Cause {
                     "the stages of a step of {step:e} s were not found; shorter steps, or a method for stiff equations"
                 )
             }
+            Self::Locked => write!(f, "its loop cannot be closed beyond this pose: the mechanism locks up"),
+            Self::TurnedTooFar { angle } => {
+                write!(
+                    f,
+                    "a body turned by {angle:.1} rad within a step, too far to follow its loop; shorter steps"
+                )
+            }
+            Self::Flat => write!(
+                f,
+                "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
+            ),
+            Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")

@@ -64,19 +64,6 @@ pub fn drift<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, 
     Drift { phi: largest(&m.phi(t, &q)), phi_dot: largest(&m.phi_dot(t, &q, &v)) }
 }
 
-/// The fault of a pose that leaves its joints open, by the one that is open widest.
-#[cold]
-pub fn apart<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
-    m: &M,
-    t: S,
-    q: &[S; NQ],
-    v: &[S; NQ],
-) -> Fault {
-    let phi = m.phi(t, q);
-    let (gap, rate) = (largest(&phi).to_f64(), largest(&m.phi_dot(t, q, v)).to_f64());
-    Fault::of_part(t.to_f64(), widest(&phi, &M::PARTS), Cause::Drift { phi: gap, phi_dot: rate })
-}
-
 /// Gives `row` the residuals of position, then those of velocity, of a state [q, v, first-order states].
 pub fn residuals<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
     m: &M,

@@ -84,8 +84,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
     if reduced.has_loops() {
         charts::system(&mut rate, emission, reduced);
         charts::charted(text, emission, reduced);
-        place = "rt::charts::Charted::place(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)"
-            .to_owned();
+        place = "rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)".to_owned();
     } else {
         place = format!(
             "let (mut q, mut v) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nq}]);
