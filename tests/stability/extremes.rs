@@ -1,6 +1,6 @@
 //! Extreme speeds, mass ratios and precision.
 
-use plm::{Dopri5, Rk4};
+use plm::{Dop853, Rk4};
 
 use crate::scenes::declared::s2;
 use crate::scenes::{loops, trees};
@@ -8,7 +8,7 @@ use crate::scenes::{loops, trees};
 #[test]
 fn a_crank_at_1e4_rad_per_s_turns_as_a_slow_one_does() {
     for speed in [1.0, 1e4] {
-        let [off, energy] = loops::whirled(speed, 20, Dopri5::new(1e-11)).unwrap();
+        let [off, energy] = loops::whirled(speed, 20, Dop853::new(1e-11)).unwrap();
         assert!(off.abs() < 1e-8 && energy.abs() < 1e-9, "{speed} rad/s: {off:e} rad, {energy:e}");
     }
 }
@@ -16,7 +16,7 @@ fn a_crank_at_1e4_rad_per_s_turns_as_a_slow_one_does() {
 #[test]
 fn bars_of_a_millionth_or_a_million_times_the_load_swing_with_their_period() {
     for bars in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
-        let (off, stats) = loops::swung(bars, Dopri5::new(1e-11)).unwrap();
+        let (off, stats) = loops::swung(bars, Dop853::new(1e-11)).unwrap();
         assert!(off.abs() < 1e-9, "{bars:e} kg: {off:e} rad, {stats:?}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use plm::{Dopri5, Rk4};
+use plm::{Dop853, Rk4};
 
 use crate::scenes::dead::{Quadrorhomb, swinging};
 use crate::scenes::declared::{s1, s2};
@@ -50,7 +50,7 @@ fn the_four_bar_swings_without_drift() {
 #[test]
 fn a01_keeps_its_phase() {
     assert!((pendulum_period(G.sqrt(), FRAC_PI_2) - 2.367_841_947_576_237_45).abs() < 1e-15 * 4.0);
-    let mut sim = Pendulum::new().start_with(Dopri5::new(1e-12)).unwrap();
+    let mut sim = Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
     let trace = phase(&mut sim, 100.0, 1.0);
     assert!(trace.survived(), "{:?}", trace.end);
     // A phase that is wrong by an error of the frequency of 1e-12 grows by 4e-12 rad/s.
@@ -60,7 +60,7 @@ fn a01_keeps_its_phase() {
 
 #[test]
 fn s1_over_ten_seconds_is_worth_seven_digits() {
-    let mut sim = s1::DoublePendulum::new().start_with(Dopri5::new(1e-13)).unwrap();
+    let mut sim = s1::DoublePendulum::new().start_with(Dop853::new(1e-13)).unwrap();
     sim.step(10.0).unwrap();
     let [arm, forearm] = S1_AT_10;
     let off = (sim.arm().angle - arm).abs().max((sim.forearm().angle - forearm).abs());

@@ -26,6 +26,10 @@ const BETTER: f64 = 2.0;
 const OPEN: f64 = -1e-10;
 /// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
 const FARTHEST: f64 = 1.0;
+/// The farthest that a determinant near zero may be from its prediction, as a part of its size before and after.
+const FARTHEST_AREA: f64 = 0.05;
+/// How far a body, and by which part a determinant, should have moved until the next look.
+const CALM: f64 = 0.06;
 /// Place in the memory of the time of the last look.
 const LAST: usize = 0;
 /// Place of the time of the next one, which is followed by an angle, its cosine and its sine for each class of bodies.
@@ -112,11 +116,12 @@ fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Me
     if M::S::lit(FARTHEST) < turned {
         return Err(Fault::new(t.to_f64(), Cause::TurnedTooFar { angle: turned.to_f64() }));
     }
-    let mut calm = M::S::lit(0.25) / turned.max(M::S::lit(1.0 / 64.0));
+    // What has moved by so little since the last look does not move far in a like time.
+    let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
     for k in areas::<M>() {
         let (area, change) = (memory.at(k), memory.at(k) - old.at(k));
         passed |= old.at(k) * area < zero;
-        calm = calm.min(M::S::lit(0.25) * area.abs() / change.abs());
+        calm = calm.min(M::S::lit(CALM) * area.abs() / change.abs());
         if since > zero {
             memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
         }
@@ -156,8 +161,16 @@ fn look_closely<M: Charted>(
     let (mut memory, measure) = system.look(t, held, x);
     held.memory = last;
     for k in areas::<M>() {
+        let (area, rate) = predicted(k);
         if !memory.at(k + 1).is_finite() {
-            memory.set(k + 1, predicted(k).1);
+            memory.set(k + 1, rate);
+        }
+        let size = last.at(k).abs().max(memory.at(k).abs());
+        if (memory.at(k) - area).abs() > M::S::lit(FARTHEST_AREA) * size {
+            return Err(Fault::new(
+                t.to_f64(),
+                Cause::TurnedTooFar { angle: (since * rate / size).to_f64().abs() },
+            ));
         }
     }
     if memory.is_finite() { Ok((memory, measure)) } else { Err(locked::<M>(t, held.chart, &memory)) }
