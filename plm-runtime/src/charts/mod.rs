@@ -22,6 +22,8 @@ const FLAT: f64 = 0.3;
 /// How much better another chart's measure must be.
 const BETTER: f64 = 2.0;
 
+/// Below this square of the measure a loop is open; what is nearer to zero may be a flat pose and rounding.
+const OPEN: f64 = -1e-10;
 /// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
 const FARTHEST: f64 = 1.0;
 /// The farthest that a determinant near zero may be from its prediction, as a part of its size before and after.
@@ -97,6 +99,9 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     let far = |k: usize| (M::S::lit(2.0) * since * memory.at(k + 1)).abs().lt(memory.at(k).abs());
     if !areas::<M>().all(far) {
         (memory, measure) = look_closely(system, t, held, x)?;
+    }
+    if measure < M::S::lit(OPEN).min(M::S::lit(-64.0) * M::S::EPSILON) {
+        return Err(locked::<M>(t, held.chart, &memory));
     }
     let passed = remember::<M>(t, since, held, memory)?;
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
