@@ -31,11 +31,12 @@ impl<const N: usize> Lanes<N> {
         (Self(sines), Self(cosines))
     }
 
-    /// (sin, cos) of two angles in as few vectors as they need, for at most two lanes.
+    /// (sin, cos) of two angles in one vector, for at most two lanes.
     #[inline(always)]
     pub(crate) fn sin_cos_of_two([a, b]: [Self; 2]) -> [(Self, Self); 2] {
         if N == 1 {
-            return [a.sin_cos(), b.sin_cos()];
+            let ([s1, s2], [c1, c2]) = f64::sin_cos_all([a.0[0], b.0[0]]);
+            return [(Self([s1; N]), Self([c1; N])), (Self([s2; N]), Self([c2; N]))];
         }
         let ([s1, s2, s3, s4], [c1, c2, c3, c4]) = f64::sin_cos_all([a.0[0], a.0[1], b.0[0], b.0[1]]);
         let two = |x, y| each_lane!(i => if i == 0 { x } else { y });
