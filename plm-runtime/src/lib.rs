@@ -11,6 +11,7 @@
 //! | [`fault`] | errors as values that name the time and the part |
 //! | [`method`] | semi-implicit Euler, Runge-Kutta 4, Dormand-Prince 5(4) |
 //! | [`sim`] | a running simulation |
+//! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space |
 //!
@@ -20,6 +21,7 @@
 
 pub mod absolute;
 mod body;
+pub mod charts;
 pub mod fault;
 pub mod linalg;
 pub mod mechanism;

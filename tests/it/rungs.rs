@@ -8,7 +8,7 @@ macro_rules! on_both {
     ($test:ident, [$($body:ident),+], [$($output:ident),*], { $($item:tt)* }) => {
         mod $test {
             pub(super) mod least {
-                plm::mechanism! { pub Scene { rung: tree; $($item)* } }
+                plm::mechanism! { pub Scene { rung: loops; $($item)* } }
             }
             pub(super) mod absolute {
                 plm::mechanism! { pub Scene { rung: absolute; $($item)* } }
@@ -127,4 +127,76 @@ on_both!(on_a_moving_pivot, [rod], [pin_force], {
     body rod { mass: 1 kg; inertia: 0.02 kg*m^2; port p: (0, 0.4) m; start angle: 35 deg, locked; }
     revolute pin(ground.p, rod.p);
     output pin.force;
+});
+
+on_both!(four_bar, [crank, coupler, rocker], [drive_force, elbow_force], {
+    gravity: 9.81 m/s^2;
+    ground { port a: (0.1, -0.1) m; port d: (1.1, 0) m; }
+    body crank { mass: 0.3 kg; inertia: 0.00225 kg*m^2; port a: (-0.15, 0.02) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 3 rad/s, locked; }
+    body coupler { mass: 0.9 kg; inertia: 0.06075 kg*m^2; port b: (-0.45, 0.1) m; port c: (0.45, 0) m; start angle: 30 deg; }
+    body rocker { mass: 0.7 kg; inertia: 0.02858 kg*m^2; port d: (-0.35, 0) m; port c: (0.35, 0.1) m; start x: 1 m; start angle: 95 deg; }
+    revolute drive(ground.a, crank.a);
+    revolute elbow(crank.b, coupler.b) { stiffness: 2 N*m/rad; damping: 0.1 N*m*s/rad; }
+    revolute knee(coupler.c, rocker.c);
+    revolute pivot(ground.d, rocker.d) { stiffness: 1 N*m/rad; rest: 90 deg; }
+    output drive.force, elbow.force;
+});
+
+// RRP: a slider in a guide that is off the axis and tilted.
+on_both!(slider_crank, [crank, rod, piston], [guide_force], {
+    gravity: 9.81 m/s^2;
+    ground { port o: (0, 0) m; port guide: (0.1, 0.05) m, axis: 10 deg; }
+    body crank { mass: 0.5 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port a: (0.1, 0) m; start angle: 40 deg, locked; start omega: 8 rad/s, locked; }
+    body rod { mass: 0.8 kg; inertia: 0.03 kg*m^2; port a: (-0.3, 0) m; port b: (0.3, 0) m; start x: 0.4 m; start angle: -12 deg; }
+    body piston { mass: 1.5 kg; inertia: 0.001 kg*m^2; port b: (0, 0.01) m; port g: (0.02, 0) m; start x: 0.7 m; start angle: 10 deg; }
+    revolute main(ground.o, crank.o);
+    revolute big_end(crank.a, rod.a);
+    revolute small_end(rod.b, piston.b);
+    prismatic guide(ground.guide, piston.g) { stiffness: 50 N/m; free_length: 0.5 m; damping: 2 N*s/m; }
+    output guide.force;
+});
+
+// RPR: the slot of a quick-return mechanism.
+on_both!(quick_return, [crank, lever], [slot_force], {
+    gravity: 9.81 m/s^2;
+    ground { port o: (0, 0) m; port p: (0, -0.5) m; }
+    body crank { mass: 0.5 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port a: (0.1, 0) m; start angle: 20 deg, locked; start omega: 5 rad/s, locked; }
+    body lever { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (-0.4, 0) m; port s: (-0.4, 0.02) m; start y: 0.4 m; start angle: 75 deg; }
+    revolute main(ground.o, crank.o);
+    revolute foot(ground.p, lever.p) { stiffness: 5 N*m/rad; rest: 90 deg; }
+    pin_slot slot(lever.s, crank.a) { damping: 1 N*s/m; }
+    output slot.force;
+});
+
+// PRP: an elliptic trammel.
+on_both!(trammel, [bar, across, along], [left_force], {
+    gravity: 9.81 m/s^2;
+    ground { port g: (0, 0) m; port h: (0, 0.1) m, axis: 80 deg; }
+    body bar { mass: 1 kg; inertia: 0.05 kg*m^2; port a: (-0.4, 0) m; port b: (0.4, 0) m; start angle: 120 deg, locked; start x: 0.3 m; start y: 0.4 m; start omega: 1 rad/s, locked; }
+    body across { mass: 0.2 kg; inertia: 0.001 kg*m^2; port a: (0, 0) m; start x: 0.4 m; }
+    body along { mass: 0.3 kg; inertia: 0.001 kg*m^2; port b: (0, 0) m; start y: 0.7 m; start angle: 80 deg; }
+    prismatic left(ground.g, across.a);
+    prismatic right(ground.h, along.b) { damping: 1 N*s/m; }
+    revolute first(across.a, bar.a);
+    revolute second(along.b, bar.b);
+    output left.force;
+});
+
+// Two freedoms and two loops that share a body, on a moving pivot.
+on_both!(five_bar_with_a_strut, [left, right, up, down, strut], [top_force], {
+    gravity: 9.81 m/s^2;
+    ground { port a: (0.02 m * sin(3 rad/s * t), 0 m); port b: (0.6, 0) m; port c: (-0.3, 0.1) m; }
+    body left { mass: 0.5 kg; inertia: 0.01 kg*m^2; port a: (-0.2, 0) m; port t: (0.2, 0) m; start angle: 100 deg, locked; start omega: 1 rad/s, locked; }
+    body right { mass: 0.5 kg; inertia: 0.01 kg*m^2; port b: (-0.2, 0) m; port t: (0.2, 0) m; start x: 0.6 m; start angle: 60 deg, locked; start omega: -2 rad/s, locked; }
+    body up { mass: 0.4 kg; inertia: 0.02 kg*m^2; port l: (-0.35, 0) m; port r: (0.35, 0) m; start x: 0.2 m; start y: 0.5 m; start angle: 30 deg; }
+    body down { mass: 0.4 kg; inertia: 0.02 kg*m^2; port l: (-0.35, 0) m; port r: (0.35, 0) m; start x: 0.7 m; start y: 0.6 m; start angle: -40 deg; }
+    body strut { mass: 0.3 kg; inertia: 0.01 kg*m^2; port c: (-0.25, 0) m; start x: -0.1 m; start y: 0.2 m; start angle: 60 deg; }
+    revolute p1(ground.a, left.a);
+    revolute p2(ground.b, right.b);
+    revolute p3(left.t, up.l);
+    revolute p4(right.t, down.r);
+    revolute top(up.r, down.l) { damping: 0.05 N*m*s/rad; }
+    revolute foot(ground.c, strut.c);
+    pin_slot guide(strut.c, up.l);
+    output top.force;
 });

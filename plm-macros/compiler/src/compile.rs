@@ -11,7 +11,7 @@ use crate::formulate::{Absolute, Reduced, formulate, reduce};
 use crate::front;
 use crate::model::{Model, Rung, Stabilisation};
 use crate::oracle::Oracle;
-use crate::report::Report;
+use crate::report::{self, Report};
 use crate::token::Sources;
 
 /// What the compiler makes of a declaration.
@@ -61,8 +61,11 @@ fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
         return Expansion::default();
     }
     let lowered = lower(model);
-    if let (Some((Rung::Tree, span)), Err(reason)) = (lowered.model.rung, &lowered.reduced) {
-        sink.error(Problem::NoRung, span, format!("there is no `tree` of this mechanism: {reason}"))
+    if let (Some((rung @ (Rung::Tree | Rung::Loops), span)), Err(reason)) =
+        (lowered.model.rung, &lowered.reduced)
+    {
+        let name = rung.name();
+        sink.error(Problem::NoRung, span, format!("there is no rung `{name}` of this mechanism: {reason}"))
             .help("leave `rung` out: the least formulation is taken, and the report says which and why");
     }
     let mut report = lowered.report();
@@ -99,7 +102,10 @@ fn lower(mut model: Model) -> Lowered {
     let reduced = match (model.rung, model.stabilisation) {
         (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
-        _ => reduce(&model, &equations, &mut graph),
+        _ => {
+            let length = report::length(&model, &graph, &check::defaults(&model, &graph));
+            reduce(&model, &equations, length, &mut graph)
+        }
     };
     Lowered { model, graph, equations, program, reduced }
 }

@@ -77,13 +77,21 @@ pub enum Stabilisation {
 pub enum Rung {
     /// Rung 2: joint coordinates of a tree.
     Tree,
+    /// Rung 3: loops in closed form; rung 2 where there are none.
+    Loops,
     /// Rung 5: absolute coordinates and multipliers.
     Absolute,
 }
 
 impl Rung {
     /// The rungs as the language names them.
-    pub const NAMES: [(&'static str, Rung); 2] = [("tree", Rung::Tree), ("absolute", Rung::Absolute)];
+    pub const NAMES: [(&'static str, Rung); 3] =
+        [("tree", Rung::Tree), ("loops", Rung::Loops), ("absolute", Rung::Absolute)];
+
+    /// Its name in the language.
+    pub fn name(self) -> &'static str {
+        Rung::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
+    }
 
     /// The rung of a name.
     pub fn named(name: &str) -> Option<Rung> {

@@ -24,15 +24,17 @@ impl Oracle {
 
     /// Length of the state on the rung that was taken, `[y, y', first-order states]`.
     pub fn reduced_states(&self) -> Option<usize> {
-        self.reduced.as_ref().map(|reduced| 2 * reduced.y.len() + self.equations.x.len())
+        self.reduced.as_ref().map(|reduced| 2 * reduced.freedom() + self.equations.x.len())
     }
 
-    /// `dx` on the rung that was taken, if that is above 5; `x` has [`Oracle::reduced_states`] values.
+    /// `dx`, and with loops Health, in the first chart of the rung that was taken, if that is above 5; `x` has
+    /// [`Oracle::reduced_states`] values, followed by what is remembered.
     pub fn rate(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
         let reduced = self.reduced.as_ref()?;
-        let symbols: Vec<Expr> =
-            reduced.y.iter().chain(&reduced.y_dot).chain(&self.equations.x).copied().collect();
-        Some(self.run_at(&reduced.rate, time, &symbols, x))
+        let chart = reduced.first()?;
+        let state = chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x);
+        let symbols: Vec<Expr> = state.chain(&reduced.memory).copied().collect();
+        Some(self.run_at(&chart.rate, time, &symbols, x))
     }
 
     /// Number of constraint rows.

@@ -69,9 +69,9 @@ impl Report {
             freedom: equations.q.len() as isize - equations.phi.len() as isize,
             rank: None,
             formulation: formulation(model, reduced),
-            state: reduced.map_or(2 * equations.q.len(), |reduced| 2 * reduced.y.len()) + equations.x.len(),
+            state: reduced.map_or(2 * equations.q.len(), |reduced| 2 * reduced.freedom()) + equations.x.len(),
             length: length(model, graph, values),
-            rate: count(reduced.map_or(&program.dynamics, |reduced| &reduced.rate)),
+            rate: count(reduced.ok().and_then(Reduced::first).map_or(&program.dynamics, |chart| &chart.rate)),
             functions: vec![
                 ("phi", count(&program.phi)),
                 ("phi_dot", count(&program.phi_dot)),
@@ -157,10 +157,15 @@ impl std::fmt::Display for Report {
 /// The rung, and why it was taken.
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     match reduced {
-        Ok(reduced) => vec![
-            "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.".to_owned(),
-            format!("Coordinates: {}.", reduced.names.join(", ")),
-        ],
+        Ok(reduced) if !reduced.has_loops() => {
+            let names = reduced.first().map(|chart| chart.names.join(", ")).unwrap_or_default();
+            vec![
+                "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left."
+                    .to_owned(),
+                format!("Coordinates: {names}."),
+            ]
+        }
+        Ok(reduced) => loops(reduced),
         Err(reason) => {
             let kept = match model.stabilisation {
                 Stabilisation::Projection => "projection",
@@ -171,6 +176,18 @@ fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
             )]
         }
     }
+}
+
+/// The charts of rung 3.
+fn loops(reduced: &Reduced) -> Vec<String> {
+    let mut lines = vec![
+        "Rung 3: joint coordinates; the loops are solved in closed form, so that no constraint is left."
+            .to_owned(),
+    ];
+    for (k, chart) in reduced.charts.iter().enumerate() {
+        lines.push(format!("Chart {k}: {}; then {}.", chart.names.join(", "), chart.dyads.join("; ")));
+    }
+    lines
 }
 
 /// `forearm.angle: 0 deg moved by -25.7586 deg`.
@@ -184,7 +201,7 @@ fn moved(model: &Model, k: usize, start: f64, by: f64) -> String {
 }
 
 /// The largest extent of a body, or 1 m if all are points: the unit in which residuals and tolerances are judged.
-fn length(model: &Model, graph: &Graph, values: &[(Expr, f64)]) -> f64 {
+pub(crate) fn length(model: &Model, graph: &Graph, values: &[(Expr, f64)]) -> f64 {
     let mut length: f64 = 0.0;
     for body in &model.bodies {
         for port in &body.ports {

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod bodies;
+mod charts;
 mod defaults;
 mod docs;
 mod lines;
@@ -166,15 +167,20 @@ pub(crate) enum Origin {
     Pose,
     /// `self` is a `State`; on a rung above 5 the pose is in the locals `q`, `v`.
     State,
-    /// `self` is the mechanism; `x` is the state on a rung above 5.
-    Reduced,
+    /// `self` is the mechanism; `x` is the state in this chart of a rung above 5, `m` what is remembered.
+    Chart(usize),
 }
 
 impl Emission<'_> {
     /// Numbers in the state, and how many of them stand before the first-order states.
     pub(crate) fn state_length(&self) -> (usize, usize) {
-        let second_order = 2 * self.reduced.map_or(self.equations.q.len(), |reduced| reduced.y.len());
+        let second_order = 2 * self.reduced.map_or(self.equations.q.len(), Reduced::freedom);
         (second_order + self.equations.x.len(), second_order)
+    }
+
+    /// The mechanism, if its loops are solved in charts.
+    pub(crate) fn loops(&self) -> Option<&Reduced> {
+        self.reduced.filter(|reduced| reduced.has_loops())
     }
 
     /// The line that gives an accessor of `State` the pose, where that is not the state itself.
@@ -193,7 +199,7 @@ impl Emission<'_> {
         let mut bindings = lines::Bindings::new();
         let Emission { model, equations, fields, .. } = self;
         let (mechanism, input, state, time) = match origin {
-            Origin::Arguments | Origin::Pose | Origin::Reduced => ("self", "u", "x", "t"),
+            Origin::Arguments | Origin::Pose | Origin::Chart(_) => ("self", "u", "x", "t"),
             Origin::State => ("self.mechanism", "self.input", "self.x", "self.time"),
         };
         for (param, field) in model.params.iter().zip(&fields.params) {
@@ -217,12 +223,14 @@ impl Emission<'_> {
             (Origin::State, Some(reduced)) => {
                 bind(&equations.q, "q", 0);
                 bind(&equations.v, "v", 0);
-                bind(&equations.x, state, 2 * reduced.y.len());
+                bind(&equations.x, state, 2 * reduced.freedom());
             }
-            (Origin::Reduced, Some(reduced)) => {
-                bind(&reduced.y, state, 0);
-                bind(&reduced.y_dot, state, reduced.y.len());
-                bind(&equations.x, state, 2 * reduced.y.len());
+            (Origin::Chart(index), Some(reduced)) => {
+                let chart = &reduced.charts[index];
+                bind(&chart.y, state, 0);
+                bind(&chart.y_dot, state, chart.y.len());
+                bind(&equations.x, state, 2 * chart.y.len());
+                bind(&reduced.memory, "m", 0);
             }
             _ => {
                 bind(&equations.q, state, 0);

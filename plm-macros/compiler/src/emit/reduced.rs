@@ -1,21 +1,29 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, push};
-use crate::formulate::Reduced;
+use super::{Emission, Origin, charts, push};
+use crate::formulate::Chart;
 
 /// The straight-line functions.
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
     let Some(reduced) = emission.reduced else { return text };
-    let Emission { name, .. } = emission;
+    push(&mut text, format_args!("\n    impl<S: Scalar> {}<S> {{\n", emission.name));
+    match reduced.first() {
+        Some(chart) if !reduced.has_loops() => tree(&mut text, emission, chart),
+        _ => charts::emit(&mut text, emission, reduced),
+    }
+    text.push_str("    }\n");
+    text
+}
+
+fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
     let ((length, _), nq) = (emission.state_length(), emission.equations.q.len());
-    push(&mut text, format_args!("\n    impl<S: Scalar> {name}<S> {{\n"));
     write(
-        &mut text,
+        text,
         emission,
-        &reduced.rate,
-        Origin::Reduced,
+        &chart.rate,
+        Origin::Chart(0),
         &Shape {
             docs: &["The right-hand side in joint coordinates."],
             attribute: "#[inline(always)]",
@@ -26,10 +34,10 @@ pub(crate) fn emit(emission: &Emission) -> String {
         },
     );
     write(
-        &mut text,
+        text,
         emission,
-        &reduced.pose,
-        Origin::Reduced,
+        &chart.pose,
+        Origin::Chart(0),
         &Shape {
             docs: &["Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s."],
             attribute: "#[inline]",
@@ -39,47 +47,76 @@ pub(crate) fn emit(emission: &Emission) -> String {
             arguments: &["t", "u", "x", "q", "v"],
         },
     );
+    projection(text, emission, chart, "project");
+}
+
+/// The coordinates of a chart at a pose.
+pub(crate) fn projection(text: &mut String, emission: &Emission, chart: &Chart, name: &str) {
+    let ((length, _), nq) = (emission.state_length(), emission.equations.q.len());
     write(
-        &mut text,
+        text,
         emission,
-        &reduced.project,
+        &chart.project,
         Origin::Pose,
         &Shape {
             docs: &["The joint coordinates and their rates at a pose that closes the joints."],
             attribute: "",
             signature: &format!(
-                "fn project(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], x: &mut [S; {length}])"
+                "fn {name}(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], x: &mut [S; {length}])"
             ),
             arguments: &["t", "q", "v", "x"],
         },
     );
-    text.push_str("    }\n");
-    text
 }
 
 /// `System` for the joint coordinates, and the pose of a state.
 pub(crate) fn system(text: &mut String, emission: &Emission) {
-    let Some(reduced) = emission.reduced else { return };
+    let Some((reduced, chart)) = emission.reduced.and_then(|reduced| Some((reduced, reduced.first()?)))
+    else {
+        return;
+    };
     let Emission { name, equations, .. } = emission;
-    let ((length, second_order), n) = (emission.state_length(), reduced.y.len());
+    let ((length, second_order), n) = (emission.state_length(), reduced.freedom());
     let (nq, nx) = (equations.q.len(), equations.x.len());
+    let mut rate = String::new();
+    let (held, place);
+    if reduced.has_loops() {
+        charts::system(&mut rate, emission, reduced);
+        charts::charted(text, emission, reduced);
+        held = format!("rt::charts::Held<Input<S>, [S; {}]>", reduced.memory.len());
+        place = "rt::charts::Charted::place(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)"
+            .to_owned();
+    } else {
+        held = "Input<S>".to_owned();
+        place = format!(
+            "let (mut q, mut v) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nq}]);
+            self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
+            (q, v)"
+        );
+        push(
+            &mut rate,
+            format_args!(
+                "        #[inline]
+        fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
+            self.motion(t, u, x, dx);
+            rt::Health::perfect()
+        }}
+
+"
+            ),
+        );
+    }
     push(
         text,
         format_args!(
             "    impl<S: Real> rt::System for {name}<S> {{
         type S = S;
         type X = [S; {length}];
-        type U = Input<S>;
+        type U = {held};
         type G = [S; 0];
         const NQ: usize = {n};
 
-        #[inline]
-        fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
-            self.motion(t, u, x, dx);
-            rt::Health::perfect()
-        }}
-
-        fn typical(&self) -> [S; {length}] {{
+{rate}        fn typical(&self) -> [S; {length}] {{
             [{}].map(S::lit)
         }}
 
@@ -96,9 +133,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
         /// Pose and velocity of every body.
         #[inline]
         fn pose(&self) -> ([S; {nq}], [S; {nq}]) {{
-            let (mut q, mut v) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nq}]);
-            self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
-            (q, v)
+            {place}
         }}
 
         /// The state in absolute coordinates, for reactions.
@@ -114,8 +149,8 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
     }}
 
 ",
-            sizes(emission, reduced),
-            parts(emission, reduced),
+            sizes(emission, chart),
+            parts(emission, chart),
             absolute = 2 * nq + nx,
             second_absolute = 2 * nq,
         ),
@@ -123,18 +158,18 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
 }
 
 /// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for rates.
-fn sizes(emission: &Emission, reduced: &Reduced) -> String {
+fn sizes(emission: &Emission, chart: &Chart) -> String {
     let length = format!("{:?}", emission.report.length);
     let one = |angle: &bool| if *angle { "1.0".to_owned() } else { length.clone() };
-    let mut sizes: Vec<String> = reduced.angles.iter().chain(&reduced.angles).map(one).collect();
+    let mut sizes: Vec<String> = chart.angles.iter().chain(&chart.angles).map(one).collect();
     sizes.extend(std::iter::repeat_n("1.0".to_owned(), emission.equations.x.len()));
     sizes.join(", ")
 }
 
 /// Names of the parts that the numbers of the state belong to.
-fn parts(emission: &Emission, reduced: &Reduced) -> String {
+fn parts(emission: &Emission, chart: &Chart) -> String {
     let quoted = |name: &String| format!("{name:?}");
-    let mut names: Vec<String> = reduced.parts.iter().chain(&reduced.parts).map(quoted).collect();
+    let mut names: Vec<String> = chart.parts.iter().chain(&chart.parts).map(quoted).collect();
     names.extend(emission.model.states.iter().map(|state| quoted(&state.name.text)));
     names.join(", ")
 }

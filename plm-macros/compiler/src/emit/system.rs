@@ -142,25 +142,31 @@ fn typical(text: &mut String, emission: &Emission) {
 fn mechanism(text: &mut String, emission: &Emission) {
     let Emission { name, fields, .. } = emission;
     let (length, second_order) = emission.state_length();
-    let begin = if emission.reduced.is_some() {
-        "self.project(t, &assembly.q, &assembly.v, &mut x)"
+    let loops = emission.loops().is_some();
+    let (new, held, set) = if loops {
+        (
+            "State { mechanism, input: held.input, time, x, chart: held.chart, memory: held.memory }",
+            "rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }",
+            "(self.input, self.chart, self.memory) = (held.input, held.chart, held.memory)",
+        )
     } else {
-        "absolute::join(&assembly.q, &assembly.v, &mut x)"
+        ("State { mechanism, input: held, time, x }", "self.input", "self.input = *held")
     };
+    let held_type = if loops { format!("<{name}<S> as rt::System>::U") } else { "Input<S>".to_owned() };
     push(
         text,
         format_args!(
             "    impl<S: Real> rt::Moment for State<S> {{
         type M = {name}<S>;
 
-        fn new(mechanism: {name}<S>, held: Input<S>, time: S, x: [S; {length}]) -> Self {{
-            State {{ mechanism, input: held, time, x }}
+        fn new(mechanism: {name}<S>, held: {held_type}, time: S, x: [S; {length}]) -> Self {{
+            {new}
         }}
         fn mechanism(&self) -> &{name}<S> {{
             &self.mechanism
         }}
-        fn held(&self) -> Input<S> {{
-            self.input
+        fn held(&self) -> {held_type} {{
+            {held}
         }}
         fn time(&self) -> S {{
             self.time
@@ -168,9 +174,9 @@ fn mechanism(text: &mut String, emission: &Emission) {
         fn x(&self) -> &[S; {length}] {{
             &self.x
         }}
-        fn set(&mut self, time: S, held: &Input<S>, x: &[S; {length}]) {{
+        fn set(&mut self, time: S, held: &{held_type}, x: &[S; {length}]) {{
             self.time = time;
-            self.input = *held;
+            {set};
             self.x = *x;
         }}
     }}
@@ -178,17 +184,39 @@ fn mechanism(text: &mut String, emission: &Emission) {
     impl<S: Real> rt::Mechanism for {name}<S> {{
         type State = State<S>;
 
-        fn start_state(&self, t: S) -> Result<(Input<S>, [S; {length}]), Fault> {{
+        fn start_state(&self, t: S) -> Result<({held_type}, [S; {length}]), Fault> {{
             let assembly = absolute::assemble(self, t)?;
             let mut x = [S::lit(0.0); {length}];
-            {begin};
 "
         ),
     );
     for (k, field) in fields.states.iter().enumerate() {
         push(text, format_args!("            x[{}] = self.start.{field};\n", second_order + k));
     }
-    text.push_str("            Ok((self.declared_input(), x))\n        }\n    }\n\n");
+    text.push_str(&begin(emission));
+    text.push_str("        }\n    }\n\n");
+}
+
+/// From the assembled pose to the state.
+fn begin(emission: &Emission) -> String {
+    match emission.loops() {
+        Some(reduced) => format!(
+            "            let memory = [S::lit(0.0); {}];
+            let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
+            rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
+            Ok((held, x))
+",
+            reduced.memory.len()
+        ),
+        None => {
+            let call = if emission.reduced.is_some() {
+                "self.project(t, &assembly.q, &assembly.v, &mut x)"
+            } else {
+                "absolute::join(&assembly.q, &assembly.v, &mut x)"
+            };
+            format!("            {call};\n            Ok((self.declared_input(), x))\n")
+        }
+    }
 }
 
 /// `Absolute`: the constraints, for assembly, projection and the fallback.

@@ -71,6 +71,9 @@ fn inputs(text: &mut String, emission: &Emission) {
 fn state(text: &mut String, emission: &Emission) {
     let Emission { name, .. } = emission;
     let (length, _) = emission.state_length();
+    let memory = emission.loops().map_or_else(String::new, |reduced| {
+        format!("        chart: usize,\n        memory: [S; {}],\n", reduced.memory.len())
+    });
     push(
         text,
         format_args!(
@@ -83,7 +86,7 @@ fn state(text: &mut String, emission: &Emission) {
         pub input: Input<S>,
         time: S,
         x: [S; {length}],
-    }}
+{memory}    }}
 
 "
         ),

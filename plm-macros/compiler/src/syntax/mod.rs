@@ -6,7 +6,7 @@
 //! definition  := docs ("joint" | "part") NAME "(" [ NAME ":" NAME { "," … } ] ")" "{" { item } "}"
 //!
 //! item := "gravity" ":" expr ";"                                    in a mechanism
-//!       | "rung" ":" ("tree" | "absolute") ";"
+//!       | "rung" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
 //!       | "allow" "(" CODE { "," CODE } ")" ";"
 //!       | "ground" "{" { port } "}"

@@ -43,4 +43,24 @@ impl Chain {
     pub(crate) fn terms(&self) -> impl Iterator<Item = (usize, Option<usize>, Vec2)> {
         self.terms.iter().map(|(&(class, slide), &vector)| (class, slide, vector))
     }
+
+    /// The classes that it holds, ascending.
+    pub(crate) fn classes(&self) -> Vec<usize> {
+        let mut classes: Vec<usize> = self.terms.keys().map(|&(class, _)| class).collect();
+        classes.dedup();
+        classes
+    }
+
+    /// The vectors of one class: slide, components.
+    pub(crate) fn of_class(&self, class: usize) -> impl Iterator<Item = (Option<usize>, Vec2)> {
+        self.terms
+            .iter()
+            .filter(move |((own, _), _)| *own == class)
+            .map(|(&(_, slide), &vector)| (slide, vector))
+    }
+
+    /// Class and vector of a slide.
+    pub(crate) fn slide(&self, slide: usize) -> Option<(usize, Vec2)> {
+        self.terms().find(|term| term.1 == Some(slide)).map(|(class, _, vector)| (class, vector))
+    }
 }

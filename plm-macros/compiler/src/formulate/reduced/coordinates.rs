@@ -1,15 +1,16 @@
-//! Joint coordinates: which they are, and where they put the bodies.
+//! Joint coordinates: which they are, where they put the bodies, and the loops that tie them.
 //!
 //! A revolute is left to the absolute angles of its bodies, so that no sine of a sum is needed and velocities have no
 //! Coriolis terms; a prismatic joint or a slot adds its displacement; a body that hangs on nothing adds the position
-//! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class.
+//! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class. What is left of a
+//! loop of joints is that its vectors sum to zero.
 
 use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
 use super::plane::{self, Vec2};
 use crate::model::{FrameRef, Model, Pair, Port};
-use crate::topology::spanning_forest;
+use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
 /// What a coordinate is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +55,10 @@ pub(crate) struct Coordinates {
     pub(crate) joints: Vec<Joint>,
     /// Bodies from the ground outwards: body, the joint that holds it, and the body on its other side.
     pub(crate) order: Vec<Hold>,
+    /// Independent loops: vectors that sum to zero.
+    pub(crate) closures: Vec<Chain>,
+    /// The joints that close them, by their places in [`Coordinates::joints`].
+    pub(crate) chords: Vec<usize>,
 }
 
 /// What holds a body on the way from the ground.
@@ -67,41 +72,55 @@ pub(crate) struct Hold {
 }
 
 impl Coordinates {
-    /// The coordinates of a mechanism without loops.
+    /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors
-    /// Why this mechanism has none: words that go on "needs rung 5: …".
-    pub(crate) fn of_tree(model: &Model, graph: &mut Graph) -> Result<Coordinates, String> {
+    /// Why this mechanism has none: words that go on "rung 5 because …".
+    pub(crate) fn new(model: &Model, graph: &mut Graph) -> Result<Coordinates, String> {
         let joints = joints(model, graph)?;
         let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);
         let edges: Vec<(usize, usize)> = joints.iter().map(|joint| (node(joint.a), node(joint.b))).collect();
-        let forest = spanning_forest(model.bodies.len() + 1, &edges);
-        if let Some(&chord) = forest.chords.first() {
-            return Err(format!("`{}` closes a loop", model.parts[joints[chord].part].name.text));
-        }
+        let nodes = model.bodies.len() + 1;
+        let forest = spanning_forest(nodes, &edges);
         let order = forest.order.iter().filter(|&&node| node > 0).map(|&node| {
             let held = forest.parent[node];
             let parent = held.and_then(|(_, parent)| parent.checked_sub(1));
             Hold { body: node - 1, joint: held.map(|(joint, _)| joint), parent }
         });
-        let order = order.collect();
+        let order: Vec<Hold> = order.collect();
         let mut coordinates = Coordinates {
             unknowns: Vec::new(),
             angle_of_class: vec![None],
-            headings: vec![Heading { class: 0, offset: graph.zero() }; model.bodies.len()],
+            headings: headings(model, graph, &joints, &edges, &order)?,
             centres: vec![Chain::default(); model.bodies.len()],
             joints,
             order,
+            closures: Vec::new(),
+            chords: forest.chords,
         };
         coordinates.walk(model, graph);
+        for chord in coordinates.chords.clone() {
+            coordinates.add_slide(chord);
+        }
+        for cycle in shortest_cycle_basis(nodes, &edges) {
+            let mut closure = Chain::default();
+            for (joint, along) in cycle {
+                coordinates.add_across(&mut closure, model, graph, joint, !along);
+            }
+            coordinates.closures.push(closure);
+        }
         Ok(coordinates)
     }
 
     /// From the ground outwards: a coordinate for every freedom, a place for every body.
     fn walk(&mut self, model: &Model, graph: &mut Graph) {
         for hold in self.order.clone() {
+            let class = self.headings[hold.body].class;
+            if class == self.angle_of_class.len() {
+                let unknown = self.new_unknown(Unknown::Angle { class, body: hold.body });
+                self.angle_of_class.push(Some(unknown));
+            }
             let Some(joint) = hold.joint else {
-                self.new_class(hold.body, graph);
                 for axis in 0..2 {
                     let along =
                         if axis == 0 { [graph.one(), graph.zero()] } else { [graph.zero(), graph.one()] };
@@ -110,49 +129,25 @@ impl Coordinates {
                 }
                 continue;
             };
-            let Joint { part, pair, a, b, .. } = self.joints[joint];
-            let outward = b.body == Some(hold.body);
-            match pair {
-                Pair::Revolute | Pair::PinSlot => self.new_class(hold.body, graph),
-                Pair::Prismatic | Pair::Weld => self.same_class(model, graph, hold, a, b, outward),
-            }
-            if matches!(pair, Pair::Prismatic | Pair::PinSlot) {
-                self.joints[joint].slide = Some(self.new_unknown(Unknown::Slide { part }));
-            }
+            self.add_slide(joint);
             let mut centre = hold.parent.map_or(Chain::default(), |parent| self.centres[parent].clone());
+            let outward = self.joints[joint].b.body == Some(hold.body);
             self.add_across(&mut centre, model, graph, joint, !outward);
             self.centres[hold.body] = centre;
+        }
+    }
+
+    /// A coordinate for the displacement in a joint that has one.
+    fn add_slide(&mut self, joint: usize) {
+        let Joint { part, pair, .. } = self.joints[joint];
+        if matches!(pair, Pair::Prismatic | Pair::PinSlot) {
+            self.joints[joint].slide = Some(self.new_unknown(Unknown::Slide { part }));
         }
     }
 
     fn new_unknown(&mut self, unknown: Unknown) -> usize {
         self.unknowns.push(unknown);
         self.unknowns.len() - 1
-    }
-
-    fn new_class(&mut self, body: usize, graph: &Graph) {
-        let class = self.angle_of_class.len();
-        let unknown = self.new_unknown(Unknown::Angle { class, body });
-        self.angle_of_class.push(Some(unknown));
-        self.headings[body] = Heading { class, offset: graph.zero() };
-    }
-
-    /// The body keeps the angle of its parent but for the angles of the two ports.
-    fn same_class(
-        &mut self,
-        model: &Model,
-        graph: &mut Graph,
-        hold: Hold,
-        a: FrameRef,
-        b: FrameRef,
-        outward: bool,
-    ) {
-        let (near, far) = if outward { (a, b) } else { (b, a) };
-        let parent = self.heading(near, graph);
-        let (of_near, of_far) = (port(model, near).angle, port(model, far).angle);
-        let turned = graph.sub(of_near, of_far);
-        let offset = graph.add(parent.offset, turned);
-        self.headings[hold.body] = Heading { class: parent.class, offset };
     }
 
     /// Heading of the body of a frame.
@@ -186,6 +181,69 @@ impl Coordinates {
         let (class, arm) = self.arm(model, graph, b);
         chain.add(graph, class, None, arm, !negative);
     }
+}
+
+/// Classes of bodies that never turn against each other, numbered in the order of `order`, and each body's angle in its
+/// class: zero for the first one. Class 0 is the ground.
+///
+/// # Errors
+/// When joints fix an angle twice and nothing says that they agree.
+fn headings(
+    model: &Model,
+    graph: &mut Graph,
+    joints: &[Joint],
+    edges: &[(usize, usize)],
+    order: &[Hold],
+) -> Result<Vec<Heading>, String> {
+    let fixed = |joint: &&Joint| matches!(joint.pair, Pair::Prismatic | Pair::Weld);
+    let (ties, tied): (Vec<&Joint>, Vec<(usize, usize)>) = joints
+        .iter()
+        .zip(edges)
+        .filter(|(joint, _)| fixed(joint))
+        .map(|(joint, &edge)| (joint, edge))
+        .unzip();
+    let nodes = model.bodies.len() + 1;
+    let Forest { parent, order: outward, roots, chords } = spanning_forest(nodes, &tied);
+    // How far the second body of a tie is turned from the first.
+    let turn = |graph: &mut Graph, tie: usize| {
+        graph.sub(port(model, ties[tie].a).angle, port(model, ties[tie].b).angle)
+    };
+    let mut root = vec![0; nodes];
+    let mut angle = vec![graph.zero(); nodes];
+    for root_node in roots {
+        root[root_node] = root_node;
+    }
+    for &node in &outward {
+        let Some((tie, from)) = parent[node] else { continue };
+        let by = turn(graph, tie);
+        root[node] = root[from];
+        angle[node] =
+            if tied[tie].0 == from { graph.add(angle[from], by) } else { graph.sub(angle[from], by) };
+    }
+    for chord in chords {
+        let (first, second) = tied[chord];
+        let by = turn(graph, chord);
+        let expected = graph.add(angle[first], by);
+        if expected != angle[second] {
+            return Err(format!(
+                "`{}` fixes an angle that is fixed already",
+                model.parts[ties[chord].part].name.text
+            ));
+        }
+    }
+    let mut first = vec![graph.zero()];
+    let mut class = vec![None; nodes];
+    class[root[0]] = Some(0);
+    let mut headings = vec![Heading { class: 0, offset: graph.zero() }; model.bodies.len()];
+    for hold in order {
+        let node = hold.body + 1;
+        let class = *class[root[node]].get_or_insert_with(|| {
+            first.push(angle[node]);
+            first.len() - 1
+        });
+        headings[hold.body] = Heading { class, offset: graph.sub(angle[node], first[class]) };
+    }
+    Ok(headings)
 }
 
 /// The port of a frame.

@@ -87,6 +87,45 @@ pub(crate) fn dense(
     Dense { mass: entries, force: force.collect() }
 }
 
+/// The equations of the coordinates alone: `K^T M K` and `K^T (Q - M b)`.
+pub(crate) fn along_drivers(dense: &Dense, motion: &Motion, graph: &mut Graph) -> Dense {
+    let (n, drivers) = (dense.force.len(), motion.drivers.len());
+    let gains = |driver: usize| (0..n).map(|unknown| motion.gain[unknown][driver]).collect::<Vec<Expr>>();
+    let pushed = times(dense, &motion.bias, graph);
+    let left: Vec<Expr> =
+        dense.force.iter().zip(&pushed).map(|(&force, &push)| graph.sub(force, push)).collect();
+    let (mut mass, mut force) = (BTreeMap::new(), Vec::new());
+    for j in 0..drivers {
+        let column = gains(j);
+        let moved = times(dense, &column, graph);
+        for i in j..drivers {
+            let entry = product(graph, &gains(i), &moved);
+            if i == j || !graph.is_zero(entry) {
+                mass.insert((i, j), entry);
+            }
+        }
+        force.push(product(graph, &column, &left));
+    }
+    Dense { mass, force }
+}
+
+/// `M u`.
+fn times(dense: &Dense, u: &[Expr], graph: &mut Graph) -> Vec<Expr> {
+    let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); u.len()];
+    for (&(i, j), &entry) in &dense.mass {
+        terms[i].push(graph.mul(entry, u[j]));
+        if i != j {
+            terms[j].push(graph.mul(entry, u[i]));
+        }
+    }
+    terms.iter().map(|terms| graph.sum(terms)).collect()
+}
+
+fn product(graph: &mut Graph, a: &[Expr], b: &[Expr]) -> Expr {
+    let terms: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| graph.mul(a, b)).collect();
+    graph.sum(&terms)
+}
+
 /// `dp/dy_i` of a place, for every coordinate that moves it, ascending.
 fn partial_velocities(
     coordinates: &Coordinates,

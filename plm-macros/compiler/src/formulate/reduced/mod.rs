@@ -1,15 +1,22 @@
-//! Rung 2: a tree in joint coordinates. No constraint is left, so nothing can drift.
+//! Rungs 2 and 3: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
+//! dyad by dyad, so that no constraint is left that could drift.
 
 mod chain;
+mod charts;
 mod coordinates;
+mod dyad;
 mod inertia;
+mod loops;
+mod memory;
 mod motion;
 mod plane;
 
 use plm_cas::{Expr, Graph};
 
+use self::charts::Scheme;
 use self::coordinates::{Coordinates, Unknown};
 use self::inertia::Dense;
+use self::memory::{Memorable, Memory};
 use self::motion::Motion;
 use super::function::{Function, Place, Section};
 use super::ldl::factorise;
@@ -22,6 +29,34 @@ const MOST_DENSE: usize = 12;
 /// Everything that a rung above 5 computes.
 #[derive(Debug)]
 pub(crate) struct Reduced {
+    /// Choices of coordinates, the best first; a tree has one.
+    pub(crate) charts: Vec<Chart>,
+    /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
+    pub(crate) memory: Vec<Expr>,
+    /// How many of them stand before the determinants of the dyads and their rates.
+    pub(crate) before_areas: usize,
+}
+
+impl Reduced {
+    /// Number of coordinates.
+    pub(crate) fn freedom(&self) -> usize {
+        self.charts.first().map_or(0, |chart| chart.y.len())
+    }
+
+    /// Is it rung 3?
+    pub(crate) fn has_loops(&self) -> bool {
+        !self.memory.is_empty()
+    }
+
+    /// The chart that is taken first.
+    pub(crate) fn first(&self) -> Option<&Chart> {
+        self.charts.first()
+    }
+}
+
+/// A choice of coordinates.
+#[derive(Debug)]
+pub(crate) struct Chart {
     /// Name of each coordinate, as a path of the model.
     pub(crate) names: Vec<String>,
     /// Is the coordinate an angle?
@@ -32,44 +67,157 @@ pub(crate) struct Reduced {
     pub(crate) y: Vec<Expr>,
     /// Symbols of their rates.
     pub(crate) y_dot: Vec<Expr>,
-    /// `dx`.
+    /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
     /// `q`, `v` of all bodies.
     pub(crate) pose: Function,
     /// `x` of a state in absolute coordinates.
     pub(crate) project: Function,
+    /// `memory` of a state, returning the same as `rate`; of loops alone.
+    pub(crate) look: Option<Function>,
+    /// `memory` of a pose in this chart, with rates of zero, returning the square of the measure; of loops alone.
+    pub(crate) survey: Option<Function>,
+    /// The dyads in the order of solution: kind and unknowns.
+    pub(crate) dyads: Vec<String>,
 }
 
-/// Lays out rung 2.
+/// Lays out rung 2 or 3; `length` is the size of the scene, m.
 ///
 /// # Errors
-/// Why the mechanism is no tree of joints: words that go on "rung 5 because …".
-pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph) -> Result<Reduced, String> {
-    let coordinates = Coordinates::of_tree(model, graph)?;
-    if coordinates.unknowns.len() > MOST_DENSE {
-        return Err(format!("it has {} degrees of freedom", coordinates.unknowns.len()));
+/// Why the mechanism has neither: words that go on "rung 5 because …".
+pub(crate) fn formulate(
+    model: &Model,
+    equations: &Equations,
+    length: f64,
+    graph: &mut Graph,
+) -> Result<Reduced, String> {
+    let coordinates = Coordinates::new(model, graph)?;
+    let schemes = charts::schemes(model, &coordinates, graph)?;
+    let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
+    if freedom > MOST_DENSE {
+        return Err(format!("it has {freedom} degrees of freedom"));
     }
-    let motion = Motion::new(model, &coordinates, graph);
-    let force = loads(model, &motion, graph);
-    let dense = inertia::dense(model, &coordinates, &motion, &force, graph);
-    let (acceleration, section) = accelerations(model, &coordinates, &dense, graph);
-    let x_dot = graph.substitute(&equations.x_dot, &motion.substitution);
-    let values = motion.rate.iter().chain(&acceleration).chain(&x_dot);
-    let rate = Function { sections: vec![section], results: stored("dx", values) };
-    let names: Vec<String> =
-        coordinates.unknowns.iter().map(|&unknown| inertia::name(model, unknown)).collect();
-    let parts =
-        names.iter().map(|name| name.rsplit_once('.').map_or(name.as_str(), |split| split.0).to_owned());
-    Ok(Reduced {
-        parts: parts.collect(),
-        names,
-        angles: coordinates.unknowns.iter().map(|unknown| matches!(unknown, Unknown::Angle { .. })).collect(),
-        rate: rate.optimise(graph),
-        pose: pose(model, &coordinates, &motion, graph).optimise(graph),
-        project: project(model, equations, &coordinates, graph).optimise(graph),
-        y: motion.value,
-        y_dot: motion.rate,
-    })
+    let dyads = schemes.iter().map(|scheme| scheme.dyads.len()).max().unwrap_or(0);
+    let memory = Memory::new(&coordinates, dyads, graph);
+    let length = graph.number(plm_cas::Number::from_f64(length));
+    let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
+    let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
+    Ok(Reduced { charts, memory: memory.symbols(), before_areas: memory.before_areas() })
+}
+
+/// What all charts share.
+struct Layout<'a> {
+    model: &'a Model,
+    equations: &'a Equations,
+    coordinates: &'a Coordinates,
+    memory: &'a Memory,
+    length: Expr,
+    graph: &'a mut Graph,
+}
+
+impl Layout<'_> {
+    fn chart(&mut self, scheme: &Scheme) -> Chart {
+        let Layout { model, coordinates, equations, .. } = *self;
+        let motion = Motion::new(model, coordinates, scheme, self.memory, self.length, self.graph);
+        let loops = !scheme.dyads.is_empty();
+        let rate = self.rate(&motion, loops);
+        let of_drivers =
+            |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
+        let names: Vec<String> =
+            motion.drivers.iter().map(|&unknown| motion.names[unknown].clone()).collect();
+        let parts =
+            names.iter().map(|name| name.rsplit_once('.').map_or(name.as_str(), |split| split.0).to_owned());
+        let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
+        let look = loops.then(|| self.look(scheme, &motion));
+        let survey = loops.then(|| self.survey(scheme));
+        let described = scheme.dyads.iter().map(|dyad| {
+            let [first, second] = dyad.unknowns.map(|unknown| &motion.names[unknown]);
+            format!("{} {first}, {second}", dyad.name())
+        });
+        let dyads = described.collect();
+        Chart {
+            parts: parts.collect(),
+            names,
+            angles: motion.drivers.iter().map(is_angle).collect(),
+            y: of_drivers(&motion.value),
+            y_dot: of_drivers(&motion.rate),
+            rate: rate.optimise(self.graph),
+            pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
+            project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
+            look,
+            survey,
+            dyads,
+        }
+    }
+
+    fn rate(&mut self, motion: &Motion, loops: bool) -> Function {
+        let Layout { model, coordinates, equations, .. } = *self;
+        let graph = &mut *self.graph;
+        let force = loads(model, motion, graph);
+        let mut dense = inertia::dense(model, coordinates, motion, &force, graph);
+        if loops {
+            dense = inertia::along_drivers(&dense, motion, graph);
+        }
+        let (acceleration, section) = accelerations(motion, &dense, graph);
+        let x_dot = graph.substitute(&equations.x_dot, &motion.substitution);
+        let rates: Vec<Expr> = motion.drivers.iter().map(|&unknown| motion.rate[unknown]).collect();
+        let mut results = stored("dx", rates.iter().chain(&acceleration).chain(&x_dot));
+        if loops {
+            results.push((Place::Value, measure(&motion.solutions, graph)));
+        }
+        Function { sections: vec![section], results }
+    }
+
+    fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
+        let graph = &mut *self.graph;
+        let areas = scheme.dyads.iter().zip(&motion.solutions).map(|(dyad, solution)| {
+            [solution.determinant, loops::determinant_rate(self.coordinates, motion, dyad, solution, graph)]
+        });
+        let areas = areas.collect();
+        self.remembered(motion, areas, &motion.solutions)
+    }
+
+    fn survey(&mut self, scheme: &Scheme) -> Function {
+        let motion = Motion::of_pose(self.model, self.coordinates, self.length, self.graph);
+        let graph = &mut *self.graph;
+        let solutions = scheme.dyads.iter().map(|dyad| dyad.at_pose(self.coordinates, &motion, graph));
+        let solutions: Vec<dyad::Solution> = solutions.collect();
+        let zero = graph.zero();
+        let areas = solutions.iter().map(|solution| [solution.determinant, zero]).collect();
+        self.remembered(&motion, areas, &solutions)
+    }
+
+    /// `memory`, returning the square of the measure.
+    fn remembered(
+        &mut self,
+        motion: &Motion,
+        areas: Vec<[Expr; 2]>,
+        solutions: &[dyad::Solution],
+    ) -> Function {
+        let graph = &mut *self.graph;
+        let angle = |unknown: usize| {
+            let class = match self.coordinates.unknowns[unknown] {
+                Unknown::Angle { class, .. } => class,
+                _ => 0,
+            };
+            let [cos, sin] = motion.axis[class];
+            [motion.value[unknown], cos, sin]
+        };
+        let values = self.memory.values(&Memorable { time: self.model.time, angle: &angle, areas }, graph);
+        let mut results = stored("memory", values.iter());
+        results.push((Place::Value, measure(solutions, graph)));
+        Function::of_results(results).optimise(graph)
+    }
+}
+
+/// The smallest square of the measures of some dyads.
+fn measure(solutions: &[dyad::Solution], graph: &mut Graph) -> Expr {
+    let mut worst: Option<Expr> = None;
+    for solution in solutions {
+        let own = graph.div(solution.square, solution.scale);
+        worst = Some(worst.map_or(own, |worst| graph.min(worst, own)));
+    }
+    worst.unwrap_or(graph.one())
 }
 
 fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Vec<(Place, Expr)> {
@@ -90,17 +238,9 @@ fn loads(model: &Model, motion: &Motion, graph: &mut Graph) -> Vec<[Expr; 3]> {
 }
 
 /// Solves `M a = Q`, and how a person would write that down.
-fn accelerations(
-    model: &Model,
-    coordinates: &Coordinates,
-    dense: &Dense,
-    graph: &mut Graph,
-) -> (Vec<Expr>, Section) {
-    let names: Vec<String> = coordinates
-        .unknowns
-        .iter()
-        .map(|&unknown| format!("{}_acceleration", inertia::name(model, unknown)))
-        .collect();
+fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr>, Section) {
+    let names: Vec<String> =
+        motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
     let mut mass = dense.mass.clone();
     for (&(i, j), entry) in &mut mass {
         *entry = graph.define(&format!("m_{i}_{j}"), *entry);
@@ -162,11 +302,16 @@ fn pose(model: &Model, coordinates: &Coordinates, motion: &Motion, graph: &mut G
 }
 
 /// The coordinates and their rates at a pose.
-fn project(model: &Model, equations: &Equations, coordinates: &Coordinates, graph: &mut Graph) -> Function {
-    let values: Vec<Expr> = coordinates
-        .unknowns
+fn project(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    drivers: &[usize],
+    graph: &mut Graph,
+) -> Function {
+    let values: Vec<Expr> = drivers
         .iter()
-        .map(|&unknown| motion::of_pose(model, coordinates, graph, unknown))
+        .map(|&unknown| motion::of_pose(model, coordinates, graph, coordinates.unknowns[unknown]))
         .collect();
     let mut flow: Vec<(Expr, Expr)> = equations.q.iter().copied().zip(equations.v.iter().copied()).collect();
     flow.push((model.time, graph.one()));

@@ -1,18 +1,35 @@
-//! How the bodies move when the coordinates do.
+//! How the unknowns and the bodies move when the coordinates do.
 
 use plm_cas::{Expr, Graph};
 
+use super::chain::Chain;
+use super::charts::Scheme;
 use super::coordinates::{Coordinates, Heading, Unknown};
+use super::dyad::Solution;
+use super::loops;
+use super::memory::Memory;
 use super::plane::{self, Vec2};
 use crate::model::{FrameRef, Model};
 
-/// Values of the coordinates and of all that follows from them, as expressions.
+/// Values of the unknowns and of all that follows from them, as expressions.
 #[derive(Debug)]
 pub(crate) struct Motion {
-    /// Value of each coordinate, rad or m.
+    /// The unknowns that are coordinates, in the order of the state.
+    pub(crate) drivers: Vec<usize>,
+    /// Name of each unknown, as a path of the model.
+    pub(crate) names: Vec<String>,
+    /// Size of the scene, m.
+    pub(crate) length: Expr,
+    /// Value of each unknown, rad or m.
     pub(crate) value: Vec<Expr>,
-    /// Its rate.
+    /// Its rate, `K y' + k`.
     pub(crate) rate: Vec<Expr>,
+    /// `K`: by unknown, by coordinate.
+    pub(crate) gain: Vec<Vec<Expr>>,
+    /// `k`.
+    pub(crate) drift: Vec<Expr>,
+    /// Second derivative of each unknown while those of the coordinates are zero.
+    pub(crate) bias: Vec<Expr>,
     /// Cosine and sine of each class.
     pub(crate) axis: Vec<Vec2>,
     /// Angular velocity of each class.
@@ -21,41 +38,144 @@ pub(crate) struct Motion {
     pub(crate) position: Vec<Vec2>,
     /// Velocity of G of each body.
     pub(crate) velocity: Vec<Vec2>,
+    /// The loops, in the order of solution.
+    pub(crate) solutions: Vec<Solution>,
     /// What stands for the symbols of the model: angles and their sines, positions, rates.
     pub(crate) substitution: Vec<(Expr, Expr)>,
 }
 
 impl Motion {
     /// Coordinates that are angles or centres keep the symbols of their bodies; slides get their own.
-    pub(crate) fn new(model: &Model, coordinates: &Coordinates, graph: &mut Graph) -> Motion {
-        let mut motion = Motion {
-            value: Vec::new(),
-            rate: Vec::new(),
-            axis: Vec::new(),
-            omega: Vec::new(),
-            position: Vec::new(),
-            velocity: Vec::new(),
-            substitution: Vec::new(),
-        };
-        for unknown in &coordinates.unknowns {
-            let (value, rate) = symbols(model, graph, *unknown);
-            motion.value.push(value);
-            motion.rate.push(rate);
+    pub(crate) fn new(
+        model: &Model,
+        coordinates: &Coordinates,
+        scheme: &Scheme,
+        memory: &Memory,
+        length: Expr,
+        graph: &mut Graph,
+    ) -> Motion {
+        let mut motion = Motion::still(model, coordinates, length, graph);
+        for (place, &unknown) in scheme.drivers.iter().enumerate() {
+            let (value, rate) = symbols(model, graph, coordinates.unknowns[unknown]);
+            (motion.value[unknown], motion.rate[unknown]) = (value, rate);
+            for gains in &mut motion.gain {
+                gains.push(graph.zero());
+            }
+            motion.gain[unknown][place] = graph.one();
+            motion.drivers.push(unknown);
+            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+                motion.axis[class] = [graph.cos(value), graph.sin(value)];
+                motion.omega[class] = rate;
+            }
         }
-        for angle in &coordinates.angle_of_class {
-            let (axis, omega) = match *angle {
-                Some(unknown) => {
-                    let angle = motion.value[unknown];
-                    ([graph.cos(angle), graph.sin(angle)], motion.rate[unknown])
+        for (k, dyad) in scheme.dyads.iter().enumerate() {
+            let predicted = if dyad.is_signed() { memory.predicted(k, model.time, graph) } else { None };
+            let solution = dyad.solve(coordinates, &mut motion, predicted, graph);
+            loops::differentiate(coordinates, &mut motion, dyad, &solution, model.time, graph);
+            motion.solutions.push(solution);
+            for unknown in dyad.unknowns {
+                if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+                    let angle = memory.unwound(unknown, motion.axis[class], graph);
+                    motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
                 }
-                None => ([graph.one(), graph.zero()], graph.zero()),
-            };
-            motion.axis.push(axis);
-            motion.omega.push(omega);
+            }
         }
         motion.place(model, coordinates, graph);
         motion.substitute_headings(model, coordinates, graph);
         motion
+    }
+
+    /// All unknowns as functions of the pose.
+    pub(crate) fn of_pose(
+        model: &Model,
+        coordinates: &Coordinates,
+        length: Expr,
+        graph: &mut Graph,
+    ) -> Motion {
+        let mut motion = Motion::still(model, coordinates, length, graph);
+        for (k, &unknown) in coordinates.unknowns.iter().enumerate() {
+            let value = of_pose(model, coordinates, graph, unknown);
+            motion.value[k] = value;
+            if let Unknown::Angle { class, .. } = unknown {
+                motion.axis[class] = [graph.cos(value), graph.sin(value)];
+            }
+        }
+        motion
+    }
+
+    fn still(model: &Model, coordinates: &Coordinates, length: Expr, graph: &Graph) -> Motion {
+        let zeros = vec![graph.zero(); coordinates.unknowns.len()];
+        let classes = coordinates.angle_of_class.len();
+        Motion {
+            drivers: Vec::new(),
+            names: coordinates.unknowns.iter().map(|&unknown| super::inertia::name(model, unknown)).collect(),
+            length,
+            value: zeros.clone(),
+            rate: zeros.clone(),
+            gain: vec![Vec::new(); coordinates.unknowns.len()],
+            drift: zeros.clone(),
+            bias: zeros,
+            axis: vec![[graph.one(), graph.zero()]; classes],
+            omega: vec![graph.zero(); classes],
+            position: Vec::new(),
+            velocity: Vec::new(),
+            solutions: Vec::new(),
+            substitution: Vec::new(),
+        }
+    }
+
+    /// The vector of a loop in the axes of a class, without some slides.
+    pub(crate) fn arm(&self, chain: &Chain, class: usize, without: &[usize], graph: &mut Graph) -> Vec2 {
+        let mut sum = [graph.zero(); 2];
+        for (slide, vector) in chain.of_class(class) {
+            let vector = match slide {
+                Some(slide) if without.contains(&slide) => continue,
+                Some(slide) => plane::scale(graph, self.value[slide], vector),
+                None => vector,
+            };
+            sum = plane::add(graph, sum, vector);
+        }
+        sum
+    }
+
+    /// The vector of a loop that turns with a class, in absolute axes.
+    pub(crate) fn whole_arm(&self, chain: &Chain, class: usize, graph: &mut Graph) -> Vec2 {
+        let arm = self.arm(chain, class, &[], graph);
+        self.turned(graph, class, arm)
+    }
+
+    /// Names the vector of a loop that turns with an unknown angle.
+    pub(crate) fn name_arm(&self, unknown: usize, arm: Vec2, graph: &mut Graph) -> Vec2 {
+        let name = self.names[unknown].trim_end_matches(".angle");
+        [graph.define(&format!("{name}.arm_x"), arm[0]), graph.define(&format!("{name}.arm_y"), arm[1])]
+    }
+
+    /// Writes the axis of a class.
+    pub(crate) fn turn_class(&mut self, unknown: usize, class: usize, axis: Vec2, graph: &mut Graph) {
+        let name = self.names[unknown].trim_end_matches(".angle");
+        self.axis[class] =
+            [graph.define(&format!("{name}.cos"), axis[0]), graph.define(&format!("{name}.sin"), axis[1])];
+    }
+
+    /// Writes the value of a slide.
+    pub(crate) fn set_slide(&mut self, unknown: usize, value: Expr, graph: &mut Graph) -> Expr {
+        let value = graph.define(&self.names[unknown], value);
+        self.value[unknown] = value;
+        value
+    }
+
+    /// Writes the rate of an unknown whose coefficients are known.
+    pub(crate) fn set_rate(&mut self, coordinates: &Coordinates, unknown: usize, graph: &mut Graph) {
+        let mut terms = vec![self.drift[unknown]];
+        for (place, &driver) in self.drivers.iter().enumerate() {
+            terms.push(graph.mul(self.gain[unknown][place], self.rate[driver]));
+        }
+        let rate = graph.sum(&terms);
+        let rate = graph.define(&format!("{}.rate", self.names[unknown]), rate);
+        self.rate[unknown] = rate;
+        if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+            self.omega[class] = rate;
+        }
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.

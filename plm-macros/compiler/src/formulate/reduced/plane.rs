@@ -13,6 +13,10 @@ pub(crate) fn scale(graph: &mut Graph, factor: Expr, a: Vec2) -> Vec2 {
     [graph.mul(factor, a[0]), graph.mul(factor, a[1])]
 }
 
+pub(crate) fn negated(graph: &mut Graph, a: Vec2) -> Vec2 {
+    a.map(|component| graph.neg(component))
+}
+
 /// A quarter turn to the left.
 pub(crate) fn left(graph: &mut Graph, a: Vec2) -> Vec2 {
     [graph.neg(a[1]), a[0]]
@@ -36,4 +40,9 @@ pub(crate) fn turn(graph: &mut Graph, axis: Vec2, a: Vec2) -> Vec2 {
 
 pub(crate) fn is_zero(graph: &Graph, a: Vec2) -> bool {
     a.iter().all(|&component| graph.is_zero(component))
+}
+
+/// `a` turned back by the angle whose cosine and sine are `axis`.
+pub(crate) fn turned_back(graph: &mut Graph, a: Vec2, axis: Vec2) -> Vec2 {
+    [dot(graph, axis, a), cross(graph, axis, a)]
 }

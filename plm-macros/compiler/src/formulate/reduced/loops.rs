@@ -1,0 +1,159 @@
+//! How the unknowns of a loop move with the coordinates: velocities and accelerations of its closure.
+//!
+//! With the columns `g_j` of the closure's Jacobian, `sum of g_j u_j' = 0` and `sum of g_j u_j'' + c = 0`, `c` being the
+//! centripetal and Coriolis accelerations. Two of the `u_j` follow from the others by Cramer's rule: `u' = K y' + k` and
+//! `u'' = K y'' + b`, the velocity and acceleration coefficients of the mechanism (E. J. Haug, Computer Aided Kinematics
+//! and Dynamics of Mechanical Systems, 1989, section 3.6).
+
+use plm_cas::{Expr, Graph};
+
+use super::coordinates::Coordinates;
+use super::dyad::{Dyad, Solution};
+use super::motion::Motion;
+use super::plane::{self, Vec2};
+
+/// Writes coefficients and rates of the two unknowns of a dyad into `motion`.
+pub(crate) fn differentiate(
+    coordinates: &Coordinates,
+    motion: &mut Motion,
+    dyad: &Dyad,
+    solution: &Solution,
+    time: Expr,
+    graph: &mut Graph,
+) {
+    let closure = &coordinates.closures[dyad.closure];
+    let arms: Vec<(usize, Vec2)> = closure
+        .classes()
+        .into_iter()
+        .map(|class| {
+            let solved = solution.arms.iter().find(|(own, _)| *own == class);
+            (class, solved.map_or_else(|| motion.whole_arm(closure, class, graph), |arm| arm.1))
+        })
+        .collect();
+    let mut known: Vec<(usize, Vec2)> = Vec::new();
+    for &(class, arm) in &arms {
+        known.extend(coordinates.angle_of_class[class].map(|angle| (angle, plane::left(graph, arm))));
+    }
+    for (class, slide, vector) in closure.terms() {
+        if let Some(slide) = slide {
+            known.push((slide, motion.turned(graph, class, vector)));
+        }
+    }
+    known.retain(|(unknown, _)| !dyad.unknowns.contains(unknown));
+    let cramer = Cramer::new(dyad, solution, graph);
+    for driver in 0..motion.drivers.len() {
+        let sum = weighted(graph, &known, |unknown| motion.gain[unknown][driver]);
+        for (unknown, value) in cramer.solve(sum, &format!("gain_{driver}"), graph) {
+            motion.gain[unknown][driver] = value;
+        }
+    }
+    // What a port of the ground that moves with the time adds.
+    let ground: Vec2 =
+        closure.of_class(0).filter(|(slide, _)| slide.is_none()).fold([graph.zero(); 2], |_, (_, d)| d);
+    let ground_rate = ground.map(|component| graph.diff(component, time));
+    let drifts = weighted(graph, &known, |unknown| motion.drift[unknown]);
+    let sum = plane::add(graph, ground_rate, drifts);
+    for (unknown, value) in cramer.solve(sum, "drift", graph) {
+        motion.drift[unknown] = value;
+    }
+    for unknown in dyad.unknowns {
+        motion.set_rate(coordinates, unknown, graph);
+    }
+    let mut sum = weighted(graph, &known, |unknown| motion.bias[unknown]);
+    for &(class, arm) in &arms {
+        let squared = graph.powi(motion.omega[class], 2);
+        let inward = plane::scale(graph, squared, arm);
+        sum = [0, 1].map(|i| graph.sub(sum[i], inward[i]));
+        let coriolis = sliding(closure, class, motion, graph);
+        let twice = graph.add(motion.omega[class], motion.omega[class]);
+        let across = plane::left(graph, coriolis);
+        let across = plane::scale(graph, twice, across);
+        sum = plane::add(graph, sum, across);
+    }
+    let moved = ground_rate.map(|component| graph.diff(component, time));
+    let sum = plane::add(graph, sum, moved);
+    for (unknown, value) in cramer.solve(sum, "bias", graph) {
+        motion.bias[unknown] = value;
+    }
+}
+
+/// The rate of a dyad's determinant.
+pub(crate) fn determinant_rate(
+    coordinates: &Coordinates,
+    motion: &Motion,
+    dyad: &Dyad,
+    solution: &Solution,
+    graph: &mut Graph,
+) -> Expr {
+    let closure = &coordinates.closures[dyad.closure];
+    let rate = |graph: &mut Graph, k: usize| {
+        let unknown = dyad.unknowns[k];
+        let column = solution.columns[k];
+        match closure.slide(unknown) {
+            Some((class, _)) => {
+                let across = plane::left(graph, column);
+                plane::scale(graph, motion.omega[class], across)
+            }
+            None => {
+                let class = dyad.classes()[k];
+                let across = plane::left(graph, column);
+                let turning = plane::scale(graph, motion.omega[class], across);
+                let along = sliding(closure, class, motion, graph);
+                let along = plane::left(graph, along);
+                plane::add(graph, turning, along)
+            }
+        }
+    };
+    let rates = [rate(graph, 0), rate(graph, 1)];
+    let first = plane::cross(graph, rates[0], solution.columns[1]);
+    let second = plane::cross(graph, solution.columns[0], rates[1]);
+    graph.add(first, second)
+}
+
+/// Velocity of a loop's vector in the axes of its class, turned into absolute ones.
+fn sliding(closure: &super::chain::Chain, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
+    let mut sum = [graph.zero(); 2];
+    for (slide, vector) in closure.of_class(class) {
+        if let Some(slide) = slide {
+            let along = motion.turned(graph, class, vector);
+            let along = plane::scale(graph, motion.rate[slide], along);
+            sum = plane::add(graph, sum, along);
+        }
+    }
+    sum
+}
+
+/// `sum of g_j w_j`.
+fn weighted(graph: &mut Graph, columns: &[(usize, Vec2)], weight: impl Fn(usize) -> Expr) -> Vec2 {
+    let mut sum = [graph.zero(); 2];
+    for &(unknown, column) in columns {
+        let own = plane::scale(graph, weight(unknown), column);
+        sum = plane::add(graph, sum, own);
+    }
+    sum
+}
+
+/// Two linear equations in the unknowns of a dyad.
+struct Cramer {
+    unknowns: [usize; 2],
+    columns: [Vec2; 2],
+    reciprocal: Expr,
+    closure: usize,
+}
+
+impl Cramer {
+    fn new(dyad: &Dyad, solution: &Solution, graph: &mut Graph) -> Cramer {
+        let reciprocal = graph.recip(solution.determinant);
+        let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
+        Cramer { unknowns: dyad.unknowns, columns: solution.columns, reciprocal, closure: dyad.closure }
+    }
+
+    /// The unknowns `u` of `g_1 u_1 + g_2 u_2 + sum = 0`.
+    fn solve(&self, sum: Vec2, what: &str, graph: &mut Graph) -> [(usize, Expr); 2] {
+        let minors = [plane::cross(graph, self.columns[1], sum), plane::cross(graph, sum, self.columns[0])];
+        [0, 1].map(|k| {
+            let value = graph.mul(minors[k], self.reciprocal);
+            (self.unknowns[k], graph.define(&format!("{what}_{}_{k}", self.closure), value))
+        })
+    }
+}
