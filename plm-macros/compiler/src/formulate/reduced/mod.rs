@@ -286,7 +286,13 @@ fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr
     let at = |key| mass.get(&key).copied();
     let solution = match (force.as_slice(), at((1, 0))) {
         (&[], _) => Vec::new(),
-        (&[one], _) => vec![graph.div(one, mass[&(0, 0)])],
+        // The mass is known before the forces, which wait for velocities: let its division begin early.
+        (&[force], _) => {
+            let one = graph.one();
+            let reciprocal = graph.div(one, mass[&(0, 0)]);
+            let reciprocal = graph.define("reciprocal", reciprocal);
+            vec![graph.mul(force, reciprocal)]
+        }
         // One division instead of two in a row.
         (&[first, second], Some(coupling)) => {
             let (m00, m11) = (mass[&(0, 0)], mass[&(1, 1)]);
