@@ -1,41 +1,21 @@
 //! Instructions per Runge-Kutta 4 step, counted by valgrind: exact, and the same on every run and machine.
 //!
-//! `bash benches/instructions.sh` builds for x86-64-v3 (AVX2, as the limits were) and prints the table. The program
-//! runs itself under `valgrind --tool=callgrind` with some number of steps and with twice as many; the difference
-//! over the number of steps is what one step costs, without start-up, assembly and printing.
-#![allow(clippy::unwrap_used, clippy::panic)]
+//! `bash benches/instructions.sh` builds for x86-64-v3 (AVX2, as the limits were) and prints the table. How it counts:
+//! `scenes/count.rs`.
+#![allow(clippy::panic)]
 
 mod scenes;
 
-use std::hint::black_box;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
-use plm::runtime::method::{Formula, Rk4Formula};
-use plm::{Mechanism, Moment, Rk4};
-
-use scenes::{SCENES, Scene};
-
-/// Steps of the shorter of two runs.
-const STEPS: u32 = 200;
-
-/// Which step is counted.
-#[derive(Clone, Copy, PartialEq)]
-enum Level {
-    /// The formula alone: four rates and their combinations, with the health of the solutions.
-    Formula,
-    /// A step of `Sim`, with the watch over drift and health that a user gets.
-    Sim,
-}
+use scenes::{Level, SCENES, count, named};
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    if let ["count", scene, level, steps] = words[..] {
-        let scene = SCENES.iter().find(|known| known.name == scene).expect("a scene of the table");
-        (scene.run)(if level == "sim" { Level::Sim } else { Level::Formula }, steps.parse().unwrap());
-        return ExitCode::SUCCESS;
-    }
-    table()
+    let find = |name: &str, what: &str| {
+        let scene = named(name);
+        (scene.steps)(scene.h, if what == "sim" { Level::Sim } else { Level::Formula })
+    };
+    if count::counted(find) { ExitCode::SUCCESS } else { table() }
 }
 
 /// Prints a row for each scene; fails if one is above its limit or a chain costs more a bar the longer it is.
@@ -51,7 +31,7 @@ fn table() -> ExitCode {
     let mut within = true;
     let mut chains = Vec::new();
     for scene in SCENES {
-        let (formula, sim) = (per_step(scene, Level::Formula), per_step(scene, Level::Sim));
+        let (formula, sim) = (count::per_step(scene.name, "formula"), count::per_step(scene.name, "sim"));
         let per_body = formula / f64::from(scene.bodies);
         let (limit, ratio) = match scene.limit {
             Some(limit) => (limit.to_string(), format!("{:.3}", formula / f64::from(limit))),
@@ -66,47 +46,4 @@ fn table() -> ExitCode {
     // Operations per bar are the same (tests/it/operations.rs); what does not fit in registers may cost a tenth.
     let linear = chains.is_sorted_by(|shorter, longer| longer.1 / longer.0 <= 1.1 * shorter.1 / shorter.0);
     if within && linear { ExitCode::SUCCESS } else { ExitCode::FAILURE }
-}
-
-fn per_step(scene: &Scene, level: Level) -> f64 {
-    let once = instructions(scene, level, STEPS);
-    let twice = instructions(scene, level, 2 * STEPS);
-    (twice - once) as f64 / f64::from(STEPS)
-}
-
-/// Instructions of a whole run of this program.
-fn instructions(scene: &Scene, level: Level, steps: u32) -> u64 {
-    let level = if level == Level::Sim { "sim" } else { "formula" };
-    let output = Command::new("valgrind")
-        // One `rep movsb` is one instruction to a processor, but one per byte to callgrind: let libc copy by vectors.
-        .env(
-            "GLIBC_TUNABLES",
-            "glibc.cpu.x86_rep_movsb_threshold=1000000:glibc.cpu.x86_rep_stosb_threshold=1000000",
-        )
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(std::env::current_exe().unwrap())
-        .args(["count", scene.name, level, &steps.to_string()])
-        .output()
-        .expect("valgrind is installed");
-    let report = String::from_utf8_lossy(&output.stderr);
-    let count = report.lines().find_map(|line| line.split_once("Collected : ")?.1.trim().parse().ok());
-    assert!(output.status.success(), "{}: {report}", scene.name);
-    count.unwrap_or_else(|| panic!("valgrind counted nothing: {report}"))
-}
-
-/// Steps a mechanism from its start.
-fn run<M: Mechanism<S = f64>>(mechanism: M, h: f64, level: Level, steps: u32) {
-    let mut sim = mechanism.start_with(Rk4::new(h)).expect("the mechanism can be assembled");
-    if level == Level::Sim {
-        for _ in 0..steps {
-            sim.step(h).expect("the mechanism can be moved");
-        }
-        black_box(sim.state().x());
-    } else {
-        let (input, mut x) = (sim.state().held(), *sim.state().x());
-        for step in 0..steps {
-            black_box(Rk4Formula::plain_step(&mechanism, f64::from(step) * h, &input, &mut x, h));
-        }
-        black_box(&x);
-    }
 }

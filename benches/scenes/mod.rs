@@ -4,12 +4,15 @@
 //! coordinates (gcc, AVX2, callgrind).
 
 mod chain;
+pub(crate) mod count;
 #[path = "../../tests/it/scenes.rs"]
 #[allow(dead_code, unused_imports, unreachable_pub)] // The tests use more of it.
 mod declared;
+mod steps;
 
-use super::{Level, run};
 use declared::{s1, s2, s5, s6};
+use steps::steps;
+pub(crate) use steps::{Level, Steps};
 
 chain::chain!(Chain4, 4);
 chain::chain!(Chain16, 16);
@@ -20,21 +23,34 @@ pub(crate) struct Scene {
     /// As in the table; a name that begins with `chain` takes part in the check of growth.
     pub(crate) name: &'static str,
     pub(crate) bodies: u32,
+    /// Length of a step, s.
+    pub(crate) h: f64,
     /// Instructions that a step may need.
     pub(crate) limit: Option<u32>,
-    pub(crate) run: fn(Level, u32),
+    pub(crate) steps: fn(f64, Level) -> Steps,
 }
 
-const fn scene(name: &'static str, bodies: u32, limit: Option<u32>, run: fn(Level, u32)) -> Scene {
-    Scene { name, bodies, limit, run }
+const fn scene(
+    name: &'static str,
+    bodies: u32,
+    h: f64,
+    limit: Option<u32>,
+    steps: fn(f64, Level) -> Steps,
+) -> Scene {
+    Scene { name, bodies, h, limit, steps }
 }
 
 pub(crate) const SCENES: &[Scene] = &[
-    scene("S1", 2, Some(2066), |level, steps| run(s1::DoublePendulum::new(), 1e-3, level, steps)),
-    scene("S2", 3, Some(3200), |level, steps| run(s2::FourBar::new(), 1e-3, level, steps)),
-    scene("S6", 3, Some(2389), |level, steps| run(s6::SliderCrank::new(), 1e-3, level, steps)),
-    scene("S5", 7, Some(9026), |level, steps| run(s5::Andrews::new(), 1e-5, level, steps)),
-    scene("chain 4", 4, None, |level, steps| run(Chain4::new(), 1e-3, level, steps)),
-    scene("chain 16", 16, None, |level, steps| run(Chain16::new(), 1e-3, level, steps)),
-    scene("chain 64", 64, None, |level, steps| run(Chain64::new(), 1e-4, level, steps)),
+    scene("S1", 2, 1e-3, Some(2066), |h, level| steps(s1::DoublePendulum::new(), h, level)),
+    scene("S2", 3, 1e-3, Some(3200), |h, level| steps(s2::FourBar::new(), h, level)),
+    scene("S6", 3, 1e-3, Some(2389), |h, level| steps(s6::SliderCrank::new(), h, level)),
+    scene("S5", 7, 1e-5, Some(9026), |h, level| steps(s5::Andrews::new(), h, level)),
+    scene("chain 4", 4, 1e-3, None, |h, level| steps(Chain4::new(), h, level)),
+    scene("chain 16", 16, 1e-3, None, |h, level| steps(Chain16::new(), h, level)),
+    scene("chain 64", 64, 1e-4, None, |h, level| steps(Chain64::new(), h, level)),
 ];
+
+/// The scene of this name.
+pub(crate) fn named(name: &str) -> &'static Scene {
+    SCENES.iter().find(|scene| scene.name == name).expect("a scene of the table")
+}

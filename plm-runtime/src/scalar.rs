@@ -186,7 +186,8 @@ macro_rules! real {
             fn sin_cos(self) -> (Self, Self) {
                 math::$real::sin_cos(self)
             }
-            #[inline]
+            #[allow(clippy::inline_always)]
+            #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 // Vectors have two, four or eight lanes: what lies between is filled up.
                 match N {

@@ -158,11 +158,14 @@ impl std::fmt::Display for Report {
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     match reduced {
         Ok(reduced) if !reduced.has_loops() => {
-            let names = reduced.first().map(|chart| chart.names.join(", ")).unwrap_or_default();
+            let first = reduced.first();
+            let names = first.map(|chart| chart.names.join(", ")).unwrap_or_default();
+            let method = first.map_or("", |chart| chart.method);
             vec![
                 "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left."
                     .to_owned(),
                 format!("Coordinates: {names}."),
+                format!("Accelerations by {method}."),
             ]
         }
         Ok(reduced) => loops(reduced),

@@ -37,6 +37,9 @@ pub(crate) trait Float:
 
     fn abs(self) -> Self;
 
+    /// `self * a + b`: two roundings, or one with the feature `fma`.
+    fn times_plus(self, a: Self, b: Self) -> Self;
+
     /// The magnitude of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
 
@@ -90,6 +93,14 @@ macro_rules! float {
             #[inline]
             fn abs(self) -> Self {
                 self.abs()
+            }
+
+            #[inline]
+            fn times_plus(self, a: Self, b: Self) -> Self {
+                #[cfg(feature = "fma")]
+                return self.mul_add(a, b);
+                #[cfg(not(feature = "fma"))]
+                return self * a + b;
             }
 
             #[inline]
@@ -173,7 +184,7 @@ float!(f32, u32, i32, 24, 40, 100);
 #[inline]
 pub(crate) fn polynomial<F: Float>(x: F, coefficients: &[F]) -> F {
     match coefficients.split_last() {
-        Some((last, rest)) => rest.iter().rev().fold(*last, |sum, &c| sum * x + c),
+        Some((last, rest)) => rest.iter().rev().fold(*last, |sum, &c| sum.times_plus(x, c)),
         None => F::ZERO,
     }
 }

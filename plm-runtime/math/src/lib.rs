@@ -13,7 +13,8 @@
 //! [`mod@f64`] and [`mod@f32`] hold the same functions. The f32 ones never compute in f64, which small targets lack.
 //!
 //! With the feature `std` square roots come from the processor; without it they are found and corrected in integers, with
-//! the same bits.
+//! the same bits. With the feature `fma` polynomials are evaluated with one rounding a term: other bits, within the same
+//! bounds of error.
 #![no_std]
 #![forbid(unsafe_code)]
 // Coefficients stand as tools/minimax.py prints them.

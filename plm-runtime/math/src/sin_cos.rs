@@ -62,12 +62,12 @@ impl Angle for f32 {
 /// Sum of x/(pi/2) and `ROUNDER`, and x less that many quarter turns.
 #[inline]
 fn quarter_turns<F: Angle>(x: F) -> (F, Pair<F>) {
-    let sum = x * F::TWO_OVER_PI + F::ROUNDER;
+    let sum = x.times_plus(F::TWO_OVER_PI, F::ROUNDER);
     let k = sum - F::ROUNDER;
     let [first, second, third] = F::PI_OVER_2;
-    let rest = x - k * first;
-    let high = rest - k * second;
-    let less = (k * second - (rest - high)) + k * third;
+    let rest = k.times_plus(-first, x);
+    let high = k.times_plus(-second, rest);
+    let less = k.times_plus(third, k.times_plus(second, high - rest));
     (sum, Pair { high, less })
 }
 
@@ -80,8 +80,8 @@ fn kernel<F: Angle>(r: Pair<F>) -> (Pair<F>, Pair<F>) {
     let z = r * r;
     let half = F::HALF * z;
     let w = F::ONE - half;
-    let sin_less = r * z * polynomial(z, F::SIN) + less * w;
-    let cos_less = -(((F::ONE - w) - half) + (z * z * polynomial(z, F::COS) + r * less));
+    let sin_less = less.times_plus(w, r * z * polynomial(z, F::SIN));
+    let cos_less = -(((F::ONE - w) - half) + r.times_plus(less, z * z * polynomial(z, F::COS)));
     (Pair { high: r, less: sin_less }, Pair { high: w, less: cos_less })
 }
 
@@ -105,7 +105,8 @@ pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
 }
 
 /// One path for all lanes; each operation is written for one lane, and compilers join them.
-#[inline]
+#[allow(clippy::inline_always)]
+#[inline(always)]
 pub(crate) fn sin_cos_lanes<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
     let direct = x.iter().fold(true, |all, x| all & (x.abs() <= F::BOUND));
     if !direct {

@@ -58,6 +58,8 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     const CHARTS: usize;
     /// Numbers in the memory before the determinants, each followed by its rate and half the rate of that.
     const BEFORE_AREAS: usize;
+    /// The bodies whose angles are remembered, in that order.
+    const TURNING: &'static [&'static str];
     /// By chart, by dyad: the part that closes its loop.
     const CLOSING: &'static [&'static [&'static str]];
 
@@ -110,11 +112,11 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<bool, Fault> {
     let (old, zero) = (held.memory, M::S::lit(0.0));
     let (mut passed, mut turned) = (false, zero);
-    for k in (NEXT + 1..M::BEFORE_AREAS).step_by(3) {
+    for (body, k) in M::TURNING.iter().zip((NEXT + 1..M::BEFORE_AREAS).step_by(3)) {
         turned = turned.max((memory.at(k) - old.at(k)).abs());
-    }
-    if M::S::lit(FARTHEST) < turned {
-        return Err(Fault::new(t.to_f64(), Cause::TurnedTooFar { angle: turned.to_f64() }));
+        if turned > M::S::lit(FARTHEST) {
+            return Err(Fault::of_part(t.to_f64(), body, Cause::TurnedTooFar { angle: turned.to_f64() }));
+        }
     }
     // What has moved by so little since the last look does not move far in a like time.
     let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
@@ -167,10 +169,8 @@ fn look_closely<M: Charted>(
         }
         let size = last.at(k).abs().max(memory.at(k).abs());
         if (memory.at(k) - area).abs() > M::S::lit(FARTHEST_AREA) * size {
-            return Err(Fault::new(
-                t.to_f64(),
-                Cause::TurnedTooFar { angle: (since * rate / size).to_f64().abs() },
-            ));
+            let cause = Cause::TurnedTooFar { angle: (since * rate / size).to_f64().abs() };
+            return Err(Fault { cause, ..locked::<M>(t, held.chart, &memory) });
         }
     }
     if memory.is_finite() { Ok((memory, measure)) } else { Err(locked::<M>(t, held.chart, &memory)) }

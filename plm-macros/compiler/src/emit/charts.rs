@@ -111,6 +111,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) 
 pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced) {
     let (length, _) = emission.state_length();
     let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
+    let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
     let closing = reduced.charts.iter().map(|chart| {
         let names: Vec<String> = chart.dyads.iter().map(|dyad| format!("{:?}", dyad.1)).collect();
         format!("&[{}]", names.join(", "))
@@ -134,6 +135,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
         type Q = [S; {nq}];
         const CHARTS: usize = {charts};
         const BEFORE_AREAS: usize = {before};
+        const TURNING: &'static [&'static str] = &[{turning}];
         const CLOSING: &'static [&'static [&'static str]] = &[{closing}];
 
         fn place(&self, t: S, held: &Self::U, x: &[S; {length}]) -> ([S; {nq}], [S; {nq}], S) {{
@@ -160,6 +162,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
             name = emission.name,
             charts = reduced.charts.len(),
             before = reduced.before_areas,
+            turning = turning.join(", "),
             closing = closing.join(", "),
         ),
     );

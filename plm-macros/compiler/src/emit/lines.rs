@@ -14,10 +14,12 @@ use crate::formulate::{Function, Place};
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
 /// such values stays within 16.
 const MOST_TERMS: usize = 8;
-/// Angles whose sines and cosines are computed together. Fewer cost fewer instructions that way too, but more time: the
-/// way into vectors and back stands on the critical path (double pendulum 248 ns against 195 ns a step, Andrews'
-/// mechanism 655 against 595; a chain of 64 gains a fifth with eight).
-const LANES: usize = 8;
+/// Numbers of angles whose sines and cosines fill a vector.
+const WHOLE_VECTORS: [usize; 2] = [8, 4];
+/// Two or three angles that are left over go into a vector too where sines are most of the work: up to so many operations
+/// an angle. In longer code the way into vectors and back stands on a critical path that has room for sines one by one
+/// (per step, in vectors or not: double pendulum 77 ns or 96; four-bar linkage in absolute coordinates 414 or 330).
+const SHORT: usize = 40;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(crate) type Bindings = BTreeMap<Expr, String>;
@@ -248,11 +250,19 @@ impl<'a> Lowering<'a> {
             Op::Symbol(symbol) => {
                 Piece::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned()))
             }
-            Op::Add(a, b) => at(a).joined(" + ", at(b), 1),
-            Op::Sub(a, b) => at(a).joined(" - ", at(b), 1),
+            Op::Add(a, b) => match (self.product(a), self.product(b)) {
+                (_, Some([x, y])) => at(x).called("mul_add", &[at(y), at(a)]),
+                (Some([x, y]), None) => at(x).called("mul_add", &[at(y), at(b)]),
+                (None, None) => at(a).joined(" + ", at(b), 1),
+            },
+            Op::Sub(a, b) => match (self.product(a), self.product(b)) {
+                (_, Some([x, y])) => self.negative(x).called("mul_add", &[at(y), at(a)]),
+                (Some([x, y]), None) => at(x).called("mul_add", &[at(y), &self.negative(b)]),
+                (None, None) => at(a).joined(" - ", at(b), 1),
+            },
             Op::Mul(a, b) => at(a).joined(" * ", at(b), 2),
             Op::Div(a, b) => at(a).joined(" / ", at(b), 2),
-            Op::Neg(a) => Piece { text: format!("-{}", at(a).within(3)), strength: 3, ..at(a).clone() },
+            Op::Neg(a) => self.negative(a),
             Op::Sqrt(a) => at(a).called("sqrt", &[]),
             Op::Sin(a) => at(a).called("sin", &[]),
             Op::Cos(a) => at(a).called("cos", &[]),
@@ -267,6 +277,22 @@ impl<'a> Lowering<'a> {
             Op::Max(a, b) => at(a).called("max", &[at(b)]),
             Op::Less(a, b) => at(a).called("lt", &[at(b)]),
             Op::Select(c, a, b) => Piece::call("S::select", &[at(c), at(a), at(b)]),
+        }
+    }
+
+    /// The factors of a product that stands where it is used. With its sum it makes a `mul_add`, which has the bits of
+    /// product and sum, or fewer roundings with the feature `fma`: sums commute, and signs of factors pass through.
+    fn product(&self, at: Ref) -> Option<[Ref; 2]> {
+        match self.tape.ops[at.index()].op {
+            Op::Mul(x, y) if self.pieces[at.index()].strength == 2 => Some([x, y]),
+            _ => None,
+        }
+    }
+
+    fn negative(&self, at: Ref) -> Piece {
+        match self.tape.ops[at.index()].op {
+            Op::Number(value) => Piece::atom(literal(-value)),
+            _ => self.pieces[at.index()].negated(),
         }
     }
 
@@ -298,14 +324,24 @@ fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
     same && uses[index] > 0 && uses[index + 1] > 0
 }
 
-/// Sines whose angles are inputs of the function, eight together; what is left over is computed one by one.
+/// Sines whose angles are inputs of the function, in groups that are computed together.
 fn angle_groups(tape: &Tape, uses: &[u32]) -> Vec<Vec<usize>> {
     let of_symbol = |index: &usize| match tape.ops[*index].op {
         Op::Sin(angle) => matches!(tape.ops[angle.index()].op, Op::Symbol(_)) && is_pair(tape, uses, *index),
         _ => false,
     };
     let sines: Vec<usize> = (0..tape.ops.len()).filter(of_symbol).collect();
-    sines.chunks(LANES).filter(|group| group.len() == LANES).map(<[usize]>::to_vec).collect()
+    let (mut groups, mut rest) = (Vec::new(), sines.as_slice());
+    for lanes in WHOLE_VECTORS {
+        while let Some((group, others)) = rest.split_at_checked(lanes) {
+            groups.push(group.to_vec());
+            rest = others;
+        }
+    }
+    if rest.len() > 1 && tape.count().total() <= SHORT * sines.len() {
+        groups.push(rest.to_vec());
+    }
+    groups
 }
 
 /// How often the results, and what they need, read each instruction.

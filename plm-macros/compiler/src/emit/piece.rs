@@ -34,6 +34,11 @@ impl Piece {
         if self.strength >= strength { self.text.clone() } else { format!("({})", self.text) }
     }
 
+    /// `-self`.
+    pub(crate) fn negated(&self) -> Piece {
+        Piece { text: format!("-{}", self.within(3)), strength: 3, ..self.clone() }
+    }
+
     /// `self operator right`; equal strength on the right needs brackets, or the order would change.
     pub(crate) fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
         let text = format!("{}{operator}{}", self.within(strength), right.within(strength + 1));

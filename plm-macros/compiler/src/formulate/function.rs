@@ -29,7 +29,7 @@ impl Section {
 }
 
 /// A straight-line function.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Function {
     /// Order of computation; every expression here is needed by a result.
     pub(crate) sections: Vec<Section>,

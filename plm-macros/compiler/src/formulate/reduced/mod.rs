@@ -1,10 +1,13 @@
 //! Rungs 2 and 3: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
 //! dyad by dyad, so that no constraint is left that could drift.
 
+mod articulated;
 mod chain;
 mod charts;
 mod coordinates;
 mod dyad;
+#[cfg(test)]
+mod forms;
 mod inertia;
 mod loops;
 mod memory;
@@ -23,7 +26,8 @@ use super::ldl::factorise;
 use crate::derive::Equations;
 use crate::model::Model;
 
-/// Coordinates up to which the dense mass matrix is set up; beyond, elimination in absolute coordinates is cheaper.
+/// Coordinates up to which the dense mass matrix is set up. Of a tree with more, elimination body by body is cheaper by
+/// far; with loops, that in absolute coordinates.
 const MOST_DENSE: usize = 12;
 
 /// Everything that a rung above 5 computes.
@@ -33,6 +37,8 @@ pub(crate) struct Reduced {
     pub(crate) charts: Vec<Chart>,
     /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
     pub(crate) memory: Vec<Expr>,
+    /// The bodies whose angles are remembered, in that order.
+    pub(crate) turning: Vec<String>,
     /// How many of them stand before the determinants of the dyads and their rates.
     pub(crate) before_areas: usize,
 }
@@ -67,6 +73,8 @@ pub(crate) struct Chart {
     pub(crate) y: Vec<Expr>,
     /// Symbols of their rates.
     pub(crate) y_dot: Vec<Expr>,
+    /// How the accelerations are found.
+    pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
@@ -94,7 +102,7 @@ pub(crate) fn formulate(
     let coordinates = Coordinates::new(model, graph)?;
     let schemes = charts::schemes(model, &coordinates, graph)?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
-    if freedom > MOST_DENSE {
+    if freedom > MOST_DENSE && !coordinates.closures.is_empty() {
         return Err(format!("it has {freedom} degrees of freedom"));
     }
     let dyads = schemes.iter().map(|scheme| scheme.dyads.len()).max().unwrap_or(0);
@@ -102,7 +110,12 @@ pub(crate) fn formulate(
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
-    Ok(Reduced { charts, memory: memory.symbols(), before_areas: memory.before_areas() })
+    let turning = coordinates.unknowns.iter().filter_map(|unknown| match *unknown {
+        Unknown::Angle { body, .. } => Some(model.bodies[body].name.text.clone()),
+        _ => None,
+    });
+    let turning = turning.collect();
+    Ok(Reduced { turning, charts, memory: memory.symbols(), before_areas: memory.before_areas() })
 }
 
 /// What all charts share.
@@ -120,7 +133,7 @@ impl Layout<'_> {
         let Layout { model, coordinates, equations, .. } = *self;
         let motion = Motion::new(model, coordinates, scheme, self.memory, self.length, self.graph);
         let loops = !scheme.dyads.is_empty();
-        let rate = self.rate(&motion, loops);
+        let (method, rate) = self.rate(&motion, loops);
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -142,7 +155,8 @@ impl Layout<'_> {
             angles: motion.drivers.iter().map(is_angle).collect(),
             y: of_drivers(&motion.value),
             y_dot: of_drivers(&motion.rate),
-            rate: rate.optimise(self.graph),
+            method,
+            rate,
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
             look,
@@ -151,22 +165,46 @@ impl Layout<'_> {
         }
     }
 
-    fn rate(&mut self, motion: &Motion, loops: bool) -> Function {
-        let Layout { model, coordinates, equations, .. } = *self;
-        let graph = &mut *self.graph;
-        let force = loads(model, motion, graph);
-        let mut dense = inertia::dense(model, coordinates, motion, &force, graph);
-        if loops {
-            dense = inertia::along_drivers(&dense, motion, graph);
+    /// The right-hand side: of its forms, the one with the fewest operations.
+    fn rate(&mut self, motion: &Motion, loops: bool) -> (&'static str, Function) {
+        let forms = self.forms(motion, loops).into_iter();
+        forms.min_by_key(|(_, form)| form.tape(self.graph).count().total()).unwrap_or_default()
+    }
+
+    /// The dense form of a mechanism, and elimination body by body of a tree.
+    fn forms(&mut self, motion: &Motion, loops: bool) -> Vec<(&'static str, Function)> {
+        let Layout { model, coordinates, .. } = *self;
+        let force = loads(model, motion, self.graph);
+        let mut forms = Vec::new();
+        if loops || motion.drivers.len() <= MOST_DENSE {
+            let mut dense = inertia::dense(model, coordinates, motion, &force, self.graph);
+            if loops {
+                dense = inertia::along_drivers(&dense, motion, self.graph);
+            }
+            let solution = accelerations(motion, &dense, self.graph);
+            forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }
-        let (acceleration, section) = accelerations(motion, &dense, graph);
-        let x_dot = graph.substitute(&equations.x_dot, &motion.substitution);
+        if !loops {
+            let solution = articulated::accelerations(model, coordinates, motion, &force, self.graph);
+            forms.push(("elimination body by body", self.right_hand_side(motion, solution, loops)));
+        }
+        forms
+    }
+
+    fn right_hand_side(
+        &mut self,
+        motion: &Motion,
+        (acceleration, sections): (Vec<Expr>, Vec<Section>),
+        loops: bool,
+    ) -> Function {
+        let graph = &mut *self.graph;
+        let x_dot = graph.substitute(&self.equations.x_dot, &motion.substitution);
         let rates: Vec<Expr> = motion.drivers.iter().map(|&unknown| motion.rate[unknown]).collect();
         let mut results = stored("dx", rates.iter().chain(&acceleration).chain(&x_dot));
         if loops {
             results.push((Place::Value, measure(&motion.solutions, graph)));
         }
-        Function { sections: vec![section], results }
+        Function { sections, results }.optimise(graph)
     }
 
     fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
@@ -243,7 +281,7 @@ fn loads(model: &Model, motion: &Motion, graph: &mut Graph) -> Vec<[Expr; 3]> {
 }
 
 /// Solves `M a = Q`, and how a person would write that down.
-fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr>, Section) {
+fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr>, Vec<Section>) {
     let names: Vec<String> =
         motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
     let mut mass = dense.mass.clone();
@@ -260,7 +298,13 @@ fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr
     let at = |key| mass.get(&key).copied();
     let solution = match (force.as_slice(), at((1, 0))) {
         (&[], _) => Vec::new(),
-        (&[one], _) => vec![graph.div(one, mass[&(0, 0)])],
+        // The mass is known before the forces, which wait for velocities: let its division begin early.
+        (&[force], _) => {
+            let one = graph.one();
+            let reciprocal = graph.div(one, mass[&(0, 0)]);
+            let reciprocal = graph.define("reciprocal", reciprocal);
+            vec![graph.mul(force, reciprocal)]
+        }
         // One division instead of two in a row.
         (&[first, second], Some(coupling)) => {
             let (m00, m11) = (mass[&(0, 0)], mass[&(1, 1)]);
@@ -283,7 +327,7 @@ fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr
         }
     };
     let named = solution.iter().zip(&names).map(|(&value, name)| graph.define(name, value));
-    (named.collect(), Section::new("Masses and forces along the coordinates: M a = Q", roots))
+    (named.collect(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
 }
 
 /// Determinant of two rows.
