@@ -113,7 +113,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
     let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
     let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
     let closing = reduced.charts.iter().map(|chart| {
-        let names: Vec<String> = chart.dyads.iter().map(|dyad| format!("{:?}", dyad.1)).collect();
+        let names: Vec<String> = chart.closing.iter().map(|part| format!("{part:?}")).collect();
         format!("&[{}]", names.join(", "))
     });
     let closing: Vec<String> = closing.collect();
