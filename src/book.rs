@@ -16,6 +16,7 @@ pages! {
     Parts = "language/parts.md";
     Assembly = "running/assembly.md";
     Integrators = "running/integrators.md";
+    Methods = "running/methods.md";
     Scalars = "running/scalars.md";
     Equations = "theory/equations.md";
 }

@@ -37,12 +37,18 @@ extern crate self as plm;
 pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
 pub use plm_runtime as runtime;
+pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
-    BodyStart, BodyState, Cause, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations, Real,
-    Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,
+    BodyStart, BodyState, Cause, Dop853, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations,
+    Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,
 };
 #[cfg(doctest)]
 mod book;
+#[cfg(feature = "linearise")]
+mod linearise;
+
+#[cfg(feature = "linearise")]
+pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 
 #[cfg(feature = "view")]
 pub use plm_view as view;

@@ -29,10 +29,40 @@ pub enum Cause {
         /// The last step tried, s.
         step: f64,
     },
+    /// The estimated error of a step of fixed length is out of all proportion.
+    StepTooLong {
+        /// The step, s.
+        step: f64,
+        /// The error as a fraction of the size of the state.
+        error: f64,
+    },
+    /// The stages of an implicit step were not found.
+    NotConverged {
+        /// The step, s.
+        step: f64,
+    },
+    /// A loop cannot be closed any further: the mechanism locks up.
+    Locked,
+    /// A body turned so far within a step that its loop could not be followed.
+    TurnedTooFar {
+        /// The angle, rad.
+        angle: f64,
+    },
+    /// The bars of a loop lie in one line at rest: it can go on in several ways.
+    Flat,
+    /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there.
+    ChangePoint,
     /// The interval needed more internal steps than allowed.
     TooManySteps {
         /// The number allowed.
         steps: u64,
+    },
+    /// A condition switches more and more often: the times have a limit that they do not pass.
+    Zeno {
+        /// How often something switched.
+        events: u32,
+        /// In how short a time, s.
+        within: f64,
     },
     /// An interval ends before it begins, or is not a number.
     Interval {
@@ -110,7 +140,35 @@ impl fmt::Display for Cause {
             Self::StepTooSmall { step } => {
                 write!(f, "the error stays above the tolerance down to a step of {step:e} s")
             }
+            Self::StepTooLong { step, error } => {
+                write!(
+                    f,
+                    "a step of {step:e} s errs by about {:.0} % of the state; shorter steps",
+                    100.0 * error
+                )
+            }
+            Self::NotConverged { step } => {
+                write!(
+                    f,
+                    "the stages of a step of {step:e} s were not found; shorter steps, or a method for stiff equations"
+                )
+            }
+            Self::Locked => write!(f, "its loop cannot be closed beyond this pose: the mechanism locks up"),
+            Self::TurnedTooFar { angle } => {
+                write!(
+                    f,
+                    "a body turned by {angle:.1} rad within a step, too far to follow its loop; shorter steps"
+                )
+            }
+            Self::Flat => write!(
+                f,
+                "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
+            ),
+            Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::Zeno { events, within } => {
+                write!(f, "switches without end: {events} times within {within:e} s")
+            }
             Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
             Self::Drift { phi, phi_dot } => {
                 write!(f, "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s")

@@ -9,11 +9,14 @@
 //! | [`scalar`], [`vector`] | numbers (`f32`, `f64`, later lanes of them) and fixed arrays of them |
 //! | [`system`], [`mechanism`], [`start`] | what generated code provides |
 //! | [`fault`] | errors as values that name the time and the part |
-//! | [`method`] | semi-implicit Euler, Runge-Kutta 4, Dormand-Prince 5(4) |
+//! | [`events`] | switching: where it happens, and how often it may |
+//! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
-//! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space |
+//! | [`ports`] | inputs and outputs by number |
+//! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
 //! Symbols: q coordinates, v = q', a = v', phi(t, q) = 0 constraints, phi_q their Jacobian, phi_q v = nu,
 //! phi_q a = gamma, M a + phi_q^T lambda = Q; the reaction of the joints is -phi_q^T lambda.
@@ -22,11 +25,15 @@
 pub mod absolute;
 mod body;
 pub mod charts;
+pub mod dual;
+pub mod events;
 pub mod fault;
 pub mod linalg;
+pub mod linear;
 pub mod mechanism;
 pub mod method;
 mod operations;
+pub mod ports;
 pub mod scalar;
 pub mod sim;
 pub mod start;
@@ -35,10 +42,13 @@ pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
 pub use body::BodyState;
+pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
+pub use linear::Linear;
 pub use mechanism::{Mechanism, Moment};
-pub use method::{Dopri5, Method, Rk4, SemiImplicitEuler};
+pub use method::{Dop853, Dopri5, Method, Rk4, SemiImplicitEuler};
 pub use operations::Operations;
+pub use ports::Ports;
 pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start};

@@ -1,10 +1,18 @@
-//! Rank and null space of small dense matrices, by orthogonalisation of their rows.
+//! Small dense matrices: rank and null space by orthogonalisation of their rows, elimination for implicit methods.
 //!
 //! One-sided Jacobi rotations (M. R. Hestenes, Inversion of matrices by biorthogonalization and related results, J. Soc.
 //! Indust. Appl. Math. 6, 1958; G. H. Golub, C. F. Van Loan, Matrix Computations, 8.6.3) turn the rows of A until
 //! they are orthogonal: W A = S V^T, with orthogonal W and V and the singular values as the norms of the rows. It
 //! works on arrays in place, needs no bidiagonalisation, and is accurate to small singular values (J. Demmel,
 //! K. Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13, 1992).
+
+mod complex;
+mod lu;
+mod resolvent;
+
+pub use complex::{Complex, Entry};
+pub use lu::Lu;
+pub use resolvent::{Dense, Resolvent};
 
 use crate::scalar::Real;
 

@@ -1,7 +1,7 @@
 //! What a generated mechanism offers beyond its equations: a start, and states that people can read.
 
 use crate::fault::Fault;
-use crate::method::{Dopri5, Method};
+use crate::method::{Dop853, Method};
 use crate::scalar::Real;
 use crate::sim::Sim;
 use crate::system::System;
@@ -46,12 +46,12 @@ pub trait Mechanism: System<S: Real> + Copy {
     /// When the mechanism cannot be assembled, or when locks are redundant.
     fn start_state(&self, t: Self::S) -> Result<(Self::U, Self::X), Fault>;
 
-    /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 5(4).
+    /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 8(5,3).
     ///
     /// # Errors
     /// As [`start_state`](Self::start_state).
     fn start(self) -> Result<Sim<Self>, Fault> {
-        self.start_with(Dopri5::default())
+        self.start_with(Dop853::default())
     }
 
     /// Assembles the mechanism at time zero and makes it ready to run with a method of choice.

@@ -128,8 +128,10 @@ pub trait Scalar:
     }
 }
 
-/// One real number: `f32` or `f64`.
+/// One real number: `f32` or `f64`, or one with its derivatives ([`Dual`](crate::Dual)).
 pub trait Real: Scalar<Mask = bool> + PartialOrd {
+    /// 0.
+    const ZERO: Self;
     /// Distance from 1 to the next larger number.
     const EPSILON: Self;
     /// Singular values below this fraction of the largest count as zero: the square root of [`EPSILON`](Self::EPSILON).
@@ -245,6 +247,7 @@ macro_rules! real {
         }
 
         impl Real for $real {
+            const ZERO: Self = 0.0;
             const EPSILON: Self = $real::EPSILON;
             const RANK_TOLERANCE: Self = $rank_tolerance;
             const INFINITY: Self = $real::INFINITY;

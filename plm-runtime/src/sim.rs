@@ -2,26 +2,28 @@
 
 use core::ops::{Deref, DerefMut};
 
+use crate::events::Watch;
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Dopri5, Method};
+use crate::method::{Course, Dop853, Method};
 use crate::scalar::{Real, Scalar};
-use crate::system::Drift;
+use crate::system::{Accepted, Drift, System};
 
 /// A running simulation.
 ///
 /// It dereferences to the mechanism's state: `sim.arm_angle()`, `sim.input.drive = 1.0`. Any mutable access makes the
 /// method forget the rate that it had kept, because state, parameters or inputs may have been changed.
 #[derive(Clone, Copy)]
-pub struct Sim<M: Mechanism, I = Dopri5<M>> {
+pub struct Sim<M: Mechanism, I = Dop853<M>> {
     state: M::State,
     method: I,
     stats: Stats,
+    watch: Watch<M::S, M::G>,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
 #[derive(Clone, Copy)]
-pub struct Snapshot<M: Mechanism, I = Dopri5<M>>(Sim<M, I>);
+pub struct Snapshot<M: Mechanism, I = Dop853<M>>(Sim<M, I>);
 
 /// What a simulation has done since it began.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,6 +34,10 @@ pub struct Stats {
     pub rejected: u64,
     /// Evaluations of the rate.
     pub evaluations: u64,
+    /// Matrices of derivatives of the rate.
+    pub jacobians: u64,
+    /// Decompositions of such matrices.
+    pub factorisations: u64,
     /// Projections onto the constraints.
     pub settled: u64,
     /// Evaluations that were done again by rank.
@@ -40,6 +46,8 @@ pub struct Stats {
     pub charts: u64,
     /// Singular poses that were passed, where the mechanism could have gone on in another way.
     pub change_points: u64,
+    /// Conditions that switched, and known times that were passed.
+    pub switches: u64,
     /// Longest accepted step, s.
     pub longest_step: f64,
 }
@@ -59,7 +67,7 @@ pub enum Notice {
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
     pub fn new(state: M::State, method: I) -> Self {
-        Self { state, method, stats: Stats::default() }
+        Self { state, method, stats: Stats::default(), watch: Watch::new() }
     }
 
     /// Runs for the communication interval `dt`, in s, and ends exactly there.
@@ -115,7 +123,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let held = self.state.held();
         self.state.set(time, &held, &x);
         self.stats.settled += 1;
-        self.method.restart();
+        self.forget();
         Ok(())
     }
 
@@ -165,23 +173,23 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     fn advance(
         &mut self,
         end: M::S,
-        mut observe: impl FnMut(&I, &Course<'_, M>) -> Result<(), Fault>,
+        mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end.is_finite()) {
             return Err(self.bad_interval(end - time));
         }
-        let Self { state, method, stats } = self;
+        let Self { state, method, stats, watch } = self;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course { system, held, time, x, end, stats };
-        let mut outcome = if time < end { method.begin(&mut course) } else { Ok(()) };
+        let mut outcome = Ok(());
         while outcome.is_ok() && course.time < end {
-            outcome = method.advance(&mut course);
-            if outcome.is_ok() {
-                outcome = observe(method, &course);
-            }
-            if outcome.is_ok() && method.accepts() {
-                outcome = accept(method, &mut course);
+            let instant = system.next_instant(course.time, &course.held);
+            let instant = instant.filter(|instant| *instant > course.time && *instant <= end);
+            course.end = instant.unwrap_or(end);
+            outcome = stretch(method, &mut course, watch, &mut observe);
+            if outcome.is_ok() && instant.is_some() {
+                pass(method, &mut course, watch);
             }
         }
         let (time, held, x) = (course.time, course.held, course.x);
@@ -189,30 +197,109 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         outcome
     }
 
+    /// Something may have been changed from outside.
+    fn forget(&mut self) {
+        self.method.restart();
+        self.watch.forget();
+    }
+
     fn bad_interval(&self, length: M::S) -> Fault {
         Fault::new(self.state.time().to_f64(), Cause::Interval { length: length.to_f64() })
     }
 }
 
-/// Lets the system look at the state reached.
-fn accept<M: Mechanism, I: Method<M>>(method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-    let accepted = course.system.accept(course.time, &mut course.held, &mut course.x)?;
-    course.stats.charts += u64::from(accepted.moved);
-    course.stats.change_points += u64::from(accepted.passed);
-    if accepted.moved {
-        method.restart();
+/// Advances to the end of the course; no known time lies before it.
+fn stretch<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    watch: &mut Watch<M::S, M::G>,
+    mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
+    watch.begin(method, course)?;
+    method.begin(course)?;
+    while course.time < course.end {
+        let before = (course.time, course.x);
+        let due = watch.step(method, course)?;
+        let Some(next) = look(method, course, watch, before)? else { continue };
+        // Samples within the step belong to what was held over it.
+        observe(method, course)?;
+        next.hold(method, course);
+        watch.switch(method, course, due)?;
     }
     Ok(())
 }
 
+/// A step that was refused is not shortened below so many units in the last place of the time.
+const SHORTEST_ULPS: f64 = 64.0;
+
+/// What a look at the state reached has found.
+struct Next<M: System> {
+    accepted: Accepted,
+    held: M::U,
+    x: M::X,
+}
+
+/// Lets the system look at the state reached. One that it refuses is not kept: none, if a shorter step is to be tried.
+fn look<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    watch: &mut Watch<M::S, M::G>,
+    before: (M::S, M::X),
+) -> Result<Option<Next<M>>, Fault> {
+    let (mut held, mut x) = (course.held, course.x);
+    match course.system.accept(course.time, &mut held, &mut x) {
+        Ok(accepted) => Ok(Some(Next { accepted, held, x })),
+        Err(fault) => {
+            let (h, time) = (course.time - before.0, course.time);
+            (course.time, course.x) = before;
+            course.stats.steps -= 1;
+            course.stats.rejected += 1;
+            watch.forget();
+            if method.shorten(h) && h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs() {
+                watch.begin(method, course)?;
+                return Ok(None);
+            }
+            Err(fault)
+        }
+    }
+}
+
+impl<M: Mechanism> Next<M> {
+    /// Goes on with it.
+    fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
+        (course.held, course.x) = (self.held, self.x);
+        course.stats.charts += u64::from(self.accepted.moved);
+        course.stats.change_points += u64::from(self.accepted.passed);
+        if self.accepted.moved {
+            method.restart();
+        }
+    }
+}
+
+/// Holds what applies after the known time that was reached.
+fn pass<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    watch: &mut Watch<M::S, M::G>,
+) {
+    course.system.pass(course.time, &mut course.held);
+    course.stats.switches += 1;
+    method.restart();
+    watch.forget();
+}
+
 /// Puts `moment` at a time within the last step, onto the constraints.
 fn sample_at<M: Mechanism, I: Method<M>>(
-    method: &I,
-    course: &Course<'_, M>,
+    method: &mut I,
+    course: &mut Course<'_, M>,
     time: M::S,
     moment: &mut M::State,
 ) -> Result<(), Fault> {
-    let mut x = if time < course.time { method.interpolate(time) } else { course.x };
+    let mut x = course.x;
+    if time < course.time {
+        method.densify(course)?;
+        x = method.interpolate(time);
+    }
     let (drift, limit) = (course.system.drift(time, &x), method.drift_limit(course.system));
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
         course.system.settle(time, &mut x)?;
@@ -231,7 +318,7 @@ impl<M: Mechanism, I> Deref for Sim<M, I> {
 
 impl<M: Mechanism, I: Method<M>> DerefMut for Sim<M, I> {
     fn deref_mut(&mut self) -> &mut M::State {
-        self.method.restart();
+        self.forget();
         &mut self.state
     }
 }

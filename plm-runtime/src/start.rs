@@ -19,6 +19,11 @@ impl<S> Start<S> {
     pub const fn locked(value: S) -> Self {
         Self { value, locked: true }
     }
+
+    /// The same start in other numbers.
+    pub fn map<T>(self, f: impl Fn(S) -> T) -> Start<T> {
+        Start { value: f(self.value), locked: self.locked }
+    }
 }
 
 impl<S: Default> Default for Start<S> {
@@ -43,4 +48,18 @@ pub struct BodyStart<S> {
     pub vy: Start<S>,
     /// Angular velocity, rad/s.
     pub omega: Start<S>,
+}
+
+impl<S> BodyStart<S> {
+    /// The same start in other numbers.
+    pub fn map<T>(self, f: impl Fn(S) -> T) -> BodyStart<T> {
+        BodyStart {
+            x: self.x.map(&f),
+            y: self.y.map(&f),
+            angle: self.angle.map(&f),
+            vx: self.vx.map(&f),
+            vy: self.vy.map(&f),
+            omega: self.omega.map(&f),
+        }
+    }
 }

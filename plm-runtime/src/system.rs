@@ -10,9 +10,10 @@ pub trait System {
     type S: Scalar;
     /// The state and its rate: [q (NQ), v (NQ), first-order states], SI units.
     type X: Vector<Self::S>;
-    /// What is held over a step: the inputs, and what the formulation remembers (its chart, the branch of each loop).
+    /// What is held over a step: the inputs, the sides of the switching conditions, and what the formulation remembers
+    /// (its chart, the branch of each loop). The rate is smooth in time and state as long as this stays.
     type U: Copy;
-    /// The switching conditions.
+    /// A number for every switching condition; `[S; 0]` costs nothing.
     type G: Vector<Self::S>;
 
     /// Number of coordinates; the first `NQ` rates are the velocities: q' = v.
@@ -48,15 +49,47 @@ pub trait System {
     /// Looks at an accepted state and brings what is held over the next step up to date: charts, branches of loops.
     ///
     /// # Errors
-    /// When the state cannot be the continuation of the one before.
+    /// When the state cannot be the continuation of the one before. Methods with error control then
+    /// try shorter steps; in the end the run stops with this fault and the state before the step.
     fn accept(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<Accepted, Fault> {
         let _ = (t, u, x);
         Ok(Accepted::default())
     }
 
-    /// Values that change sign where the equations switch.
-    fn guards(&self, t: Self::S, x: &Self::X, g: &mut Self::G) {
-        let _ = (t, x, g);
+    /// How far every switching condition is from switching: positive as long as the side of it that `u` holds applies.
+    ///
+    /// Only conditions at which the rate jumps have a guard. A relay that is on down to `low` and off up to `high` gives
+    /// x - low while `u` holds it on, and high - x while `u` holds it off.
+    fn guards(&self, t: Self::S, u: &Self::U, x: &Self::X, g: &mut Self::G) {
+        let _ = (t, u, x, g);
+    }
+
+    /// A condition switches where its guard passes zero and goes on to below minus this: within the band nothing does.
+    fn band(&self, index: usize) -> Self::S {
+        let _ = index;
+        Self::S::lit(0.0)
+    }
+
+    /// Holds the other side of the condition `index` from now on; the state stays as it is.
+    fn switch(&self, t: Self::S, u: &mut Self::U, x: &Self::X, index: usize) {
+        let _ = (t, u, x, index);
+    }
+
+    /// The condition with this index, as diagnostics name it.
+    fn guard_name(&self, index: usize) -> &'static str {
+        let _ = index;
+        ""
+    }
+
+    /// The first time after `t` at which the rate is known to jump or to bend; steps end there.
+    fn next_instant(&self, t: Self::S, u: &Self::U) -> Option<Self::S> {
+        let _ = (t, u);
+        None
+    }
+
+    /// The time has come to an instant: holds the sides that apply after it.
+    fn pass(&self, t: Self::S, u: &mut Self::U) {
+        let _ = (t, u);
     }
 
     /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.

@@ -3,10 +3,12 @@
 //! Generated code names its state type by an associated type, so that no user sees the number of states; methods
 //! reach the components through [`Vector`]. Every loop has a constant bound, and no index can fail.
 
+use core::fmt::Debug;
+
 use crate::scalar::Scalar;
 
 /// A fixed number of scalars.
-pub trait Vector<S: Scalar>: Copy {
+pub trait Vector<S: Scalar>: Copy + Debug {
     /// Number of components.
     const LEN: usize;
 
@@ -28,6 +30,12 @@ pub trait Vector<S: Scalar>: Copy {
     fn fold<T>(&self, start: T, f: impl FnMut(T, S) -> T) -> T;
     /// Becomes `base + sum of factor * vector`, added in the order of the terms.
     fn combine<const K: usize>(&mut self, base: &Self, terms: [(S, &Self); K]);
+    /// `sum of weight * vector`, in the order of the terms, in one pass; the weights are constants.
+    #[must_use]
+    fn weighted<const K: usize>(weights: [f64; K], vectors: [&Self; K]) -> Self;
+    /// `self + h * weighted(...)`, in one pass.
+    #[must_use]
+    fn moved<const K: usize>(&self, h: S, weights: [f64; K], vectors: [&Self; K]) -> Self;
     /// Adds `sum of factor * vector`, in the order of the terms.
     fn add<const K: usize>(&mut self, terms: [(S, &Self); K]);
     /// Neither infinite nor NaN in any component.
@@ -89,6 +97,16 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
     }
 
     #[inline]
+    fn weighted<const K: usize>(weights: [f64; K], vectors: [&Self; K]) -> Self {
+        core::array::from_fn(|i| weighted(weights, vectors, i))
+    }
+
+    #[inline]
+    fn moved<const K: usize>(&self, h: S, weights: [f64; K], vectors: [&Self; K]) -> Self {
+        core::array::from_fn(|i| h.mul_add(weighted(weights, vectors, i), self[i]))
+    }
+
+    #[inline]
     fn add<const K: usize>(&mut self, terms: [(S, &Self); K]) {
         for i in 0..N {
             for (factor, vector) in terms {
@@ -113,4 +131,19 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
         }
         ((probe[0] + probe[2]) + (probe[1] + probe[3])).is_finite()
     }
+}
+
+/// Component `i` of `sum of weight * vector`.
+#[inline]
+fn weighted<S: Scalar, const N: usize, const K: usize>(
+    weights: [f64; K],
+    vectors: [&[S; N]; K],
+    i: usize,
+) -> S {
+    let mut sum = S::lit(0.0);
+    for k in 0..K {
+        let (weight, s) = (S::lit(weights[k]), vectors[k][i]);
+        sum = if k == 0 { weight * s } else { weight.mul_add(s, sum) };
+    }
+    sum
 }

@@ -82,7 +82,7 @@ fn drawing_coordinates_place_the_body_as_the_manual_says() {
 
 #[test]
 fn parts_of_the_users_own_act_and_tell() {
-    let mut sim = own_part::Rope::new().start_with(plm::Dopri5::new(1e-11)).unwrap();
+    let mut sim = own_part::Rope::new().start_with(plm::Dop853::new(1e-11)).unwrap();
     // Spring energy of all pins is part of the balance; here only the last is an output, so the springs' power counts.
     let before = sim.kinetic_energy() + sim.gravity_energy();
     let mut work: f64 = 0.0;
@@ -107,7 +107,7 @@ fn parameters_change_between_runs_without_compiling() {
 
 #[test]
 fn states_follow_their_rates() {
-    let mut sim = first_order::Lagged::new().start_with(plm::Dopri5::new(1e-11)).unwrap();
+    let mut sim = first_order::Lagged::new().start_with(plm::Dop853::new(1e-11)).unwrap();
     sim.step(1.0).unwrap();
     // torque = 1 - exp(-t/tau), omega its integral over J = 1 kg m^2.
     let expected = 1.0 - 0.5 * (1.0 - (-2.0_f64).exp());
@@ -151,7 +151,7 @@ mod shared {
 
 #[test]
 fn shared_parts_act_as_if_they_stood_inside() {
-    let mut sim = shared::Wheel::new().start_with(plm::Dopri5::new(1e-11)).unwrap();
+    let mut sim = shared::Wheel::new().start_with(plm::Dop853::new(1e-11)).unwrap();
     sim.step(1.0).unwrap();
     // omega' = -2 omega^2: omega = 3/(1 + 6 t).
     assert!((sim.wheel().omega - 3.0 / 7.0).abs() < 1e-9, "{}", sim.wheel().omega);

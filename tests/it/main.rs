@@ -4,11 +4,13 @@
 #![allow(clippy::approx_constant, reason = "the manual prints what it prints")]
 
 mod assembly;
+mod derivatives;
 mod language;
 mod manual;
 mod operations;
 mod oracle;
 mod physics;
+mod reach;
 mod references;
 mod robust;
 mod rungs;

@@ -1,6 +1,6 @@
 //! Laws that no model may break: energy, reactions, what a lock-step integrator keeps.
 
-use plm::{Dopri5, Rk4, SemiImplicitEuler};
+use plm::{Dop853, Rk4, SemiImplicitEuler};
 
 use crate::scenes::{s1, s2, s5, s6};
 
@@ -36,7 +36,7 @@ mod balance {
 
 #[test]
 fn energy_of_loops_without_loss_is_kept() {
-    let mut sim = s2::FourBar::new().start_with(Dopri5::new(1e-12)).unwrap();
+    let mut sim = s2::FourBar::new().start_with(Dop853::new(1e-12)).unwrap();
     let before = sim.kinetic_energy() + sim.gravity_energy();
     sim.step(5.0).unwrap();
     let after = sim.kinetic_energy() + sim.gravity_energy();
@@ -46,7 +46,7 @@ fn energy_of_loops_without_loss_is_kept() {
 #[test]
 fn energy_grows_by_the_work_of_the_loads() {
     // Simpson's rule over the power at the ends and in the middle of short intervals: error of order dt^4.
-    let mut sim = balance::Cart::new().start_with(Dopri5::new(1e-11)).unwrap();
+    let mut sim = balance::Cart::new().start_with(Dop853::new(1e-11)).unwrap();
     let energy = |sim: &plm::Sim<balance::Cart>| sim.kinetic_energy() + sim.gravity_energy();
     let before = energy(&sim);
     let mut work: f64 = 0.0;
@@ -65,7 +65,7 @@ fn energy_grows_by_the_work_of_the_loads() {
 #[test]
 fn reactions_carry_the_weight_and_the_acceleration() {
     // Newton's law for the whole double pendulum: the shoulder's force is the only one besides the weights.
-    let mut sim = s1::DoublePendulum::new().start_with(Dopri5::new(1e-12)).unwrap();
+    let mut sim = s1::DoublePendulum::new().start_with(Dop853::new(1e-12)).unwrap();
     let momentum = |sim: &plm::Sim<s1::DoublePendulum>| {
         let (a, b) = (sim.arm(), sim.forearm());
         [10.0 * (a.vx + b.vx), 10.0 * (a.vy + b.vy)]

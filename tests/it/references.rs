@@ -2,7 +2,7 @@
 //!
 //! The references were computed in quadruple precision by two independent formulations that agree to 1e-14 or better.
 
-use plm::{BodyState, Dopri5};
+use plm::{BodyState, Dop853};
 
 use crate::scenes::{s1, s1_baumgarte, s2, s2_baumgarte, s5, s6, s6_baumgarte};
 
@@ -47,8 +47,8 @@ fn difference<const N: usize>(found: [BodyState<f64>; N], expected: &Poses<N>) -
     pairs.map(of_body).fold(0.0, f64::max)
 }
 
-fn tight<M: plm::System<S = f64>>() -> Dopri5<M> {
-    Dopri5::new(1e-13)
+fn tight<M: plm::System<S = f64>>() -> Dop853<M> {
+    Dop853::new(1e-13)
 }
 
 /// Runs a scene to an end and gives the poses there and the largest drift of phi and phi_dot on the way.

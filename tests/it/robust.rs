@@ -1,6 +1,6 @@
 //! Runs near poses where elimination without pivoting loses digits, resumed runs, faults, single precision.
 
-use plm::{Cause, Dopri5, Rk4, Start};
+use plm::{Cause, Dop853, Rk4, Start};
 
 use crate::scenes::{s1, s2};
 
@@ -88,7 +88,7 @@ mod driven {
 
 #[test]
 fn inputs_act_from_the_next_step_on() {
-    let mut sim = driven::Driven::new().start_with(Dopri5::new(1e-10)).unwrap();
+    let mut sim = driven::Driven::new().start_with(Dop853::new(1e-10)).unwrap();
     sim.step(0.2).unwrap();
     assert_eq!(sim.bar().omega, 0.0);
     sim.input.torque = 0.35;

@@ -1,7 +1,7 @@
 //! Every scene on every rung that holds it: the same accelerations, the same motion, the same reactions.
 
 use plm::runtime::Absolute;
-use plm::{BodyState, Dopri5, Moment, System};
+use plm::{BodyState, Dop853, Moment, System};
 
 /// A mechanism on the rung that is taken, and on rung 5.
 macro_rules! on_both {
@@ -18,8 +18,8 @@ macro_rules! on_both {
         #[test]
         fn $test() {
             let (least, absolute) = ($test::least::Scene::new(), $test::absolute::Scene::new());
-            let mut one = least.start_with(Dopri5::new(1e-12)).unwrap();
-            let mut other = absolute.start_with(Dopri5::new(1e-12)).unwrap();
+            let mut one = least.start_with(Dop853::new(1e-12)).unwrap();
+            let mut other = absolute.start_with(Dop853::new(1e-12)).unwrap();
             for step in 0..=5 {
                 let (state, reference) = (*one.state(), *other.state());
                 $(close(concat!(stringify!($body), " moves"), values(state.$body()), values(reference.$body()), 1e-9);)+

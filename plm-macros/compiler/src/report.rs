@@ -188,7 +188,8 @@ fn loops(reduced: &Reduced) -> Vec<String> {
             .to_owned(),
     ];
     for (k, chart) in reduced.charts.iter().enumerate() {
-        lines.push(format!("Chart {k}: {}; then {}.", chart.names.join(", "), chart.dyads.join("; ")));
+        let dyads: Vec<&str> = chart.dyads.iter().map(|dyad| dyad.0.as_str()).collect();
+        lines.push(format!("Chart {k}: {}; then {}.", chart.names.join(", "), dyads.join("; ")));
     }
     lines
 }

@@ -64,6 +64,17 @@ pub fn drift<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, 
     Drift { phi: largest(&m.phi(t, &q)), phi_dot: largest(&m.phi_dot(t, &q, &v)) }
 }
 
+/// Gives `row` the residuals of position, then those of velocity, of a state [q, v, first-order states].
+pub fn residuals<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
+    m: &M,
+    t: S,
+    x: &[S; NX],
+    row: &mut impl FnMut(S),
+) {
+    let (q, v) = split(x);
+    m.phi(t, &q).into_iter().chain(m.phi_dot(t, &q, &v)).for_each(row);
+}
+
 /// Is the residual small enough for joints of the given size (m, or m/s) to count as closed?
 pub(super) fn is_closed<S: Real, const NC: usize>(residual: &[S; NC], size: S) -> bool {
     let tolerance = S::lit(1e-10).max(S::lit(16.0) * S::EPSILON);

@@ -2,8 +2,9 @@
 
 use core::marker::PhantomData;
 
+use super::plan::Plan;
 use super::{Course, Method, drift_of_size, excess, not_finite};
-use crate::fault::{Cause, Fault};
+use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, System};
 use crate::vector::Vector;
@@ -48,30 +49,15 @@ pub struct FixedStep<S, F> {
     formula: PhantomData<F>,
 }
 
-/// An interval divided into equal steps.
-#[derive(Clone, Copy, Debug)]
-struct Plan<S> {
-    start: S,
-    end: S,
-    h: S,
-    /// The time after the next step.
-    next_time: S,
-    steps: u32,
-    /// Steps up to that time.
-    done: u32,
-}
-
 impl<S: Real, F: Formula> FixedStep<S, F> {
     /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
     pub fn new(longest_step: S) -> Self {
         let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
-        let zero = S::lit(0.0);
-        let plan = Plan { start: zero, end: zero, h: zero, next_time: zero, steps: 0, done: 0 };
         Self {
             longest_step,
             tolerance,
             check_every: 8,
-            plan,
+            plan: Plan::none(),
             careful: false,
             until_check: 0,
             formula: PhantomData,
@@ -138,41 +124,11 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     }
 }
 
-impl<S: Real> Plan<S> {
-    /// Divides an interval into whole steps of at most `longest` (and a millionth, so that rounding in the length of the
-    /// interval does not cost another step). None if such steps do not move the time or cannot be counted.
-    fn new(start: S, end: S, longest: S) -> Option<Self> {
-        let ratio = ((end - start) / longest).to_f64() * (1.0 - 1e-6);
-        // False for a step that is negative or not a number.
-        if !(0.0..f64::from(u32::MAX)).contains(&ratio) {
-            return None;
-        }
-        let whole = ratio as u32;
-        let steps = if ratio > f64::from(whole) { whole + 1 } else { whole.max(1) };
-        let h = (end - start) / S::lit(f64::from(steps));
-        let mut plan = Self { start, end, h, next_time: start, steps, done: 0 };
-        plan.next();
-        (plan.next_time > start).then_some(plan)
-    }
-
-    /// The time after the next step.
-    #[inline]
-    fn next(&mut self) {
-        self.done = self.done.wrapping_add(1);
-        let inside = self.start + S::lit(f64::from(self.done)) * self.h;
-        self.next_time = if self.done < self.steps { inside } else { self.end };
-    }
-}
-
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     const DENSE: bool = false;
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let Some(plan) = Plan::new(course.time, course.end, self.longest_step) else {
-            return Err(course.fault(Cause::StepTooSmall { step: self.longest_step.to_f64() }));
-        };
-        self.plan = plan;
-        course.stats.longest_step = course.stats.longest_step.max(plan.h.to_f64());
+        self.plan = Plan::of_course(course, self.longest_step)?;
         Ok(())
     }
 
@@ -196,10 +152,6 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
 
     fn restart(&mut self) {
         self.until_check = 0;
-    }
-
-    fn accepts(&self) -> bool {
-        self.until_check == self.check_every || self.careful
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {

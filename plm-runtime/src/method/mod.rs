@@ -5,19 +5,35 @@
 //! | [`SemiImplicitEuler`] | 1 | fixed |
 //! | [`Rk4`] | 4 | fixed |
 //! | [`Dopri5`] | 5, dense output of order 4 | by error control |
+//! | [`Dop853`] | 8, dense output of order 7 | by error control |
+//! | [`Gauss`] with 2 or 3 stages | 4, 6; symplectic and time-reversible | fixed |
+//! | [`Ros34Pw2`] | 3; L-stable | fixed |
+//! | [`RadauIia5`] | 5, dense output of order 3; L-stable | by error control |
 //!
 //! A method owns what it remembers from step to step (its proposal for the next one, the last rate), so that a saved
 //! copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
 
+mod dop853;
 mod dopri5;
+mod embedded;
 mod euler;
 mod fixed;
+mod gauss;
+mod jacobian;
+mod plan;
+mod radau;
 mod rk4;
+mod ros34pw2;
 
-pub use dopri5::Dopri5;
+pub use dop853::{Dop853, DormandPrince853};
+pub use dopri5::{Dopri5, DormandPrince5};
+pub use embedded::{Embedded, Limits, Pair};
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
 pub use fixed::{FixedStep, Formula};
+pub use gauss::Gauss;
+pub use radau::RadauIia5;
 pub use rk4::{Rk4, Rk4Formula};
+pub use ros34pw2::Ros34Pw2;
 
 use core::cmp::Ordering;
 
@@ -44,15 +60,27 @@ pub trait Method<M: System>: Copy {
     /// When no step can be accepted; time and state of the course are then those before the step.
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault>;
 
-    /// The state at a time within the last step.
+    /// Computes what [`interpolate`](Self::interpolate) needs and the step itself did not; it may be called again.
+    ///
+    /// # Errors
+    /// When an evaluation fails.
+    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let _ = course;
+        Ok(())
+    }
+
+    /// The state at a time within the last step, after [`densify`](Self::densify); a rougher one (order 3) without.
     fn interpolate(&self, time: M::S) -> M::X;
 
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
     fn restart(&mut self);
 
-    /// Whether the state reached is to be looked at by [`System::accept`]; a method with cheap steps may leave some out.
-    fn accepts(&self) -> bool {
-        true
+    /// The system has refused the state that the last step, of `h`, led to, and the state is that before it again:
+    /// whether a shorter step is tried next. Not where steps are fixed.
+    fn shorten(&mut self, h: M::S) -> bool {
+        let _ = h;
+        self.restart();
+        false
     }
 
     /// The drift above which a state is settled.

@@ -1,6 +1,6 @@
 //! Samples, intervals and the steps between them.
 
-use plm_runtime::{Dopri5, Mechanism, Rk4};
+use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4};
 
 use crate::mechanisms::double_pendulum;
 use crate::oscillator::{error, oscillator};
@@ -16,6 +16,19 @@ fn samples_do_not_shorten_steps() {
     assert_eq!(plain.stats(), sampled.stats());
     assert_eq!(times.len(), 201);
     assert_eq!((times[0], times[200]), (0.0, 2.0));
+}
+
+#[test]
+fn samples_cost_the_extra_stages_only_where_they_are() {
+    let run = |every: f64| {
+        let mut sim = oscillator().start_with(Dop853::new(1e-6)).unwrap();
+        sim.run(2.0, every, |_| ()).unwrap();
+        (sim.x, sim.stats())
+    };
+    let ((x, plain), (x_few, few), (x_many, many)) = (run(2.0), run(1.0), run(0.001));
+    assert_eq!((x, x), (x_few, x_many));
+    assert_eq!(few.evaluations, plain.evaluations + 3);
+    assert_eq!(many.evaluations, plain.evaluations + 3 * plain.steps);
 }
 
 #[test]

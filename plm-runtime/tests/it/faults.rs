@@ -1,6 +1,7 @@
 //! Errors are values that say when, where and why.
 
-use plm_runtime::{Cause, Dopri5, Fault, Health, Mechanism, Rk4, System};
+use plm_runtime::method::{Gauss, Method};
+use plm_runtime::{Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, SemiImplicitEuler, System};
 
 use crate::linkage::At;
 use crate::oscillator::oscillator;
@@ -68,6 +69,57 @@ fn a_state_that_is_not_a_number_is_named_at_once() {
     sim.x[2] = f64::NAN;
     let fault = sim.step(1.0).unwrap_err();
     assert_eq!((fault.time, fault.part, fault.cause), (0.0, "filter", Cause::NotFinite));
+}
+
+/// x' = sqrt(1 - t) in the second of two states: not a number after t = 1.
+#[derive(Clone, Copy, Debug)]
+struct Ends;
+
+impl System for Ends {
+    type S = f64;
+    type X = [f64; 2];
+    type U = ();
+    type G = [f64; 0];
+    const NQ: usize = 0;
+
+    fn rate(&self, t: f64, (): &(), _x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
+        *dx = [1.0, (1.0 - t).sqrt()];
+        Health::perfect()
+    }
+    fn part_of_state(&self, index: usize) -> &'static str {
+        ["clock", "valve"][index]
+    }
+}
+
+impl Mechanism for Ends {
+    type State = At<Self>;
+
+    fn start_state(&self, _t: f64) -> Result<(Self::U, [f64; 2]), Fault> {
+        Ok(((), [0.0; 2]))
+    }
+}
+
+#[test]
+fn a_rate_that_is_not_a_number_is_named_with_its_time_by_every_method() {
+    fn ends<I: Method<Ends>>(method: I) {
+        let mut sim = Ends.start_with(method).unwrap();
+        let fault = sim.step(2.0).unwrap_err();
+        assert_eq!((fault.part, fault.cause), ("valve", Cause::NotFinite), "{fault}");
+        // Euler's method needs no rate at the end of a step: it comes one step further than the others.
+        assert!((0.9..1.21).contains(&fault.time), "{fault}");
+        assert!(sim.time < 1.15 && sim.x.iter().all(|x| x.is_finite()), "{:?}", sim.x);
+        assert!(
+            (sim.x[1] - 2.0 / 3.0 * (1.0 - (1.0 - sim.time).max(0.0).powf(1.5))).abs() < 0.06,
+            "{:?}",
+            sim.x
+        );
+    }
+    ends(Dop853::new(1e-6));
+    ends(Dopri5::new(1e-6));
+    ends(Rk4::new(0.1));
+    ends(SemiImplicitEuler::new(0.1));
+    ends(Gauss::<_, 2>::new(0.1));
+    ends(Gauss::<_, 3>::new(0.1));
 }
 
 #[test]

@@ -49,6 +49,12 @@ impl<S: Real, const NQ: usize, const NC: usize> Linkage<S, NQ, NC> {
         linkage
     }
 
+    /// The same in other numbers.
+    pub fn map<T>(&self, f: impl Fn(S) -> T) -> Linkage<T, NQ, NC> {
+        let Self { mass, rows, force, start, length, alpha } = *self;
+        Linkage { mass, rows, force, start: start.map(|start| start.map(&f)), length, alpha }
+    }
+
     pub fn phi(&self, q: &[S; NQ]) -> [S; NC] {
         self.rows.map(|row| match row {
             Row::Keep { coordinate, value } => q[coordinate] - S::lit(value),
@@ -308,6 +314,17 @@ macro_rules! linkage {
             }
             fn part_of_state(&self, index: usize) -> &'static str {
                 <Self as plm_runtime::Absolute<S, $nq, $nc>>::COORDINATES[index % $nq]
+            }
+        }
+
+        impl<S: plm_runtime::Real> plm_runtime::Linear for $name<S> {
+            type Lifted<const K: usize> = $name<plm_runtime::Dual<S, K>>;
+
+            fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
+                ($name(self.0.map(plm_runtime::Dual::constant)), ())
+            }
+            fn constraints(&self, t: S, x: &Self::X, row: &mut impl FnMut(S)) {
+                plm_runtime::absolute::residuals(self, t, x, row);
             }
         }
 

@@ -3,16 +3,24 @@
 
 mod assembly;
 mod change_points;
+mod charts;
 mod dense;
+mod dual;
+mod events;
 mod faults;
+mod gauss;
 mod linalg;
+mod linear;
 mod linkage;
 mod mechanisms;
 mod order;
 mod oscillator;
 mod projection;
+mod radau;
 mod random;
 mod redundant;
 mod references;
 mod resume;
+mod ros34pw2;
 mod single;
+mod smooth;

@@ -1,7 +1,7 @@
 //! Orders of convergence, by halving the step.
 
-use plm_runtime::method::Method;
-use plm_runtime::{Dopri5, Mechanism, Rk4, SemiImplicitEuler};
+use plm_runtime::method::{DormandPrince5, DormandPrince853, Embedded, Method, Pair};
+use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, SemiImplicitEuler};
 
 use crate::oscillator::{Oscillator, error, oscillator};
 
@@ -31,38 +31,54 @@ fn rk4_has_order_4() {
 }
 
 /// Dormand-Prince with a tolerance that lets every step of `h` pass.
-fn fixed_dopri5(h: f64) -> Dopri5<Oscillator<f64>> {
-    Dopri5::new(1.0).with_longest_step(h)
+fn fixed<P: Pair>(h: f64) -> Embedded<Oscillator<f64>, P> {
+    Embedded::new(10.0).with_longest_step(h)
 }
 
 #[test]
 fn dopri5_has_order_5() {
-    let order = order(|h| error_with(fixed_dopri5(2.0 * h)));
+    let order = order(|h| error_with(fixed::<DormandPrince5>(2.0 * h)));
     assert!((order - 5.0).abs() < 0.2, "{order}");
 }
 
 #[test]
-fn dense_output_of_dopri5_has_order_4_or_more() {
-    // The error inside a step is that of its ends (order 5) and of the polynomial (local error of order 5).
+fn dop853_has_order_8() {
+    let order = order(|h| error_with(fixed::<DormandPrince853>(10.0 * h)));
+    assert!((order - 8.0).abs() < 0.3, "{order}");
+}
+
+/// Observed order of the worst error inside the steps, between `2 h` and `h`.
+fn dense_order<P: Pair>(h: f64) -> f64 {
     let worst = |h: f64| {
-        let mut sim = oscillator().start_with(fixed_dopri5(h)).unwrap();
+        let mut sim = oscillator().start_with(fixed::<P>(h)).unwrap();
         let mut worst = 0.0;
         sim.run(2.0, 0.013, |moment| worst = f64::max(worst, error(moment.time, &moment.x))).unwrap();
         assert!(sim.stats().longest_step > 0.9 * h);
         worst
     };
-    let order = order(|h| worst(2.0 * h));
-    assert!((4.8..5.3).contains(&order), "{order}");
+    (worst(2.0 * h) / worst(h)).log2()
 }
 
 #[test]
-fn dopri5_keeps_its_tolerance() {
-    for (rtol, most_evaluations) in [(1e-4, 150), (1e-8, 700), (1e-12, 4000)] {
+fn dense_output_has_the_order_of_its_polynomial_or_more() {
+    // The error inside a step is that of its ends (order 5, 8) and of the polynomial (local error of order 5, 8).
+    let (fifth, eighth) = (dense_order::<DormandPrince5>(0.02), dense_order::<DormandPrince853>(0.08));
+    assert!((4.8..5.3).contains(&fifth), "{fifth}");
+    assert!((7.7..8.4).contains(&eighth), "{eighth}");
+}
+
+#[test]
+fn the_pairs_keep_their_tolerance() {
+    for (rtol, of_5, of_853) in [(1e-4, 150, 150), (1e-8, 700, 350), (1e-12, 4000, 1000)] {
         let mut sim = oscillator().start_with(Dopri5::new(rtol)).unwrap();
         sim.step(2.0).unwrap();
         // The tolerance is per step; the solution neither grows nor decays.
         assert!(error(2.0, &sim.x) < 30.0 * rtol, "{rtol}: {}", error(2.0, &sim.x));
-        assert!(sim.stats().evaluations < most_evaluations, "{rtol}: {:?}", sim.stats());
+        assert!(sim.stats().evaluations < of_5, "{rtol}: {:?}", sim.stats());
+        let mut sim = oscillator().start_with(Dop853::new(rtol)).unwrap();
+        sim.step(2.0).unwrap();
+        assert!(error(2.0, &sim.x) < 30.0 * rtol, "{rtol}: {}", error(2.0, &sim.x));
+        assert!(sim.stats().evaluations < of_853, "{rtol}: {:?}", sim.stats());
     }
 }
 

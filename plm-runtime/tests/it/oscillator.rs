@@ -1,6 +1,6 @@
 //! A driven oscillator with an exact solution that reaches every term of a formula: time, v, first-order states.
 
-use plm_runtime::{Fault, Health, Mechanism, Real, System};
+use plm_runtime::{Dual, Fault, Health, Linear, Mechanism, Real, System};
 
 use crate::linkage::At;
 
@@ -22,6 +22,14 @@ impl<S: Real> System for Oscillator<S> {
     }
     fn part_of_state(&self, index: usize) -> &'static str {
         ["oscillator", "oscillator", "filter"][index]
+    }
+}
+
+impl<S: Real> Linear for Oscillator<S> {
+    type Lifted<const K: usize> = Oscillator<Dual<S, K>>;
+
+    fn lift<const K: usize>(&self, held: &f64) -> (Self::Lifted<K>, f64) {
+        (oscillator(), *held)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What both programs run: assembly, each method of integration, and the solution by rank, in both precisions.
 
 use plm::runtime::Vector;
-use plm::{Dopri5, Fault, Mechanism, Method, Moment, Real, Rk4, Scalar, SemiImplicitEuler};
+use plm::{Dop853, Dopri5, Fault, Mechanism, Method, Moment, Real, Rk4, Scalar, SemiImplicitEuler};
 
 plm::mechanism! {
     /// The double pendulum of the manual, section 2.2.
@@ -63,8 +63,9 @@ fn by_every_method<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     let mut unlocked = locked;
     unlocked.start.arm.angle.locked = false;
     unlocked.start.forearm.angle.locked = false;
+    moments(unlocked, Dop853::default(), emit)?;
     moments(unlocked, Dopri5::default(), emit)?;
-    moments(Press::<S>::of(), Dopri5::default(), emit)?;
+    moments(Press::<S>::of(), Dop853::default(), emit)?;
     let mut press = Press::<S>::of().start_with(Rk4::new(S::lit(1e-3)))?;
     press.input.push = S::lit(7.0);
     press.step(S::lit(0.1))?;

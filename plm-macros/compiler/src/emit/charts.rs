@@ -41,7 +41,9 @@ fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: u
         &Shape {
             docs: &["Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s."],
             attribute: "",
-            signature: &format!("fn place_{index}(&self, {state}, q: &mut [S; {nq}], v: &mut [S; {nq}])"),
+            signature: &format!(
+                "fn place_{index}(&self, {state}, q: &mut [S; {nq}], v: &mut [S; {nq}]) -> S"
+            ),
             arguments: &["t", "u", "m", "x", "q", "v"],
         },
     );
@@ -67,12 +69,12 @@ fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: u
             survey,
             Origin::Pose,
             &Shape {
-                docs: &["The same of a pose, with determinants at rest."],
+                docs: &["The same of a pose and velocity."],
                 attribute: "#[cold]",
                 signature: &format!(
-                    "fn survey_{index}(&self, t: S, q: &[S; {nq}], memory: &mut [S; {memory}]) -> S"
+                    "fn survey_{index}(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], memory: &mut [S; {memory}]) -> S"
                 ),
-                arguments: &["t", "q", "memory"],
+                arguments: &["t", "q", "v", "memory"],
             },
         );
     }
@@ -90,9 +92,14 @@ pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) 
             rt::Health({rate})
         }}
 
+        #[cold]
+        fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
+            rt::charts::rate_beside(self, t, u, x, dx)
+        }}
+
         #[inline]
         fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; {length}]) -> Result<rt::Accepted, Fault> {{
-            Ok(rt::charts::accept(self, t, u, x))
+            rt::charts::accept(self, t, u, x)
         }}
 
 "
@@ -104,6 +111,12 @@ pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) 
 pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced) {
     let (length, _) = emission.state_length();
     let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
+    let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
+    let closing = reduced.charts.iter().map(|chart| {
+        let names: Vec<String> = chart.dyads.iter().map(|dyad| format!("{:?}", dyad.1)).collect();
+        format!("&[{}]", names.join(", "))
+    });
+    let closing: Vec<String> = closing.collect();
     let place = chosen(reduced, "held.chart", |k| {
         format!("self.place_{k}(t, &held.input, &held.memory, x, &mut q, &mut v)")
     });
@@ -111,7 +124,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
         format!("self.look_{k}(t, &held.input, &held.memory, x, &mut memory)")
     });
     let chart = if reduced.charts.len() == 1 { "_chart" } else { "chart" };
-    let survey = chosen(reduced, "chart", |k| format!("self.survey_{k}(t, q, &mut memory)"));
+    let survey = chosen(reduced, "chart", |k| format!("self.survey_{k}(t, q, v, &mut memory)"));
     let project = chosen(reduced, "chart", |k| format!("self.project_{k}(t, q, v, x)"));
     push(
         text,
@@ -122,18 +135,20 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
         type Q = [S; {nq}];
         const CHARTS: usize = {charts};
         const BEFORE_AREAS: usize = {before};
+        const TURNING: &'static [&'static str] = &[{turning}];
+        const CLOSING: &'static [&'static [&'static str]] = &[{closing}];
 
-        fn place(&self, t: S, held: &Self::U, x: &[S; {length}]) -> ([S; {nq}], [S; {nq}]) {{
+        fn place(&self, t: S, held: &Self::U, x: &[S; {length}]) -> ([S; {nq}], [S; {nq}], S) {{
             let (mut q, mut v) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nq}]);
-            {place};
-            (q, v)
+            let measure = {place};
+            (q, v, measure)
         }}
         fn look(&self, t: S, held: &Self::U, x: &[S; {length}]) -> ([S; {memory}], S) {{
             let mut memory = [S::lit(0.0); {memory}];
             let measure = {look};
             (memory, measure)
         }}
-        fn survey(&self, {chart}: usize, t: S, q: &[S; {nq}]) -> ([S; {memory}], S) {{
+        fn survey(&self, {chart}: usize, t: S, q: &[S; {nq}], v: &[S; {nq}]) -> ([S; {memory}], S) {{
             let mut memory = [S::lit(0.0); {memory}];
             let measure = {survey};
             (memory, measure)
@@ -147,6 +162,8 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
             name = emission.name,
             charts = reduced.charts.len(),
             before = reduced.before_areas,
+            turning = turning.join(", "),
+            closing = closing.join(", "),
         ),
     );
 }

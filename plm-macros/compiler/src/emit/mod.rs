@@ -8,6 +8,7 @@ mod bodies;
 mod charts;
 mod defaults;
 mod docs;
+mod linear;
 mod lines;
 mod names;
 mod outputs;
@@ -127,6 +128,7 @@ pub(crate) fn emit(
     public.push_str(&outputs::emit(&emission));
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
+    implementation.push_str(&linear::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
     Code {
@@ -181,6 +183,16 @@ impl Emission<'_> {
     /// The mechanism, if its loops are solved in charts.
     pub(crate) fn loops(&self) -> Option<&Reduced> {
         self.reduced.filter(|reduced| reduced.has_loops())
+    }
+
+    /// The type of what is held over a step, of numbers `scalar`.
+    pub(crate) fn held(&self, scalar: &str) -> String {
+        match self.loops() {
+            Some(reduced) => {
+                format!("rt::charts::Held<Input<{scalar}>, [{scalar}; {}]>", reduced.memory.len())
+            }
+            None => format!("Input<{scalar}>"),
+        }
     }
 
     /// The line that gives an accessor of `State` the pose, where that is not the state itself.

@@ -79,15 +79,13 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
     let ((length, second_order), n) = (emission.state_length(), reduced.freedom());
     let (nq, nx) = (equations.q.len(), equations.x.len());
     let mut rate = String::new();
-    let (held, place);
+    let held = emission.held("S");
+    let place;
     if reduced.has_loops() {
         charts::system(&mut rate, emission, reduced);
         charts::charted(text, emission, reduced);
-        held = format!("rt::charts::Held<Input<S>, [S; {}]>", reduced.memory.len());
-        place = "rt::charts::Charted::place(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)"
-            .to_owned();
+        place = "rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)".to_owned();
     } else {
-        held = "Input<S>".to_owned();
         place = format!(
             "let (mut q, mut v) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nq}]);
             self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);

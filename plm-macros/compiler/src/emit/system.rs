@@ -152,7 +152,7 @@ fn mechanism(text: &mut String, emission: &Emission) {
     } else {
         ("State { mechanism, input: held, time, x }", "self.input", "self.input = *held")
     };
-    let held_type = if loops { format!("<{name}<S> as rt::System>::U") } else { "Input<S>".to_owned() };
+    let held_type = emission.held("S");
     push(
         text,
         format_args!(
@@ -199,24 +199,22 @@ fn mechanism(text: &mut String, emission: &Emission) {
 
 /// From the assembled pose to the state.
 fn begin(emission: &Emission) -> String {
-    match emission.loops() {
-        Some(reduced) => format!(
+    if let Some(reduced) = emission.loops() {
+        return format!(
             "            let memory = [S::lit(0.0); {}];
             let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
             rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
             Ok((held, x))
 ",
             reduced.memory.len()
-        ),
-        None => {
-            let call = if emission.reduced.is_some() {
-                "self.project(t, &assembly.q, &assembly.v, &mut x)"
-            } else {
-                "absolute::join(&assembly.q, &assembly.v, &mut x)"
-            };
-            format!("            {call};\n            Ok((self.declared_input(), x))\n")
-        }
+        );
     }
+    let call = if emission.reduced.is_some() {
+        "self.project(t, &assembly.q, &assembly.v, &mut x)"
+    } else {
+        "absolute::join(&assembly.q, &assembly.v, &mut x)"
+    };
+    format!("            {call};\n            Ok((self.declared_input(), x))\n")
 }
 
 /// `Absolute`: the constraints, for assembly, projection and the fallback.

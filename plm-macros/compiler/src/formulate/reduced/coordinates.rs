@@ -8,6 +8,7 @@
 use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
+use super::dyad::Dyad;
 use super::plane::{self, Vec2};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
@@ -57,7 +58,9 @@ pub(crate) struct Coordinates {
     pub(crate) order: Vec<Hold>,
     /// Independent loops: vectors that sum to zero.
     pub(crate) closures: Vec<Chain>,
-    /// The joints that close them, by their places in [`Coordinates::joints`].
+    /// The joints that each loop goes through, by their places in [`Coordinates::joints`].
+    pub(crate) loops: Vec<Vec<usize>>,
+    /// The joints that close them.
     pub(crate) chords: Vec<usize>,
 }
 
@@ -96,6 +99,7 @@ impl Coordinates {
             joints,
             order,
             closures: Vec::new(),
+            loops: Vec::new(),
             chords: forest.chords,
         };
         coordinates.walk(model, graph);
@@ -103,6 +107,7 @@ impl Coordinates {
             coordinates.add_slide(chord);
         }
         for cycle in shortest_cycle_basis(nodes, &edges) {
+            coordinates.loops.push(cycle.iter().map(|step| step.0).collect());
             let mut closure = Chain::default();
             for (joint, along) in cycle {
                 coordinates.add_across(&mut closure, model, graph, joint, !along);
@@ -148,6 +153,19 @@ impl Coordinates {
     fn new_unknown(&mut self, unknown: Unknown) -> usize {
         self.unknowns.push(unknown);
         self.unknowns.len() - 1
+    }
+
+    /// The joint of a loop that a dyad closes: between its two bodies, or the one that slides.
+    pub(crate) fn closing(&self, dyad: &Dyad) -> usize {
+        let solved = dyad.classes();
+        let within =
+            |frame: FrameRef| frame.body.is_some_and(|body| solved.contains(&self.headings[body].class));
+        let rank = |&joint: &usize| {
+            let Joint { a, b, slide, .. } = self.joints[joint];
+            let slides = slide.is_some_and(|slide| dyad.unknowns.contains(&slide));
+            (slides || (within(a) && within(b)), within(a) || within(b))
+        };
+        self.loops[dyad.closure].iter().copied().max_by_key(rank).unwrap_or(0)
     }
 
     /// Heading of the body of a frame.

@@ -1,4 +1,5 @@
 //! Both forms of the right-hand side of a tree, the dense one and elimination body by body, at the same states.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 use plm_cas::{Expr, Tape};
 

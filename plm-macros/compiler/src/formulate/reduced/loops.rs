@@ -89,20 +89,15 @@ pub(crate) fn determinant_rate(
     let rate = |graph: &mut Graph, k: usize| {
         let unknown = dyad.unknowns[k];
         let column = solution.columns[k];
-        match closure.slide(unknown) {
-            Some((class, _)) => {
-                let across = plane::left(graph, column);
-                plane::scale(graph, motion.omega[class], across)
-            }
-            None => {
-                let class = dyad.classes()[k];
-                let across = plane::left(graph, column);
-                let turning = plane::scale(graph, motion.omega[class], across);
-                let along = sliding(closure, class, motion, graph);
-                let along = plane::left(graph, along);
-                plane::add(graph, turning, along)
-            }
+        let across = plane::left(graph, column);
+        if let Some((class, _)) = closure.slide(unknown) {
+            return plane::scale(graph, motion.omega[class], across);
         }
+        let class = dyad.classes()[k];
+        let turning = plane::scale(graph, motion.omega[class], across);
+        let along = sliding(closure, class, motion, graph);
+        let along = plane::left(graph, along);
+        plane::add(graph, turning, along)
     };
     let rates = [rate(graph, 0), rate(graph, 1)];
     let first = plane::cross(graph, rates[0], solution.columns[1]);

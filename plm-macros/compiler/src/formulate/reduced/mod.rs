@@ -37,6 +37,8 @@ pub(crate) struct Reduced {
     pub(crate) charts: Vec<Chart>,
     /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
     pub(crate) memory: Vec<Expr>,
+    /// The bodies whose angles are remembered, in that order.
+    pub(crate) turning: Vec<String>,
     /// How many of them stand before the determinants of the dyads and their rates.
     pub(crate) before_areas: usize,
 }
@@ -75,16 +77,16 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
-    /// `q`, `v` of all bodies.
+    /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
     /// `x` of a state in absolute coordinates.
     pub(crate) project: Function,
     /// `memory` of a state, returning the same as `rate`; of loops alone.
     pub(crate) look: Option<Function>,
-    /// `memory` of a pose in this chart, with rates of zero, returning the square of the measure; of loops alone.
+    /// `memory` of a pose and velocity in this chart, returning the square of the measure; of loops alone.
     pub(crate) survey: Option<Function>,
-    /// The dyads in the order of solution: kind and unknowns.
-    pub(crate) dyads: Vec<String>,
+    /// The dyads in the order of solution: kind and unknowns, and the part that closes its loop.
+    pub(crate) dyads: Vec<(String, String)>,
 }
 
 /// Lays out rung 2 or 3; `length` is the size of the scene, m.
@@ -108,7 +110,12 @@ pub(crate) fn formulate(
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
-    Ok(Reduced { charts, memory: memory.symbols(), before_areas: memory.before_areas() })
+    let turning = coordinates.unknowns.iter().filter_map(|unknown| match *unknown {
+        Unknown::Angle { body, .. } => Some(model.bodies[body].name.text.clone()),
+        _ => None,
+    });
+    let turning = turning.collect();
+    Ok(Reduced { turning, charts, memory: memory.symbols(), before_areas: memory.before_areas() })
 }
 
 /// What all charts share.
@@ -138,7 +145,8 @@ impl Layout<'_> {
         let survey = loops.then(|| self.survey(scheme));
         let described = scheme.dyads.iter().map(|dyad| {
             let [first, second] = dyad.unknowns.map(|unknown| &motion.names[unknown]);
-            format!("{} {first}, {second}", dyad.name())
+            let part = coordinates.joints[coordinates.closing(dyad)].part;
+            (format!("{} {first}, {second}", dyad.name()), model.parts[part].name.text.clone())
         });
         let dyads = described.collect();
         Chart {
@@ -213,8 +221,12 @@ impl Layout<'_> {
         let graph = &mut *self.graph;
         let solutions = scheme.dyads.iter().map(|dyad| dyad.at_pose(self.coordinates, &motion, graph));
         let solutions: Vec<dyad::Solution> = solutions.collect();
-        let zero = graph.zero();
-        let areas = solutions.iter().map(|solution| [solution.determinant, zero]).collect();
+        let Equations { q, v, .. } = self.equations;
+        let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect();
+        flow.push((self.model.time, graph.one()));
+        let determinants: Vec<Expr> = solutions.iter().map(|solution| solution.determinant).collect();
+        let rates = graph.directionals(&determinants, &flow);
+        let areas = determinants.into_iter().zip(rates).map(|(area, rate)| [area, rate]).collect();
         self.remembered(&motion, areas, &solutions)
     }
 
@@ -335,6 +347,9 @@ fn pose(model: &Model, coordinates: &Coordinates, motion: &Motion, graph: &mut G
     }
     let mut results = stored("q", q.iter());
     results.extend(stored("v", v.iter()));
+    if !motion.solutions.is_empty() {
+        results.push((Place::Value, measure(&motion.solutions, graph)));
+    }
     Function::of_results(results)
 }
 

@@ -12,6 +12,7 @@ pub(super) fn first_step<M: System<S: Real>>(
     course: &mut Course<'_, M>,
     rate: &M::X,
     rtol: M::S,
+    order: u32,
 ) -> Result<M::S, Fault> {
     let lit = M::S::lit;
     let typical = course.system.typical();
@@ -34,11 +35,10 @@ pub(super) fn first_step<M: System<S: Real>>(
     course.rate(course.time + first, &ahead, &mut rate_after)?;
     let bend = size(&rate_after.map2(rate, |after, before| after - before)) / first;
     let steepest = bend.max(slope);
-    // The local error of order 5 grows with h^5.
     let second = if steepest < lit(1e-15) {
         (lit(1e-3) * first).max(lit(1e-6))
     } else {
-        ((lit(0.01) / steepest).ln() * lit(0.2)).exp()
+        ((lit(0.01) / steepest).ln() / lit(f64::from(order))).exp()
     };
     Ok(positive((lit(100.0) * first).min(second), first))
 }

@@ -1,0 +1,11 @@
+//! Scenes where methods were seen to fail, and what is measured on them; tests and example read the same numbers.
+
+pub mod dead;
+#[path = "../../../tests/it/scenes.rs"]
+pub mod declared;
+pub mod flat;
+pub mod loops;
+pub mod run;
+pub mod stiff;
+pub mod theory;
+pub mod trees;

@@ -1,0 +1,94 @@
+//! Complex numbers, as far as an elimination needs them.
+
+use core::ops::{Add, Mul, Sub};
+
+use crate::scalar::Real;
+
+/// A number that a matrix may hold: real or complex.
+pub trait Entry<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + 'static {
+    /// The real number as such an entry.
+    fn real(s: S) -> Self;
+    /// A measure of the absolute value that is cheap and right to a factor of sqrt(2).
+    fn size(self) -> S;
+    /// 1 / self.
+    #[must_use]
+    fn reciprocal(self) -> Self;
+    /// `self - a b`.
+    #[must_use]
+    fn less_product(self, a: Self, b: Self) -> Self;
+}
+
+impl<S: Real> Entry<S> for S {
+    #[inline]
+    fn real(s: S) -> Self {
+        s
+    }
+    #[inline]
+    fn size(self) -> S {
+        self.abs()
+    }
+    #[inline]
+    fn reciprocal(self) -> Self {
+        S::lit(1.0) / self
+    }
+    #[inline]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        (-a).mul_add(b, self)
+    }
+}
+
+/// `re + i im`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Complex<S> {
+    /// Real part.
+    pub re: S,
+    /// Imaginary part.
+    pub im: S,
+}
+
+impl<S: Real> Add for Complex<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl<S: Real> Sub for Complex<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self { re: self.re - other.re, im: self.im - other.im }
+    }
+}
+
+impl<S: Real> Mul for Complex<S> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    }
+}
+
+impl<S: Real> Entry<S> for Complex<S> {
+    #[inline]
+    fn real(s: S) -> Self {
+        Self { re: s, im: S::ZERO }
+    }
+    #[inline]
+    fn size(self) -> S {
+        self.re.abs() + self.im.abs()
+    }
+    #[inline]
+    fn reciprocal(self) -> Self {
+        // Scaled, so that squares neither overflow nor vanish.
+        let scale = S::lit(1.0) / self.size();
+        let (re, im) = (self.re * scale, self.im * scale);
+        let factor = scale / (re * re + im * im);
+        Self { re: re * factor, im: -(im * factor) }
+    }
+    #[inline]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+}

@@ -1,0 +1,93 @@
+//! Gaussian elimination with partial pivoting.
+
+use super::complex::Entry;
+use crate::scalar::Real;
+
+/// P A = L U of the leading rows and columns of a square array (G. H. Golub, C. F. Van Loan, Matrix Computations, 4th
+/// ed., algorithm 3.4.1).
+#[derive(Clone, Copy, Debug)]
+pub struct Lu<T, const N: usize> {
+    /// L below the diagonal, U above, the reciprocals of the pivots on it.
+    rows: [[T; N]; N],
+    /// The row that step k brought to place k.
+    pivots: [usize; N],
+    order: usize,
+}
+
+impl<T, const N: usize> Lu<T, N> {
+    /// Of the first `order` rows and columns; none if a column has no pivot: zeros only, or what is not a number.
+    pub fn new<S: Real>(mut rows: [[T; N]; N], order: usize) -> Option<Self>
+    where
+        T: Entry<S>,
+    {
+        let order = order.min(N);
+        let mut pivots = [0; N];
+        for k in 0..order {
+            let pivot = largest_below(&rows, k, order)?;
+            pivots[k] = pivot;
+            swap(&mut rows, k, pivot);
+            let mut row = rows[k];
+            row[k] = row[k].reciprocal();
+            rows[k] = row;
+            for below in rows.iter_mut().take(order).skip(k + 1) {
+                let factor = below[k] * row[k];
+                below[k] = factor;
+                for (entry, above) in below.iter_mut().zip(&row).take(order).skip(k + 1) {
+                    *entry = entry.less_product(factor, *above);
+                }
+            }
+        }
+        Some(Self { rows, pivots, order })
+    }
+
+    /// Solves A y = b in place; what stands beyond the order is not looked at.
+    pub fn solve<S: Real>(&self, b: &mut [T; N])
+    where
+        T: Entry<S>,
+    {
+        let order = self.order.min(N);
+        for (k, pivot) in self.pivots.iter().enumerate().take(order) {
+            swap(b, k, *pivot);
+        }
+        for k in 1..order {
+            let known = b.iter().zip(&self.rows[k]).take(k);
+            b[k] = known.fold(b[k], |rest, (y, factor)| rest.less_product(*factor, *y));
+        }
+        for k in (0..order).rev() {
+            let row = &self.rows[k];
+            let known = b.iter().zip(row).take(order).skip(k + 1);
+            b[k] = known.fold(b[k], |rest, (y, factor)| rest.less_product(*factor, *y)) * row[k];
+        }
+    }
+}
+
+/// The row from `k` on that has the largest entry in column `k`; none if that is zero or not finite.
+fn largest_below<S: Real, T: Entry<S>, const N: usize>(
+    rows: &[[T; N]; N],
+    k: usize,
+    order: usize,
+) -> Option<usize> {
+    let mut found = (None, S::ZERO);
+    for (i, row) in rows.iter().enumerate().take(order).skip(k) {
+        let size = row.get(k)?.size();
+        if !size.is_finite() {
+            return None;
+        }
+        if size > found.1 {
+            found = (Some(i), size);
+        }
+    }
+    found.0
+}
+
+/// Exchanges two entries; nothing happens beyond the end.
+fn swap<T: Copy, const N: usize>(entries: &mut [T; N], a: usize, b: usize) {
+    if let (Some(first), Some(second)) = (entries.get(a).copied(), entries.get(b).copied()) {
+        if let Some(place) = entries.get_mut(a) {
+            *place = second;
+        }
+        if let Some(place) = entries.get_mut(b) {
+            *place = first;
+        }
+    }
+}

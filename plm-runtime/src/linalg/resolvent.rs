@@ -1,0 +1,107 @@
+//! The linear systems of implicit methods: (lambda I - J) k = r.
+
+use super::complex::Entry;
+use super::lu::Lu;
+use crate::scalar::Real;
+use crate::vector::Vector;
+
+/// Vectors over which there are square matrices.
+pub trait Dense<S: Real>: Vector<S> {
+    /// A square matrix.
+    type Matrix: Copy;
+    /// A decomposed lambda I - J.
+    type Resolvent<T: Entry<S>>: Copy;
+
+    /// All zeros.
+    fn zeros() -> Self::Matrix;
+    /// The entry in row `i` and column `j`; zero beyond the end.
+    fn entry(matrix: &Self::Matrix, i: usize, j: usize) -> S;
+    /// Gives an entry a value; nothing happens beyond the end.
+    fn set_entry(matrix: &mut Self::Matrix, i: usize, j: usize, s: S);
+    /// Decomposes lambda I - J, where the first `nq` rows of J say q' = v; none if it is singular.
+    fn resolvent<T: Entry<S>>(jacobian: &Self::Matrix, lambda: T, nq: usize) -> Option<Self::Resolvent<T>>;
+    /// Solves (lambda I - J) k = r with the matrix that was decomposed; gives `each` every index and its k.
+    fn resolve<T: Entry<S>>(
+        resolvent: &Self::Resolvent<T>,
+        jacobian: &Self::Matrix,
+        r: impl FnMut(usize) -> T,
+        each: impl FnMut(usize, T),
+    );
+}
+
+/// lambda I - J, decomposed in the unknowns that q' = v leaves.
+///
+/// With x = (q, w), w = (v, first-order states), the first rows say lambda k_q - k_v = r_q. Eliminated, there remains
+/// (lambda I - J_ww - J_wq \[I 0\] / lambda) k_w = r_w + J_wq r_q / lambda: half of the unknowns of a mechanism, an eighth
+/// of the operations (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8, "special structure").
+#[derive(Clone, Copy, Debug)]
+pub struct Resolvent<T, const N: usize> {
+    /// 1 / lambda.
+    inverse: T,
+    nq: usize,
+    lu: Lu<T, N>,
+}
+
+impl<S: Real, const N: usize> Dense<S> for [S; N] {
+    type Matrix = [[S; N]; N];
+    type Resolvent<T: Entry<S>> = Resolvent<T, N>;
+
+    #[inline]
+    fn zeros() -> [[S; N]; N] {
+        [[S::ZERO; N]; N]
+    }
+
+    #[inline]
+    fn entry(matrix: &[[S; N]; N], i: usize, j: usize) -> S {
+        matrix.get(i).map_or(S::ZERO, |row| row.at(j))
+    }
+
+    #[inline]
+    fn set_entry(matrix: &mut [[S; N]; N], i: usize, j: usize, s: S) {
+        if let Some(row) = matrix.get_mut(i) {
+            row.set(j, s);
+        }
+    }
+
+    fn resolvent<T: Entry<S>>(jacobian: &[[S; N]; N], lambda: T, nq: usize) -> Option<Resolvent<T, N>> {
+        let inverse = lambda.reciprocal();
+        let mut rows = [[T::real(S::ZERO); N]; N];
+        for (i, (row, rates)) in rows.iter_mut().zip(jacobian.iter().skip(nq)).enumerate() {
+            for (entry, by_w) in row.iter_mut().zip(rates.iter().skip(nq)) {
+                *entry = T::real(-*by_w);
+            }
+            for (entry, by_q) in row.iter_mut().zip(rates).take(nq) {
+                *entry = entry.less_product(inverse, T::real(*by_q));
+            }
+            if let Some(diagonal) = row.get_mut(i) {
+                *diagonal = *diagonal + lambda;
+            }
+        }
+        Some(Resolvent { inverse, nq, lu: Lu::new(rows, N - nq.min(N))? })
+    }
+
+    fn resolve<T: Entry<S>>(
+        resolvent: &Resolvent<T, N>,
+        jacobian: &[[S; N]; N],
+        mut r: impl FnMut(usize) -> T,
+        mut each: impl FnMut(usize, T),
+    ) {
+        let Resolvent { inverse, nq, lu } = resolvent;
+        let zero = T::real(S::ZERO);
+        let (mut kq, mut kw) = ([zero; N], [zero; N]);
+        for (i, k) in kq.iter_mut().enumerate().take(*nq) {
+            *k = r(i) * *inverse;
+        }
+        for ((i, k), rates) in kw.iter_mut().enumerate().zip(jacobian.iter().skip(*nq)) {
+            let known = rates.iter().zip(&kq).take(*nq);
+            *k = known.fold(r(nq + i), |sum, (by_q, k)| sum + T::real(*by_q) * *k);
+        }
+        lu.solve(&mut kw);
+        for (i, (kq, kv)) in kq.iter().zip(&kw).enumerate().take(*nq) {
+            each(i, *kq + *kv * *inverse);
+        }
+        for (i, k) in kw.iter().enumerate().take(N.saturating_sub(*nq)) {
+            each(nq + i, *k);
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! The polynomial between the ends of a step.
+
+use crate::scalar::Scalar;
+use crate::vector::Vector;
+
+/// An accepted step: its ends and the rates there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span<S, X> {
+    pub(super) time: S,
+    pub(super) h: S,
+    pub(super) from: X,
+    pub(super) to: X,
+    pub(super) rate_from: X,
+    pub(super) rate_to: X,
+}
+
+impl<S: Scalar, X: Vector<S>> Span<S, X> {
+    /// The state at `time`: through both ends with their rates, and `bends` in addition (Hairer, Nørsett, Wanner I,
+    /// II.6; CONTD5 and CONTD8 of their programs). Without bends it is the cubic by C. Hermite.
+    pub(super) fn at(&self, time: S, bends: &[X]) -> X {
+        let theta = (time - self.time) / self.h;
+        let rest = S::lit(1.0) - theta;
+        X::from_fn(|i| {
+            let mut bend = S::lit(0.0);
+            for (k, b) in bends.iter().enumerate().rev() {
+                bend = b.at(i) + if k % 2 == 0 { theta } else { rest } * bend;
+            }
+            let change = self.to.at(i) - self.from.at(i);
+            let start_slope = self.h * self.rate_from.at(i) - change;
+            let end_slope = change - self.h * self.rate_to.at(i) - start_slope;
+            self.from.at(i) + theta * (change + rest * (start_slope + theta * (end_slope + rest * bend)))
+        })
+    }
+}

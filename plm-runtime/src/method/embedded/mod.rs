@@ -1,0 +1,323 @@
+//! Embedded pairs with step control, dense output, and projection where the constraints drift.
+
+mod control;
+mod dense;
+mod pair;
+mod start;
+
+pub use self::pair::{Limits, Pair};
+
+use self::control::Control;
+use self::dense::Span;
+use self::start::first_step;
+use super::{Course, Method, drift_of_size, excess, larger, not_finite};
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::system::{Drift, Health, System};
+use crate::vector::Vector;
+
+/// A pair of Runge-Kutta formulas: steps chosen by the error, dense output.
+///
+/// The error norm is the pair's, of error_i / (rtol typical_i + rtol max|x_i|), or the drift of the new state
+/// over rtol times the typical coordinate (velocity), whichever is larger. Above a tenth of that the new state is
+/// settled, and the dense output is led to the settled state and its rate. The health of the stages is looked at once
+/// a step; an unhealthy step is done again, by rank where needed, and so are the following ones until one is healthy.
+#[derive(Clone, Copy, Debug)]
+pub struct Embedded<M: System, P: Pair> {
+    /// Relative tolerance; the absolute one of each state is this times its typical size.
+    pub rtol: M::S,
+    /// Longest step, s.
+    pub longest_step: M::S,
+    /// Accepted and rejected steps that one interval may take.
+    pub most_steps: u64,
+    /// Proposal for the next step, s; none before the first.
+    proposal: Option<M::S>,
+    control: Control<M::S>,
+    /// The rate at the current state, unless that has been changed.
+    rate: Option<M::X>,
+    /// The last step, for the dense output, and its stages.
+    span: Option<Span<M::S, M::X>>,
+    stages: Option<P::Stages<M::X>>,
+    bends: Option<P::Bends<M::X>>,
+    /// The last step went by rank.
+    careful: bool,
+    /// Drift that the last projection could not remove, over the tolerance.
+    residue: M::S,
+    steps_left: u64,
+}
+
+/// Drift is settled above this fraction of the tolerance.
+const SETTLED_ABOVE: f64 = 0.1;
+
+/// A step that may be accepted.
+struct Trial<X> {
+    /// The state at its end.
+    x: X,
+    /// Some stage was evaluated by rank.
+    by_rank: bool,
+}
+
+impl<M: System<S: Real>, P: Pair> Default for Embedded<M, P> {
+    fn default() -> Self {
+        Self::new(M::S::lit(P::RTOL))
+    }
+}
+
+impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
+    /// With the relative tolerance `rtol` (not below what the scalar can resolve).
+    pub fn new(rtol: M::S) -> Self {
+        Self {
+            rtol,
+            longest_step: M::S::INFINITY,
+            most_steps: 1_000_000,
+            proposal: None,
+            control: Control::new(),
+            rate: None,
+            span: None,
+            stages: None,
+            bends: None,
+            careful: false,
+            residue: M::S::lit(0.0),
+            steps_left: 0,
+        }
+    }
+
+    /// The same with steps of at most `longest_step`, in s.
+    #[must_use]
+    pub fn with_longest_step(self, longest_step: M::S) -> Self {
+        Self { longest_step, ..self }
+    }
+
+    /// The same with at most so many steps, accepted and rejected, in one interval.
+    #[must_use]
+    pub fn with_most_steps(self, most_steps: u64) -> Self {
+        Self { most_steps, ..self }
+    }
+
+    /// The tolerance in use: at least some units in the last place.
+    fn tolerance(&self) -> M::S {
+        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
+    }
+
+    /// Rate at the current state, kept from the last step or evaluated.
+    fn rate_here(&mut self, course: &mut Course<'_, M>) -> Result<M::X, Fault> {
+        if let Some(rate) = self.rate {
+            return Ok(rate);
+        }
+        let x = course.x;
+        let mut rate = x;
+        course.rate(course.time, &x, &mut rate)?;
+        if !(x.is_finite() && rate.is_finite()) {
+            return Err(not_finite(course.system, course.time, &rate));
+        }
+        self.rate = Some(rate);
+        Ok(rate)
+    }
+
+    /// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather
+    /// than be followed by a tiny one.
+    fn next_step(&mut self, course: &Course<'_, M>, proposal: M::S) -> Result<(M::S, bool), Fault> {
+        if self.steps_left == 0 {
+            return Err(course.fault(Cause::TooManySteps { steps: self.most_steps }));
+        }
+        self.steps_left -= 1;
+        let left = course.end - course.time;
+        if M::S::lit(1.01) * proposal >= left {
+            Ok((left, true))
+        } else if course.time + proposal > course.time {
+            Ok((proposal, false))
+        } else {
+            Err(course.fault(Cause::StepTooSmall { step: proposal.to_f64() }))
+        }
+    }
+
+    /// One step without a decision; by rank where that is needed.
+    fn trial(
+        &mut self,
+        course: &mut Course<'_, M>,
+        rate: &M::X,
+        h: M::S,
+        k: &mut P::Stages<M::X>,
+    ) -> Result<Trial<M::X>, Fault> {
+        let (t, x) = (course.time, course.x);
+        if !self.careful {
+            let mut worst = Health::perfect();
+            let (system, held) = (course.system, &course.held);
+            let end =
+                P::step::<M>(t, h, &x, rate, k, |t, x, dx| worst = worst.worst(system.rate(t, held, x, dx)));
+            course.stats.evaluations += P::EVALUATIONS;
+            if worst.is_good() {
+                return Ok(Trial { x: end, by_rank: false });
+            }
+        }
+        self.trial_by_rank(course, rate, h, k)
+    }
+
+    #[cold]
+    fn trial_by_rank(
+        &mut self,
+        course: &mut Course<'_, M>,
+        rate: &M::X,
+        h: M::S,
+        k: &mut P::Stages<M::X>,
+    ) -> Result<Trial<M::X>, Fault> {
+        let (t, x, before) = (course.time, course.x, course.stats.by_rank);
+        let mut outcome = Ok(());
+        let end = P::step::<M>(t, h, &x, rate, k, |t, x, dx| {
+            if outcome.is_ok() {
+                outcome = course.rate(t, x, dx);
+            }
+        });
+        self.careful = course.stats.by_rank > before;
+        outcome.map(|()| Trial { x: end, by_rank: self.careful })
+    }
+
+    /// Error and drift of a trial step, as multiples of the tolerance.
+    fn judge(&self, course: &Course<'_, M>, h: M::S, k: &P::Stages<M::X>, end: &M::X) -> (M::S, M::S) {
+        let (rtol, typical, from) = (self.tolerance(), course.system.typical(), course.x);
+        let weight = M::X::from_fn(|i| {
+            let size = from.at(i).abs().max(end.at(i).abs());
+            M::S::lit(1.0) / (rtol * (typical.at(i) + size))
+        });
+        (P::error(h, k, &weight), self.drift_ratio(course.system, course.time + h, end))
+    }
+
+    /// Drift of a state over the tolerance, less what projection cannot remove.
+    fn drift_ratio(&self, system: &M, t: M::S, x: &M::X) -> M::S {
+        excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
+    }
+
+    /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
+    fn arrive(
+        &mut self,
+        course: &mut Course<'_, M>,
+        time: M::S,
+        (trial, k): (&Trial<M::X>, &P::Stages<M::X>),
+        drift: M::S,
+    ) -> Result<(M::X, M::X), Fault> {
+        let limit = if trial.by_rank { M::S::lit(0.0) } else { M::S::lit(SETTLED_ABOVE) };
+        let (mut x, settles) = (trial.x, drift > limit);
+        if let (false, Some(rate)) = (settles, P::rate_at_end(k)) {
+            return Ok((x, *rate));
+        }
+        if settles {
+            course.settle(time, &mut x)?;
+            self.residue = M::S::lit(0.0);
+            self.residue = self.drift_ratio(course.system, time, &x);
+        }
+        let mut rate = x;
+        course.rate(time, &x, &mut rate)?;
+        Ok((x, rate))
+    }
+
+    /// The proposal after an accepted step: a step that was cut to hit the end says little of the next one.
+    fn propose(&mut self, proposal: M::S, h: M::S, error: M::S) {
+        let mut control = self.control;
+        let next = h * control.accept(&P::LIMITS, error);
+        if h < proposal {
+            self.proposal = Some(next.max(proposal));
+        } else {
+            self.control = control;
+            self.proposal = Some(next);
+        }
+    }
+}
+
+impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
+    const DENSE: bool = true;
+
+    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.steps_left = self.most_steps;
+        Ok(())
+    }
+
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let rate = self.rate_here(course)?;
+        let mut proposal = match self.proposal {
+            Some(proposal) => proposal,
+            None => first_step(course, &rate, self.tolerance(), P::ORDER)?,
+        };
+        (self.span, self.bends) = (None, None);
+        let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
+        loop {
+            proposal = proposal.min(self.longest_step);
+            let (h, last) = self.next_step(course, proposal)?;
+            let attempt = self.trial(course, &rate, h, &mut k);
+            let (error, drift) = match &attempt {
+                Ok(trial) => self.judge(course, h, &k, &trial.x),
+                Err(_) => (M::S::INFINITY, M::S::INFINITY),
+            };
+            let worst = larger(error, drift);
+            if worst <= M::S::lit(1.0) {
+                let time = if last { course.end } else { course.time + h };
+                let (to, rate_to) = self.arrive(course, time, (&attempt?, &k), drift)?;
+                self.span = Some(Span { time: course.time, h, from: course.x, to, rate_from: rate, rate_to });
+                (self.stages, self.rate) = (Some(k), Some(rate_to));
+                // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
+                let settles = drift > M::S::lit(SETTLED_ABOVE);
+                self.propose(proposal, h, if settles { worst } else { error });
+                course.stats.steps += 1;
+                course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
+                (course.time, course.x) = (time, to);
+                return Ok(());
+            }
+            course.stats.rejected += 1;
+            proposal = h * self.control.reject(&P::LIMITS, worst);
+            ensure_moves(course, proposal, attempt)?;
+        }
+    }
+
+    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        if let (Some(step), Some(k), None) = (&self.span, &self.stages, &self.bends) {
+            let mut outcome = Ok(());
+            let bends = P::bend::<M>(step.time, step.h, &step.from, k, &step.rate_to, |t, x, dx| {
+                if outcome.is_ok() {
+                    outcome = course.rate(t, x, dx);
+                }
+            });
+            outcome?;
+            self.bends = Some(bends);
+        }
+        Ok(())
+    }
+
+    fn interpolate(&self, time: M::S) -> M::X {
+        let bends = self.bends.as_ref().map_or(&[] as &[M::X], |bends| bends.as_ref());
+        self.span.map_or(M::X::fill(M::S::lit(0.0)), |step| step.at(time, bends))
+    }
+
+    fn restart(&mut self) {
+        self.rate = None;
+        self.span = None;
+        self.residue = M::S::lit(0.0);
+    }
+
+    fn shorten(&mut self, h: M::S) -> bool {
+        self.restart();
+        self.control.refuse();
+        self.proposal = Some(M::S::lit(0.5) * h);
+        true
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
+    }
+}
+
+/// A step that still moves the time; otherwise the fault that made it so short.
+fn ensure_moves<M: System<S: Real>>(
+    course: &Course<'_, M>,
+    h: M::S,
+    attempt: Result<Trial<M::X>, Fault>,
+) -> Result<(), Fault> {
+    let scale = course.time.abs().max(course.end.abs());
+    if h > M::S::lit(16.0) * M::S::EPSILON * scale {
+        return Ok(());
+    }
+    let trial = attempt?;
+    if trial.x.is_finite() {
+        Err(course.fault(Cause::StepTooSmall { step: h.to_f64() }))
+    } else {
+        Err(not_finite(course.system, course.time, &trial.x))
+    }
+}

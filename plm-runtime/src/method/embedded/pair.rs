@@ -1,0 +1,70 @@
+//! What a pair of formulas brings with it: stages, error estimate, what is between the ends of a step.
+
+use core::fmt::Debug;
+
+use crate::scalar::Real;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Two explicit Runge-Kutta formulas on the same stages: one gives the state, their difference its error.
+pub trait Pair: Copy + Debug {
+    /// Order of the formula that the steps are continued with.
+    const ORDER: u32;
+    /// Evaluations of a trial step, without the rate at its beginning.
+    const EVALUATIONS: u64;
+    /// Evaluations that only the dense output needs.
+    const DENSE_EVALUATIONS: u64;
+    /// The relative tolerance that a run takes which names none.
+    const RTOL: f64;
+    /// Step size control.
+    const LIMITS: Limits;
+
+    /// The rates of the stages.
+    type Stages<X: Copy + Debug>: Copy + Debug;
+    /// Coefficients of the dense output beyond those that the ends of a step determine, the lowest first.
+    type Bends<X: Copy + Debug>: Copy + Debug + AsRef<[X]>;
+
+    /// Stages to write to.
+    fn blank<X: Copy + Debug>(x: X) -> Self::Stages<X>;
+
+    /// The state at `t + h` from `x` at `t`, where the rate is `first`; `rate(t, x, dx)` writes a rate.
+    fn step<M: System>(
+        t: M::S,
+        h: M::S,
+        x: &M::X,
+        first: &M::X,
+        k: &mut Self::Stages<M::X>,
+        rate: impl FnMut(M::S, &M::X, &mut M::X),
+    ) -> M::X;
+
+    /// The rate at the end of a step, if it is one of the stages.
+    fn rate_at_end<X: Copy + Debug>(k: &Self::Stages<X>) -> Option<&X>;
+
+    /// The norm of the error; every component of it counts by its `weight`.
+    fn error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, weight: &X) -> S;
+
+    /// The dense output of a step from `x` at `t`; `last` is the rate at its end.
+    fn bend<M: System>(
+        t: M::S,
+        h: M::S,
+        x: &M::X,
+        k: &Self::Stages<M::X>,
+        last: &M::X,
+        rate: impl FnMut(M::S, &M::X, &mut M::X),
+    ) -> Self::Bends<M::X>;
+}
+
+/// How a step size follows the error.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// The next step aims at an error of this to the power 1 / `exponent`, as a fraction of the tolerance.
+    pub safety: f64,
+    /// Exponent of the error: 1 / (order of the estimate + 1), less 3/4 (or less) of `memory`.
+    pub exponent: f64,
+    /// Exponent of the error of the step before, 0 for none (beta in the literature).
+    pub memory: f64,
+    /// The next step is at least this times the last one.
+    pub shrink: f64,
+    /// The next step is at most this times the last one.
+    pub growth: f64,
+}

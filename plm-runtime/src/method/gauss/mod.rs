@@ -1,0 +1,206 @@
+//! Gauss collocation with steps of equal length, for long runs.
+
+mod tableau;
+
+use self::tableau::{Legendre, Nodes, Tableau};
+use super::plan::Plan;
+use super::{Course, Method, drift_of_size};
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::system::{Drift, System};
+use crate::vector::Vector;
+
+/// Gauss collocation with 2 (order 4) or 3 stages (order 6) and steps of equal length: symplectic and time-reversible.
+///
+/// Over long runs the energy of a conservative system oscillates and does not drift (E. Hairer, C. Lubich, G. Wanner,
+/// Geometric Numerical Integration, VI.4, IX.8). The stages are iterated until rounding stops them, and what the sum
+/// over the steps rounds off is carried along, so that rounding does not drift either (the same, VIII.5 and VIII.6).
+/// Fixed-point iteration: for equations that are not stiff. A projection onto constraints breaks the symmetry; it takes
+/// place only where the state drifted by more than the tolerance.
+#[derive(Clone, Copy, Debug)]
+pub struct Gauss<M: System, const STAGES: usize> {
+    /// Longest step, s.
+    pub longest_step: M::S,
+    /// Drift that is tolerated, as a fraction of the typical coordinate and velocity.
+    pub tolerance: M::S,
+    plan: Plan<M::S>,
+    /// The rates of the last stages and the length of their step.
+    last: Option<([M::X; STAGES], M::S)>,
+    /// What the last sums rounded off.
+    rounded: M::X,
+}
+
+/// Iterations after which the stages must be found.
+const MOST_ITERATIONS: usize = 100;
+/// Changes below this fraction of the state may be rounding, as a multiple of the distance from 1 to the next number.
+const ROUNDING: f64 = 65_536.0;
+
+impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
+    /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
+    pub fn new(longest_step: M::S) -> Self {
+        Self {
+            longest_step,
+            tolerance: M::S::lit(1e-10).max(M::S::lit(64.0) * M::S::EPSILON),
+            plan: Plan::none(),
+            last: None,
+            rounded: M::X::fill(M::S::ZERO),
+        }
+    }
+
+    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: M::S) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// The rates of the stages to begin with: the polynomial of the last step goes on (the same, VIII.6.1), or the rate
+    /// at the start of the step.
+    fn first_guess(
+        &self,
+        course: &mut Course<'_, M>,
+        tableau: &Tableau<M::S, STAGES>,
+    ) -> Result<[M::X; STAGES], Fault>
+    where
+        Legendre: Nodes<STAGES>,
+    {
+        let Some((last, h)) = &self.last else {
+            let (x, mut rate) = (course.x, course.x);
+            course.rate(course.time, &x, &mut rate)?;
+            return Ok([rate; STAGES]);
+        };
+        let ratio = self.plan.h / *h;
+        Ok(core::array::from_fn(|i| {
+            let theta = tableau.c[i].mul_add(ratio, M::S::lit(1.0));
+            let mut rate = M::X::fill(M::S::ZERO);
+            for (j, k) in last.iter().enumerate() {
+                rate.add([(tableau.lagrange(j, theta), k)]);
+            }
+            rate
+        }))
+    }
+
+    /// The increments h b_i k_i of the stages and their states. Coordinates follow from the velocities of the stages, not
+    /// from those of the last iteration: for q'' = f(q) an iteration then gains a factor of order h^2.
+    fn stages(
+        &self,
+        x: &M::X,
+        tableau: &Tableau<M::S, STAGES>,
+        rates: &[M::X; STAGES],
+    ) -> ([M::X; STAGES], [M::X; STAGES])
+    where
+        Legendre: Nodes<STAGES>,
+    {
+        let weights = Tableau::<M::S, STAGES>::weights(self.plan.h);
+        let mut increments: [M::X; STAGES] = core::array::from_fn(|i| rates[i].map(|rate| weights[i] * rate));
+        let mut states = [*x; STAGES];
+        let state = |i: usize, k: usize, increments: &[M::X; STAGES]| {
+            let terms = tableau.mu[i].iter().zip(increments);
+            let sum = terms.fold(self.rounded.at(k), |sum, (mu, step)| mu.mul_add(step.at(k), sum));
+            x.at(k) + sum
+        };
+        for i in 0..STAGES {
+            for k in M::NQ..M::X::LEN {
+                states[i].set(k, state(i, k, &increments));
+            }
+            for k in 0..M::NQ {
+                increments[i].set(k, weights[i] * states[i].at(M::NQ + k));
+            }
+        }
+        for i in 0..STAGES {
+            for k in 0..M::NQ {
+                states[i].set(k, state(i, k, &increments));
+            }
+        }
+        (increments, states)
+    }
+
+    /// Iterates the stages until no component comes nearer any more (Antoñana, Makazaga, Murua, section 3.1), and
+    /// returns the increments.
+    fn solve(&mut self, course: &mut Course<'_, M>) -> Result<[M::X; STAGES], Fault>
+    where
+        Legendre: Nodes<STAGES>,
+    {
+        let tableau = Tableau::new();
+        let (time, h, x) = (course.time, self.plan.h, course.x);
+        let typical = course.system.typical();
+        let mut rates = self.first_guess(course, &tableau)?;
+        let (_, mut states) = self.stages(&x, &tableau, &rates);
+        let mut least = M::X::fill(M::S::INFINITY);
+        for _ in 0..MOST_ITERATIONS {
+            for (i, (state, rate)) in states.iter().zip(&mut rates).enumerate() {
+                course.rate(time + tableau.c[i] * h, state, rate)?;
+            }
+            let (increments, next) = self.stages(&x, &tableau, &rates);
+            let (mut nearer, mut is_small) = (false, true);
+            for k in 0..M::X::LEN {
+                let changes = states.iter().zip(&next).map(|(old, new)| (new.at(k) - old.at(k)).abs());
+                let change = changes.fold(M::S::ZERO, |most, change| change.max(most));
+                let size = typical.at(k).max(x.at(k).abs());
+                is_small &= change <= M::S::lit(ROUNDING) * M::S::EPSILON * size;
+                if change > M::S::ZERO && change < least.at(k) {
+                    least.set(k, change);
+                    nearer = true;
+                }
+            }
+            states = next;
+            if is_small && !nearer {
+                self.last = Some((rates, h));
+                return Ok(increments);
+            }
+        }
+        Err(course.fault(Cause::NotConverged { step: h.to_f64() }))
+    }
+
+    /// The state after the step: the sum of the increments with what earlier sums rounded off.
+    fn sum(&mut self, x: &M::X, increments: &[M::X; STAGES]) -> M::X {
+        let rounded = self.rounded;
+        M::X::from_fn(|k| {
+            let step = increments.iter().fold(rounded.at(k), |sum, increment| sum + increment.at(k));
+            let (sum, rest) = two_sum(x.at(k), step);
+            self.rounded.set(k, rest);
+            sum
+        })
+    }
+}
+
+/// a + b as a rounded sum and the rest, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+fn two_sum<S: Real>(a: S, b: S) -> (S, S) {
+    let sum = a + b;
+    let b_part = sum - a;
+    (sum, (a - (sum - b_part)) + (b - b_part))
+}
+
+impl<M: System<S: Real> + Copy, const STAGES: usize> Method<M> for Gauss<M, STAGES>
+where
+    Legendre: Nodes<STAGES>,
+{
+    const DENSE: bool = false;
+
+    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.plan = Plan::of_course(course, self.longest_step)?;
+        Ok(())
+    }
+
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let by_rank = course.stats.by_rank;
+        let increments = self.solve(course)?;
+        let next = self.sum(&course.x, &increments);
+        if self.plan.arrive(course, next, self.tolerance, course.stats.by_rank > by_rank)? {
+            self.rounded = M::X::fill(M::S::ZERO);
+        }
+        Ok(())
+    }
+
+    fn interpolate(&self, _time: M::S) -> M::X {
+        M::X::fill(M::S::ZERO)
+    }
+
+    fn restart(&mut self) {
+        self.last = None;
+        self.rounded = M::X::fill(M::S::ZERO);
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance)
+    }
+}

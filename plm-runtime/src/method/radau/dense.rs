@@ -1,0 +1,56 @@
+//! The collocation polynomial of a step.
+
+use super::tableau::C;
+use crate::scalar::Scalar;
+use crate::vector::Vector;
+
+/// The polynomial of degree 3 through the state at the beginning of a step and its three stages, in Newton's form from
+/// the end (CONTR5 of the program RADAU5), led to where the step was settled.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dense<S, X> {
+    /// The end of the step.
+    end: S,
+    h: S,
+    /// The state at the end, before it was settled.
+    to: X,
+    /// The state at the end.
+    settled: X,
+    /// Divided differences.
+    differences: [X; 3],
+}
+
+impl<S: Scalar, X: Vector<S>> Dense<S, X> {
+    /// Of a step of `h` that ended at `end` in `to`, and was settled to `settled`; with the stages less the state at its beginning.
+    pub(super) fn new(end: S, h: S, to: X, settled: X, z: &[X; 3]) -> Self {
+        let lit = S::lit;
+        let [c1, c2, _] = C;
+        let quotient = |a: &X, b: &X, distance: f64| a.map2(b, |a, b| (a - b) / lit(distance));
+        let first = quotient(&z[1], &z[2], c2 - 1.0);
+        let middle = quotient(&z[0], &z[1], c1 - c2);
+        let second = quotient(&middle, &first, c1 - 1.0);
+        let start = quotient(&middle, &z[0].map(|z| z / lit(c1)), c2);
+        let third = second.map2(&start, |second, start| second - start);
+        Self { end, h, to, settled, differences: [first, second, third] }
+    }
+
+    /// The state at `time`.
+    pub(super) fn at(&self, time: S) -> X {
+        let s = (time - self.end) / self.h;
+        let change = self.change(s);
+        X::from_fn(|i| {
+            self.to.at(i) + change.at(i) + (S::lit(1.0) + s) * (self.settled.at(i) - self.to.at(i))
+        })
+    }
+
+    /// What the polynomial adds to the state at the end, `s` steps after it.
+    pub(super) fn change(&self, s: S) -> X {
+        let [c1, c2, _] = C.map(|c| s - S::lit(c - 1.0));
+        let [first, second, third] = &self.differences;
+        X::from_fn(|i| s * (first.at(i) + c2 * (second.at(i) + c1 * third.at(i))))
+    }
+
+    /// Length of the step.
+    pub(super) fn h(&self) -> S {
+        self.h
+    }
+}

@@ -1,0 +1,351 @@
+//! Radau IIA of order 5 with step control and dense output, for stiff equations.
+
+mod control;
+mod dense;
+mod newton;
+mod tableau;
+
+use self::control::Control;
+use self::dense::Dense;
+use self::newton::{Convergence, Factors, Outcome, iterate};
+use self::tableau::{C, ERROR};
+use super::jacobian::Matrix;
+use super::{Course, Method, drift_of_size, excess, larger, not_finite};
+use crate::fault::{Cause, Fault};
+use crate::linalg::Dense as _;
+use crate::linear::Linear;
+use crate::scalar::{Real, Scalar};
+use crate::system::Drift;
+use crate::vector::Vector;
+
+/// Radau IIA of order 5 with three stages: L-stable, steps chosen by the error, dense output of order 3.
+///
+/// As the program RADAU5 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8): simplified Newton
+/// iteration that keeps the derivatives while it converges fast, one real and one complex decomposition, an error
+/// estimate of order 3. Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with
+/// rtol' = 0.1 rtol^(2/3), which makes the error of the solution about rtol. A state that drifted by a tenth of rtol is
+/// settled, and the dense output is led there.
+#[derive(Clone, Copy)]
+pub struct RadauIia5<M: Linear> {
+    /// Relative tolerance; the absolute one of each state is this times its typical size.
+    pub rtol: M::S,
+    /// Longest step, s.
+    pub longest_step: M::S,
+    /// Accepted and rejected steps that one interval may take.
+    pub most_steps: u64,
+    /// Proposal for the next step, s; none before the first.
+    proposal: Option<M::S>,
+    control: Control<M::S>,
+    convergence: Convergence<M::S>,
+    /// The rate at the current state, unless that has been changed.
+    rate: Option<M::X>,
+    /// Derivatives of the rate, at the current state or before.
+    by_x: Option<Matrix<M>>,
+    /// The derivatives are those at the current state.
+    by_x_here: bool,
+    factors: Option<Factors<M>>,
+    dense: Option<Dense<M::S, M::X>>,
+    /// Drift that the last projection could not remove, over the tolerance.
+    residue: M::S,
+    steps_left: u64,
+}
+
+/// A step that may be accepted.
+struct Trial<X> {
+    /// The stages less the state at the beginning.
+    z: [X; 3],
+    /// The state at its end.
+    x: X,
+    iterations: usize,
+}
+
+/// Drift is settled above this fraction of the tolerance.
+const SETTLED_ABOVE: f64 = 0.1;
+/// Derivatives are kept while corrections shrink faster than by this ratio.
+const FAST: f64 = 1e-3;
+/// A proposal that is longer by less than this factor is left, so that the decomposition can be kept.
+const WORTH_IT: f64 = 1.2;
+
+impl<M: Linear> Default for RadauIia5<M> {
+    fn default() -> Self {
+        Self::new(M::S::lit(1e-8))
+    }
+}
+
+impl<M: Linear> RadauIia5<M> {
+    /// With the relative tolerance `rtol` (not below what the scalar can resolve).
+    pub fn new(rtol: M::S) -> Self {
+        Self {
+            rtol,
+            longest_step: M::S::INFINITY,
+            most_steps: 1_000_000,
+            proposal: None,
+            control: Control::new(),
+            convergence: Convergence::new(),
+            rate: None,
+            by_x: None,
+            by_x_here: false,
+            factors: None,
+            dense: None,
+            residue: M::S::ZERO,
+            steps_left: 0,
+        }
+    }
+
+    /// The same with steps of at most `longest_step`, in s.
+    #[must_use]
+    pub fn with_longest_step(self, longest_step: M::S) -> Self {
+        Self { longest_step, ..self }
+    }
+
+    /// The same with at most so many steps, accepted and rejected, in one interval.
+    #[must_use]
+    pub fn with_most_steps(self, most_steps: u64) -> Self {
+        Self { most_steps, ..self }
+    }
+
+    /// The tolerance in use: at least some units in the last place.
+    fn tolerance(&self) -> M::S {
+        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
+    }
+
+    /// The tolerance of the error estimate, which is of order 3 and not of 5.
+    fn inner_tolerance(&self) -> M::S {
+        M::S::lit(0.1) * (self.tolerance().ln() * M::S::lit(2.0 / 3.0)).exp()
+    }
+
+    /// The tolerance of the iteration.
+    fn newton_tolerance(&self) -> M::S {
+        let inner = self.inner_tolerance();
+        (M::S::lit(10.0) * M::S::EPSILON / inner).max(inner.sqrt().min(M::S::lit(0.03)))
+    }
+
+    /// What errors of the components count.
+    fn weights(&self, course: &Course<'_, M>) -> M::X {
+        let (rtol, one) = (self.inner_tolerance(), M::S::lit(1.0));
+        course.system.typical().map2(&course.x, |typical, x| one / (rtol * (typical + x.abs())))
+    }
+
+    /// Rate at the current state, kept from the last step or evaluated.
+    fn rate_here(&mut self, course: &mut Course<'_, M>) -> Result<M::X, Fault> {
+        if let Some(rate) = self.rate {
+            return Ok(rate);
+        }
+        let x = course.x;
+        let mut rate = x;
+        course.rate(course.time, &x, &mut rate)?;
+        if !(x.is_finite() && rate.is_finite()) {
+            return Err(not_finite(course.system, course.time, &rate));
+        }
+        self.rate = Some(rate);
+        Ok(rate)
+    }
+
+    /// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather
+    /// than be followed by a tiny one.
+    fn next_step(&mut self, course: &Course<'_, M>, proposal: M::S) -> Result<(M::S, bool), Fault> {
+        if self.steps_left == 0 {
+            return Err(course.fault(Cause::TooManySteps { steps: self.most_steps }));
+        }
+        self.steps_left -= 1;
+        let left = course.end - course.time;
+        let least = M::S::lit(16.0) * M::S::EPSILON * course.time.abs().max(course.end.abs());
+        if M::S::lit(1.01) * proposal >= left {
+            Ok((left, true))
+        } else if proposal > least {
+            Ok((proposal, false))
+        } else {
+            Err(course.fault(Cause::StepTooSmall { step: proposal.to_f64() }))
+        }
+    }
+
+    /// Solves the stages of a step of `h`; or the factor of a shorter one.
+    fn trial(
+        &mut self,
+        course: &mut Course<'_, M>,
+        h: M::S,
+        weights: &M::X,
+    ) -> Result<Result<Trial<M::X>, f64>, Fault> {
+        let wanted = (weights, self.newton_tolerance());
+        let by_x = match &mut self.by_x {
+            Some(by_x) => by_x,
+            none => {
+                let mut by_x = M::X::zeros();
+                course.jacobian(&mut by_x, None)?;
+                (self.by_x_here, self.factors) = (true, None);
+                none.insert(by_x)
+            }
+        };
+        if self.factors.as_ref().is_none_or(|factors| factors.h != h) {
+            self.factors = Factors::new(course, by_x, h);
+        }
+        let Some(factors) = &self.factors else { return Ok(Err(0.5)) };
+        let mut z = [M::X::fill(M::S::ZERO); 3];
+        if let Some(dense) = &self.dense {
+            let ratio = h / dense.h();
+            z = C.map(|c| dense.change(M::S::lit(c) * ratio));
+        }
+        Ok(match iterate(course, by_x, factors, z, wanted, &mut self.convergence) {
+            Outcome::Failed(factor) => Err(factor),
+            Outcome::Found(z, iterations) => {
+                Ok(Trial { x: course.x.map2(&z[2], |x, z| x + z), z, iterations })
+            }
+        })
+    }
+
+    /// Error of a trial step over the tolerance (Hairer and Wanner II, IV.8, eqs. (8.19) and (8.20)): filtered a second
+    /// time where the first estimate would reject and the beginning may be a fast transient.
+    fn error(&self, course: &mut Course<'_, M>, trial: &Trial<M::X>, rate: &M::X, weights: &M::X) -> M::S {
+        let (Some(by_x), Some(factors)) = (&self.by_x, &self.factors) else { return M::S::INFINITY };
+        let over_h = ERROR.map(|weight| M::S::lit(weight) / factors.h);
+        let [z1, z2, z3] = &trial.z;
+        let mut sum = M::X::fill(M::S::ZERO);
+        sum.add([(over_h[0], z1), (over_h[1], z2), (over_h[2], z3)]);
+        let estimate = |rate: &M::X| factors.solve(by_x, &sum.map2(rate, |sum, rate| sum + rate));
+        let first = estimate(rate);
+        let error = norm(&first, weights);
+        if !(error >= M::S::lit(1.0) && (self.control.is_first() || self.control.rejected)) {
+            return error;
+        }
+        let (mut again, near) = (*rate, course.x.map2(&first, |x, error| x + error));
+        if course.rate(course.time, &near, &mut again).is_err() {
+            return error;
+        }
+        norm(&estimate(&again), weights)
+    }
+
+    /// Drift of a state over the tolerance, less what projection cannot remove.
+    fn drift_ratio(&self, system: &M, t: M::S, x: &M::X) -> M::S {
+        excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
+    }
+
+    /// Takes the course to the end of an accepted step, settled if the drift asks for it or the step went by rank.
+    fn arrive(
+        &mut self,
+        course: &mut Course<'_, M>,
+        (time, h): (M::S, M::S),
+        trial: &Trial<M::X>,
+        limit: M::S,
+    ) -> Result<(), Fault> {
+        let mut x = trial.x;
+        if self.drift_ratio(course.system, time, &x) > limit {
+            course.settle(time, &mut x)?;
+            self.residue = M::S::ZERO;
+            self.residue = self.drift_ratio(course.system, time, &x);
+        }
+        self.dense = Some(Dense::new(time, h, trial.x, x, &trial.z));
+        self.rate = None;
+        self.by_x_here = false;
+        if self.convergence.theta > M::S::lit(FAST) {
+            self.by_x = None;
+        }
+        course.stats.steps += 1;
+        course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
+        (course.time, course.x) = (time, x);
+        Ok(())
+    }
+
+    /// The proposal after an accepted step: a step that was cut to hit the end says little of the next one, and a little
+    /// longer one is not worth a decomposition.
+    fn propose(&mut self, proposal: M::S, h: M::S, factor: M::S) {
+        let next = h * factor;
+        let keep = self.by_x.is_some() && (M::S::lit(1.0)..M::S::lit(WORTH_IT)).contains(&factor);
+        self.proposal = Some(if h < proposal {
+            next.max(proposal)
+        } else if keep {
+            h
+        } else {
+            next
+        });
+    }
+
+    /// Forgets derivatives that are not those at the current state.
+    fn renew(&mut self) {
+        if !self.by_x_here {
+            self.by_x = None;
+        }
+    }
+}
+
+impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
+    const DENSE: bool = true;
+
+    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.steps_left = self.most_steps;
+        Ok(())
+    }
+
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let rate = self.rate_here(course)?;
+        let weights = self.weights(course);
+        let mut proposal = self.proposal.unwrap_or_else(|| first_step(course, &rate, &weights));
+        loop {
+            proposal = proposal.min(self.longest_step);
+            let (h, last) = self.next_step(course, proposal)?;
+            let time = if last { course.end } else { course.time + h };
+            let by_rank = course.stats.by_rank;
+            match self.trial(course, h, &weights)? {
+                Err(factor) => {
+                    self.control.rejected = true;
+                    self.convergence = Convergence::new();
+                    self.renew();
+                    proposal = h * M::S::lit(factor);
+                }
+                Ok(trial) => {
+                    let error = self.error(course, &trial, &rate, &weights);
+                    let drift = self.drift_ratio(course.system, time, &trial.x);
+                    let worst = larger(error, drift);
+                    if worst <= M::S::lit(1.0) {
+                        let went_by_rank = course.stats.by_rank > by_rank;
+                        let limit = if went_by_rank { 0.0 } else { SETTLED_ABOVE };
+                        self.arrive(course, (time, h), &trial, M::S::lit(limit))?;
+                        let factor = self.control.accept(h, worst, trial.iterations);
+                        let factor = factor.min(self.convergence.growth(trial.iterations));
+                        self.propose(proposal, h, factor);
+                        return Ok(());
+                    }
+                    proposal = h * self.control.reject(worst, trial.iterations);
+                    self.renew();
+                }
+            }
+            course.stats.rejected += 1;
+        }
+    }
+
+    fn interpolate(&self, time: M::S) -> M::X {
+        self.dense.map_or(M::X::fill(M::S::ZERO), |dense| dense.at(time))
+    }
+
+    fn restart(&mut self) {
+        (self.rate, self.by_x, self.factors, self.dense) = (None, None, None, None);
+        self.residue = M::S::ZERO;
+    }
+
+    fn shorten(&mut self, h: M::S) -> bool {
+        self.restart();
+        self.control.rejected = true;
+        self.proposal = Some(M::S::lit(0.5) * h);
+        true
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
+    }
+}
+
+/// Root mean square, every component by its weight; NaN if there is one.
+fn norm<S: Real, X: Vector<S>>(v: &X, weights: &X) -> S {
+    let parts = v.map2(weights, |v, weight| v * weight);
+    let sum = parts.fold(S::ZERO, |sum, part| part.mul_add(part, sum));
+    (sum / S::lit(X::LEN.max(1) as f64)).sqrt()
+}
+
+/// A hundredth of the time in which the rate would change the state by its size, but no less than a fraction of the
+/// interval that rounding leaves alone: a fast transient damps out, and steps grow fast from there.
+fn first_step<M: Linear>(course: &Course<'_, M>, rate: &M::X, weights: &M::X) -> M::S {
+    let span = course.end - course.time;
+    let typical = course.system.typical();
+    let sizes = typical.map2(&course.x, |typical, x| typical + x.abs());
+    let time = norm(&sizes, weights) / norm(rate, weights);
+    (M::S::lit(0.01) * time).max(M::S::EPSILON.sqrt() * span).min(span)
+}

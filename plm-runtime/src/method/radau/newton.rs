@@ -1,0 +1,182 @@
+//! The stages of a step by simplified Newton iteration.
+
+use super::tableau::{ALPHA, BETA, C, GAMMA, T, T_INVERSE};
+use crate::linalg::{Complex, Dense as _};
+use crate::linear::Linear;
+use crate::method::Course;
+use crate::method::jacobian::{Matrix, Resolvent};
+use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
+
+/// Iterations after which a step is tried shorter.
+pub(super) const MOST_ITERATIONS: usize = 7;
+
+/// Ratio of two corrections above which the step is rather made shorter.
+const SLOWEST: f64 = 0.4;
+
+/// The decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
+#[derive(Clone, Copy)]
+pub(super) struct Factors<M: Linear> {
+    pub(super) h: M::S,
+    real: Resolvent<M, M::S>,
+    complex: Resolvent<M, Complex<M::S>>,
+}
+
+impl<M: Linear> Factors<M> {
+    /// For steps of `h`; none if a matrix is singular.
+    pub(super) fn new(course: &mut Course<'_, M>, by_x: &Matrix<M>, h: M::S) -> Option<Self> {
+        course.stats.factorisations += 1;
+        let over_h = |value: f64| M::S::lit(value) / h;
+        let pair = Complex { re: over_h(ALPHA), im: over_h(BETA) };
+        Some(Self {
+            h,
+            real: M::X::resolvent(by_x, over_h(GAMMA), M::NQ)?,
+            complex: M::X::resolvent(by_x, pair, M::NQ)?,
+        })
+    }
+
+    /// (gamma/h I - J)^-1 r.
+    pub(super) fn solve(&self, by_x: &Matrix<M>, r: &M::X) -> M::X {
+        let mut k = *r;
+        M::X::resolve(&self.real, by_x, |i| r.at(i), |i, s| k.set(i, s));
+        k
+    }
+
+    /// The Newton correction of the transformed stages `w`, where their rates are `g`.
+    fn correction(&self, by_x: &Matrix<M>, w: &[M::X; 3], g: &[M::X; 3]) -> [M::X; 3] {
+        let [gamma, alpha, beta] = [GAMMA, ALPHA, BETA].map(|value| M::S::lit(value) / self.h);
+        let pair = |i: usize| Complex {
+            re: g[1].at(i) - (alpha * w[1].at(i) - beta * w[2].at(i)),
+            im: g[2].at(i) - (alpha * w[2].at(i) + beta * w[1].at(i)),
+        };
+        let mut dw = *w;
+        dw[0] = self.solve(by_x, &g[0].map2(&w[0], |g, w| g - gamma * w));
+        let [_, re, im] = &mut dw;
+        M::X::resolve(&self.complex, by_x, pair, |i, k| {
+            re.set(i, k.re);
+            im.set(i, k.im);
+        });
+        dw
+    }
+}
+
+/// What is known of the convergence.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Convergence<S> {
+    /// theta / (1 - theta), kept from step to step: how much is still to come after a correction.
+    rest: S,
+    /// The last ratio of two corrections.
+    pub(super) theta: S,
+}
+
+impl<S: Real> Convergence<S> {
+    pub(super) fn new() -> Self {
+        Self { rest: S::lit(1.0), theta: S::ZERO }
+    }
+}
+
+impl<S: Real> Convergence<S> {
+    /// How much longer a step may be so that the iteration still converges fast enough: the ratio of two corrections
+    /// grows with h, and with h^4 where stiff springs turn (K. Gustafsson, G. Söderlind, Control strategies for the
+    /// iterative solution of nonlinear equations in ODE solvers, SIAM J. Sci. Comput. 18, 1997). One iteration says nothing.
+    pub(super) fn growth(&self, iterations: usize) -> S {
+        if iterations < 2 {
+            return S::INFINITY;
+        }
+        (S::lit(SLOWEST) / self.theta.max(S::EPSILON)).sqrt().sqrt()
+    }
+}
+
+/// How an iteration ended.
+pub(super) enum Outcome<X> {
+    /// The stages less the state at the beginning, after so many iterations.
+    Found([X; 3], usize),
+    /// To be tried with a step shorter by this factor.
+    Failed(f64),
+}
+
+/// Iterates the stages of a step from the guess `z` (Hairer and Wanner II, IV.8, eqs. (8.10) to (8.13)). The corrections
+/// count by `weight`; what is still to come is then below `tolerance`.
+pub(super) fn iterate<M: Linear>(
+    course: &mut Course<'_, M>,
+    by_x: &Matrix<M>,
+    factors: &Factors<M>,
+    mut z: [M::X; 3],
+    (weight, tolerance): (&M::X, M::S),
+    convergence: &mut Convergence<M::S>,
+) -> Outcome<M::X> {
+    let (t, x, h) = (course.time, course.x, factors.h);
+    let mut w = transform(&T_INVERSE, &z);
+    let (mut last, mut last_ratio) = (M::S::ZERO, M::S::ZERO);
+    convergence.rest = (convergence.rest.max(M::S::EPSILON).ln() * M::S::lit(0.8)).exp();
+    for iteration in 1..=MOST_ITERATIONS {
+        let mut rates = z;
+        for i in 0..3 {
+            let stage = x.map2(&z[i], |x, z| x + z);
+            if course.rate(t + M::S::lit(C[i]) * h, &stage, &mut rates[i]).is_err() {
+                return Outcome::Failed(0.5);
+            }
+        }
+        let dw = factors.correction(by_x, &w, &transform(&T_INVERSE, &rates));
+        let size = mean_square(&dw, weight).sqrt();
+        if !size.is_finite() {
+            return Outcome::Failed(0.5);
+        }
+        if iteration > 1 {
+            let ratio = size / last;
+            convergence.theta = if iteration == 2 { ratio } else { (ratio * last_ratio).sqrt() };
+            last_ratio = ratio;
+            if let Some(factor) = convergence.verdict(size / tolerance, iteration) {
+                return Outcome::Failed(factor);
+            }
+        }
+        last = size.max(M::S::EPSILON);
+        for (w, dw) in w.iter_mut().zip(&dw) {
+            w.add([(M::S::lit(1.0), dw)]);
+        }
+        z = transform(&T, &w);
+        if convergence.rest * size <= tolerance {
+            return Outcome::Found(z, iteration);
+        }
+    }
+    Outcome::Failed(0.5)
+}
+
+impl<S: Real> Convergence<S> {
+    /// The factor of a shorter step, where the iterations that are left will not do.
+    fn verdict(&mut self, size: S, iteration: usize) -> Option<f64> {
+        let (theta, one) = (self.theta, S::lit(1.0));
+        if theta >= S::lit(0.99) || !theta.is_finite() {
+            return Some(0.5);
+        }
+        self.rest = theta / (one - theta);
+        let left = MOST_ITERATIONS - iteration;
+        let excess = (self.rest * size * theta.powi(left as i32)).to_f64();
+        if excess < 1.0 {
+            return None;
+        }
+        let root = S::lit(excess.clamp(1e-4, 20.0)).ln() * S::lit(-1.0 / (4.0 + left as f64));
+        Some(0.8 * root.exp().to_f64())
+    }
+}
+
+/// Mean of the squares, every component by its weight.
+fn mean_square<S: Real, X: Vector<S>>(v: &[X; 3], weight: &X) -> S {
+    let mut sum = S::ZERO;
+    for v in v {
+        for i in 0..X::LEN {
+            let part = v.at(i) * weight.at(i);
+            sum = part.mul_add(part, sum);
+        }
+    }
+    sum / S::lit((3 * X::LEN).max(1) as f64)
+}
+
+/// A matrix of the tableau times the stages.
+fn transform<S: Scalar, X: Vector<S>>(matrix: &[[f64; 3]; 3], v: &[X; 3]) -> [X; 3] {
+    let [v1, v2, v3] = v;
+    matrix.map(|row| {
+        let [a, b, c] = row.map(S::lit);
+        X::from_fn(|i| a * v1.at(i) + b * v2.at(i) + c * v3.at(i))
+    })
+}

@@ -1,0 +1,238 @@
+//! A Rosenbrock-W method for stiff equations with steps of equal length.
+
+use super::jacobian::Matrix;
+use super::plan::Plan;
+use super::{Course, Method, drift_of_size};
+use crate::fault::{Cause, Fault};
+use crate::linalg::Dense;
+use crate::linear::Linear;
+use crate::scalar::{Real, Scalar};
+use crate::system::Drift;
+use crate::vector::Vector;
+
+/// ROS34PW2 with steps of equal length: order 3, L-stable, for stiff equations in real time.
+///
+/// A step takes four rates, one matrix of derivatives and one decomposition, whatever the equations are. It is a
+/// W-method: the order does not depend on the exactness of the derivatives. For what is stiff by damping or by
+/// first-order states, and for stiff springs that do not turn much: where a spring of the frequency w turns by the angle
+/// a within a step, (w h)^2 a^2 must not be large against 1, as for all methods that solve linear systems only once. A
+/// step that fails for this ends the run.
+///
+/// Source: J. Rang, L. Angermann, New Rosenbrock W-methods of order 3 for partial differential algebraic equations of
+/// index 1, BIT 45 (2005), table 4.2.
+#[derive(Clone, Copy, Debug)]
+pub struct Ros34Pw2<S> {
+    /// Longest step, s.
+    pub longest_step: S,
+    /// Drift that is tolerated, as a fraction of the typical coordinate and velocity.
+    pub tolerance: S,
+    /// Estimated error of a step, as a fraction of the size of a state, above which the run ends.
+    pub worst_error: S,
+    plan: Plan<S>,
+}
+
+const STAGES: usize = 4;
+type Coefficients = [[f64; STAGES]; STAGES];
+
+const GAMMA: f64 = 4.358_665_215_084_59e-1;
+/// alpha_ij.
+const ALPHA: Coefficients = [
+    [0.0; 4],
+    [8.717_330_430_169_18e-1, 0.0, 0.0, 0.0],
+    [8.445_706_001_536_942e-1, -1.129_906_423_648_418_5e-1, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+];
+/// gamma_ij.
+const GAMMAS: Coefficients = [
+    [GAMMA, 0.0, 0.0, 0.0],
+    [-8.717_330_430_169_18e-1, GAMMA, 0.0, 0.0],
+    [-9.033_805_701_304_408e-1, 5.418_067_238_809_532_6e-2, GAMMA, 0.0],
+    [2.421_238_070_609_534_6e-1, -1.223_250_583_904_514_7, 5.452_602_553_351_021e-1, GAMMA],
+];
+/// Weights b_i of order 3 (stiffly accurate: alpha_4i + gamma_4i), less those of order 2.
+const ERROR: [f64; STAGES] = [
+    GAMMAS[3][0] - 3.781_090_314_581_937e-1,
+    GAMMAS[3][1] + 9.604_229_221_242_318e-2,
+    ALPHA[3][2] + GAMMAS[3][2] - 5.0e-1,
+    GAMMA - 2.179_332_607_542_295e-1,
+];
+/// The stages are solved for u = Gamma k, so that no product with the Jacobian is needed (E. Hairer, G. Wanner, Solving
+/// Ordinary Differential Equations II, IV.7, eq. (7.25)): C = 1/gamma I - Gamma^-1, A = alpha Gamma^-1. The weights
+/// b Gamma^-1 are the last row of A, and 1: the method is stiffly accurate.
+const INVERSE: Coefficients = inverse(&GAMMAS);
+const A: Coefficients = product(&ALPHA, &INVERSE);
+const E: [f64; STAGES] = product(&[ERROR; STAGES], &INVERSE)[0];
+
+impl<S: Real> Ros34Pw2<S> {
+    /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
+    pub fn new(longest_step: S) -> Self {
+        let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
+        Self { longest_step, tolerance, worst_error: S::lit(0.05), plan: Plan::none() }
+    }
+
+    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: S) -> Self {
+        Self { tolerance, ..self }
+    }
+}
+
+/// A state and the estimate of its error.
+struct Trial<X> {
+    x: X,
+    error: X,
+}
+
+/// One step of `h` from the state reached.
+fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, Fault> {
+    let lit = M::S::lit;
+    let (mut by_x, mut by_t): (Matrix<M>, M::X) = (M::X::zeros(), course.x);
+    course.jacobian(&mut by_x, Some(&mut by_t))?;
+    course.stats.factorisations += 1;
+    let lambda = lit(1.0) / (lit(GAMMA) * h);
+    let Some(resolvent) = M::X::resolvent(&by_x, lambda, M::NQ) else {
+        return Err(course.fault(Cause::Singular { rows: M::X::LEN }));
+    };
+    let (t, x, mut stage) = (course.time, course.x, course.x);
+    let mut u = [M::X::fill(M::S::ZERO); STAGES];
+    for i in 0..STAGES {
+        let (alpha, gamma): (f64, f64) = (ALPHA[i].iter().sum(), GAMMAS[i].iter().sum());
+        let (a, c) = (A[i].map(lit), INVERSE[i].map(|c| lit(-c) / h));
+        stage.combine(&x, [(a[0], &u[0]), (a[1], &u[1]), (a[2], &u[2])]);
+        let mut r = x;
+        course.rate(t + lit(alpha) * h, &stage, &mut r)?;
+        r.add([(lit(gamma) * h, &by_t)]);
+        for j in 0..i {
+            r.add([(c[j], &u[j])]);
+        }
+        M::X::resolve(&resolvent, &by_x, |k| r.at(k), |k, s| u[i].set(k, s));
+    }
+    let ([u1, u2, u3, u4], [e1, e2, e3, e4]) = (&u, E.map(lit));
+    stage.add([(lit(1.0), u4)]);
+    let mut error = M::X::fill(M::S::ZERO);
+    error.add([(e1, u1), (e2, u2), (e3, u3), (e4, u4)]);
+    Ok(Trial { x: stage, error })
+}
+
+/// The largest error as a fraction of the size of its state.
+fn worst<M: Linear>(course: &Course<'_, M>, trial: &Trial<M::X>) -> M::S {
+    let typical = course.system.typical();
+    let fraction = |i: usize| {
+        let size = course.x.at(i).abs().max(trial.x.at(i).abs()).max(typical.at(i));
+        trial.error.at(i).abs() / size
+    };
+    (0..M::X::LEN).fold(M::S::ZERO, |worst, i| fraction(i).max(worst))
+}
+
+impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
+    const DENSE: bool = false;
+
+    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.plan = Plan::of_course(course, self.longest_step)?;
+        Ok(())
+    }
+
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let by_rank = course.stats.by_rank;
+        let trial = step(course, self.plan.h)?;
+        let error = worst(course, &trial);
+        if error > self.worst_error {
+            let step = self.plan.h.to_f64();
+            return Err(course.fault(Cause::StepTooLong { step, error: error.to_f64() }));
+        }
+        self.plan.arrive(course, trial.x, self.tolerance, course.stats.by_rank > by_rank)?;
+        Ok(())
+    }
+
+    fn interpolate(&self, _time: M::S) -> M::X {
+        M::X::fill(M::S::ZERO)
+    }
+
+    fn restart(&mut self) {}
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance)
+    }
+}
+
+/// The product of two matrices.
+const fn product(a: &Coefficients, b: &Coefficients) -> Coefficients {
+    let mut out = [[0.0; STAGES]; STAGES];
+    let mut place = 0;
+    while place < STAGES * STAGES {
+        let (i, j) = (place / STAGES, place % STAGES);
+        let mut k = 0;
+        while k < STAGES {
+            out[i][j] += a[i][k] * b[k][j];
+            k += 1;
+        }
+        place += 1;
+    }
+    out
+}
+
+/// The inverse of a lower triangular matrix, column by column.
+const fn inverse(lower: &Coefficients) -> Coefficients {
+    let mut out = [[0.0; STAGES]; STAGES];
+    let mut place = 0;
+    while place < STAGES * STAGES {
+        let (i, j) = (place % STAGES, place / STAGES);
+        if i >= j {
+            let mut rest = if i == j { 1.0 } else { 0.0 };
+            let mut k = j;
+            while k < i {
+                rest -= lower[i][k] * out[k][j];
+                k += 1;
+            }
+            out[i][j] = rest / lower[i][i];
+        }
+        place += 1;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ALPHA, ERROR, GAMMAS, STAGES};
+
+    type Row = [f64; STAGES];
+
+    fn times(matrix: &[Row; STAGES], v: Row) -> Row {
+        matrix.map(|row| dot(row, v))
+    }
+
+    fn dot(a: Row, b: Row) -> f64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    /// The conditions of order 3 for any matrix in place of the derivatives (Hairer and Wanner II, IV.7, theorem 7.7 and
+    /// eqs. (7.11'), (7.15)), those of order 2 for the weights of the error estimate, and stiff accuracy.
+    #[test]
+    fn order_conditions() {
+        let b: Row = core::array::from_fn(|i| ALPHA[3][i] + GAMMAS[3][i]);
+        let lower: Row = core::array::from_fn(|i| b[i] - ERROR[i]);
+        let one = [1.0; STAGES];
+        let (alpha, gamma) = (times(&ALPHA, one), times(&GAMMAS, one));
+        assert!((alpha[3] - 1.0).abs() < 1e-15, "the last stage is at the end");
+        for weights in [b, lower] {
+            for (got, want) in
+                [(dot(weights, one), 1.0), (dot(weights, alpha), 0.5), (dot(weights, gamma), 0.0)]
+            {
+                assert!((got - want).abs() < 1e-15, "{got} {want}");
+            }
+        }
+        for (got, want) in [
+            (dot(b, alpha.map(|a| a * a)), 1.0 / 3.0),
+            (dot(b, times(&ALPHA, alpha)), 1.0 / 6.0),
+            (dot(b, times(&ALPHA, gamma)), 0.0),
+            (dot(b, times(&GAMMAS, alpha)), 0.0),
+            (dot(b, times(&GAMMAS, gamma)), 0.0),
+        ] {
+            assert!((got - want).abs() < 1e-15, "{got} {want}");
+        }
+        assert!(
+            (dot(lower, alpha.map(|a| a * a)) - 1.0 / 3.0).abs() > 1e-3,
+            "the estimate is of lower order"
+        );
+    }
+}

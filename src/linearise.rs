@@ -1,0 +1,189 @@
+//! A mechanism near a state as a linear system: matrices, eigenvalues, damping, frequencies.
+
+extern crate std;
+use std::vec::Vec;
+
+use nalgebra::{Complex, DMatrix};
+use plm_runtime::linalg::Dense;
+use plm_runtime::{Cause, Dual, Fault, Linear, Mechanism, Moment, Ports, System};
+
+/// A mechanism that can be linearised: generated ones can.
+pub trait Linearisable: Mechanism + Ports + Linear<S = f64, Lifted<1>: Ports> + System<S = f64> {}
+
+impl<M> Linearisable for M where M: Mechanism + Ports + Linear<S = f64, Lifted<1>: Ports> {}
+
+/// x' = A x + B u, y = C x + D u for small changes of state x, inputs u and outputs y from those at a state.
+///
+/// With constraints the state is counted along the directions that they leave: the change of the coordinates,
+/// velocities and first-order states is `basis * x`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Linearisation {
+    /// Change of the rate by the state.
+    pub a: DMatrix<f64>,
+    /// Change of the rate by the inputs, in SI units.
+    pub b: DMatrix<f64>,
+    /// Change of the outputs, in their units, by the state.
+    pub c: DMatrix<f64>,
+    /// Change of the outputs, in their units, by the inputs.
+    pub d: DMatrix<f64>,
+    /// The directions of the state in columns, in coordinates, velocities and first-order states.
+    pub basis: DMatrix<f64>,
+    /// Names and units of the inputs, the columns of B and D.
+    pub inputs: &'static [(&'static str, &'static str)],
+    /// Names and units of the outputs, the rows of C and D.
+    pub outputs: &'static [(&'static str, &'static str)],
+}
+
+/// One eigenvalue; oscillations have two, one the conjugate of the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// The eigenvalue lambda, 1/s.
+    pub eigenvalue: Complex<f64>,
+    /// Natural frequency |lambda|, rad/s.
+    pub frequency: f64,
+    /// Damping ratio -Re(lambda) / |lambda|: 1 or more does not oscillate, below 0 grows; 1 where lambda is zero.
+    pub damping: f64,
+}
+
+impl Linearisation {
+    /// The eigenvalues of A, slow ones first.
+    pub fn modes(&self) -> Vec<Mode> {
+        let mut modes: Vec<Mode> =
+            self.a.complex_eigenvalues().iter().map(|lambda| Mode::new(*lambda)).collect();
+        modes.sort_by(|a, b| {
+            let key = |mode: &Mode| (mode.frequency, mode.eigenvalue.im);
+            let ((f, p), (g, q)) = (key(a), key(b));
+            f.total_cmp(&g).then(p.total_cmp(&q))
+        });
+        modes
+    }
+}
+
+impl Mode {
+    fn new(eigenvalue: Complex<f64>) -> Self {
+        let frequency = eigenvalue.re.hypot(eigenvalue.im);
+        let damping = if frequency > 0.0 { -eigenvalue.re / frequency } else { 1.0 };
+        Self { eigenvalue, frequency, damping }
+    }
+}
+
+/// Linearises a mechanism at a state, exactly but for rounding: by running its equations and outputs on dual numbers.
+///
+/// Modes mean what they usually mean where the state is an equilibrium.
+///
+/// # Errors
+/// [`Cause::Singular`] where the accelerations or their derivatives are not determined without a decomposition by rank.
+pub fn linearise<T: Moment<M: Linearisable<State = T>>>(state: &T) -> Result<Linearisation, Fault> {
+    let size = <<T::M as System>::X as plm_runtime::Vector<f64>>::LEN;
+    let a = by_state(state, size)?;
+    let inputs = <T::M as Ports>::INPUTS;
+    let outputs = <T::M as Ports>::OUTPUTS;
+    let (b, d) = (0..inputs.len())
+        .map(|j| along(state, Direction::Input(j)))
+        .fold((DMatrix::zeros(size, 0), DMatrix::zeros(outputs.len(), 0)), |(b, d), change| {
+            (append(b, &change.rate), append(d, &change.outputs))
+        });
+    let (c, rows) = (0..size).map(|j| along(state, Direction::State(j))).fold(
+        (DMatrix::zeros(outputs.len(), 0), None),
+        |(c, rows), change| {
+            let rows = rows.unwrap_or_else(|| DMatrix::zeros(change.constraints.len(), 0));
+            (append(c, &change.outputs), Some(append(rows, &change.constraints)))
+        },
+    );
+    let basis = free_directions(&rows.unwrap_or_else(|| DMatrix::zeros(0, size)));
+    let transposed = basis.transpose();
+    Ok(Linearisation {
+        a: &transposed * a * &basis,
+        b: &transposed * b,
+        c: c * &basis,
+        d,
+        basis,
+        inputs,
+        outputs,
+    })
+}
+
+/// The derivatives of the rate by the state.
+fn by_state<T: Moment<M: Linearisable<State = T>>>(state: &T, size: usize) -> Result<DMatrix<f64>, Fault> {
+    type X<T> = <<T as Moment>::M as System>::X;
+    let mut matrix = <X<T> as Dense<f64>>::zeros();
+    let health = state.mechanism().jacobian(state.time(), &state.held(), state.x(), &mut matrix, None);
+    if !health.is_good() {
+        return Err(Fault::new(state.time(), Cause::Singular { rows: size }));
+    }
+    Ok(DMatrix::from_fn(size, size, |i, j| <X<T> as Dense<f64>>::entry(&matrix, i, j)))
+}
+
+/// A state or an input that moves.
+#[derive(Clone, Copy)]
+enum Direction {
+    State(usize),
+    Input(usize),
+}
+
+/// Derivatives along one direction.
+struct Change {
+    rate: Vec<f64>,
+    outputs: Vec<f64>,
+    constraints: Vec<f64>,
+}
+
+fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction) -> Change {
+    type Lifted<T> = <<T as Moment>::M as Linear>::Lifted<1>;
+    type Number = Dual<f64, 1>;
+    let (lifted, mut held) = state.mechanism().lift::<1>(&state.held());
+    let mut x = <<Lifted<T> as System>::X as plm_runtime::Vector<Number>>::from_fn(|i| {
+        Dual::constant(plm_runtime::Vector::at(state.x(), i))
+    });
+    match direction {
+        Direction::State(j) => {
+            use plm_runtime::Vector;
+            x.set(j, Dual::variable(x.at(j).value, 0));
+        }
+        Direction::Input(j) => {
+            if let Some(input) = <Lifted<T> as Ports>::input(&mut held, j) {
+                *input = Dual::variable(input.value, 0);
+            }
+        }
+    }
+    let time = Dual::constant(state.time());
+    let tangent = |number: Number| number.tangents[0];
+    let mut rate = x;
+    lifted.rate(time, &held, &x, &mut rate);
+    let rate = plm_runtime::Vector::fold(&rate, Vec::new(), |mut rate, number| {
+        rate.push(tangent(number));
+        rate
+    });
+    let mut constraints = Vec::new();
+    lifted.constraints(time, &x, &mut |number| constraints.push(tangent(number)));
+    let moment = <Lifted<T> as Mechanism>::State::new(lifted, held, time, x);
+    let mut outputs = Vec::new();
+    <Lifted<T> as Ports>::outputs(&moment, &mut |number| outputs.push(tangent(number)));
+    Change { rate, outputs, constraints }
+}
+
+/// A matrix with one more column.
+fn append(matrix: DMatrix<f64>, column: &[f64]) -> DMatrix<f64> {
+    let last = matrix.ncols();
+    let mut matrix = matrix.insert_column(last, 0.0);
+    matrix.column_mut(last).copy_from_slice(column);
+    matrix
+}
+
+/// Orthonormal directions along which no row changes; the identity if there is no row.
+fn free_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
+    let size = rows.ncols();
+    if rows.nrows() == 0 {
+        return DMatrix::identity(size, size);
+    }
+    // Singular vectors of the square of the rows belong to all directions, not only to as many as there are rows.
+    let square = rows.transpose() * rows;
+    let decomposed = square.symmetric_eigen();
+    let largest = decomposed.eigenvalues.amax();
+    let free = (0..size).filter(|i| decomposed.eigenvalues[*i].abs() <= RANK_TOLERANCE * largest);
+    let columns: Vec<_> = free.map(|i| decomposed.eigenvectors.column(i)).collect();
+    if columns.is_empty() { DMatrix::zeros(size, 0) } else { DMatrix::from_columns(&columns) }
+}
+
+/// Squares of singular values below this fraction of the largest count as zero.
+const RANK_TOLERANCE: f64 = 1e-12;

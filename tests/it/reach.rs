@@ -1,0 +1,64 @@
+//! Loops that a step would tear open.
+
+use plm::runtime::absolute::Absolute;
+use plm::{Cause, Dop853, Fault, Rk4};
+
+/// A four-bar whose three moving links can only rock: 0.7, 0.6 and 0.5 m over 1 m of ground.
+mod rocker {
+    plm::mechanism! {
+        pub TripleRocker {
+            ground { port a: (0, 0) m; port d: (1, 0) m; }
+            body crank { mass: 0.7 kg; inertia: 0.7 kg * (0.7 m)^2 / 12; port a: (-0.35, 0) m; port b: (0.35, 0) m; start angle: 50 deg, locked; start omega: 6 rad/s, locked; }
+            body coupler { mass: 0.6 kg; inertia: 0.6 kg * (0.6 m)^2 / 12; port b: (-0.3, 0) m; port c: (0.3, 0) m; start x: 0.7 m; start y: 0.5 m; start angle: -10 deg; }
+            body rocker { mass: 0.5 kg; inertia: 0.5 kg * (0.5 m)^2 / 12; port d: (-0.25, 0) m; port c: (0.25, 0) m; start x: 1 m; start y: 0.2 m; start angle: 100 deg; }
+            revolute a(ground.a, crank.a);
+            revolute b(crank.b, coupler.b);
+            revolute c(coupler.c, rocker.c);
+            revolute d(ground.d, rocker.d);
+        }
+    }
+}
+
+/// Steps of RK4 over 4 s: the largest gap in a joint of the states that were given, the relative error of the energy at the
+/// end, and what ended the run early.
+fn rocks(h: f64) -> (f64, f64, Option<Fault>) {
+    let mechanism = rocker::TripleRocker::new();
+    let mut sim = mechanism.start_with(Rk4::new(h)).unwrap();
+    let (start, mut gap) = (sim.kinetic_energy(), 0.0);
+    for _ in 0..(4.0 / h).round() as u32 {
+        if let Err(fault) = sim.step(h) {
+            return (gap, f64::NAN, Some(fault));
+        }
+        let bodies = [sim.crank(), sim.coupler(), sim.rocker()];
+        let q: Vec<f64> = bodies.iter().flat_map(|body| [body.x, body.y, body.angle]).collect();
+        let phi = mechanism.phi(sim.state().time(), q.as_slice().try_into().unwrap());
+        gap = phi.iter().fold(gap, |gap, phi| f64::max(gap, phi.abs()));
+    }
+    // Every link comes to a dead point again and again: none could drive alone.
+    assert!(sim.stats().charts >= 10, "{:?}", sim.stats());
+    (gap, (sim.kinetic_energy() / start - 1.0).abs(), None)
+}
+
+#[test]
+fn dead_points_are_passed_in_other_charts() {
+    let (gap, coarse, fault) = rocks(2e-3);
+    assert!(gap < 64.0 * f64::EPSILON && fault.is_none(), "{gap:e} {fault:?}");
+    let (_, fine, _) = rocks(5e-4);
+    assert!(fine < 1e-6 && coarse / fine > 4_f64.powi(3), "{coarse:e} {fine:e}");
+    let mut sim = rocker::TripleRocker::new().start_with(Dop853::new(1e-10)).unwrap();
+    let start = sim.kinetic_energy();
+    sim.step(4.0).unwrap();
+    assert!((sim.kinetic_energy() / start - 1.0).abs() < 1e-8, "{:e}", sim.kinetic_energy() / start - 1.0);
+}
+
+#[test]
+fn steps_that_are_too_long_for_a_loop_end_the_run_by_name() {
+    for h in [0.1, 0.05, 0.03, 0.02] {
+        let (gap, _, fault) = rocks(h);
+        let fault = fault.unwrap();
+        let named = ["a", "b", "c", "d", "crank", "coupler", "rocker"].contains(&fault.part);
+        assert!(named && matches!(fault.cause, Cause::Locked | Cause::TurnedTooFar { .. }), "{fault}");
+        // No state was given in which they were apart.
+        assert!(gap < 64.0 * f64::EPSILON, "{gap:e}");
+    }
+}

@@ -1,0 +1,55 @@
+//! Dead points, branches over a whole turn, and a motion that ends.
+
+use plm::Rk4;
+
+use crate::scenes::dead::{CrankRocker, Quadrorhomb, TripleRocker, assembling, cranking, falling, rocking};
+use crate::scenes::theory::{QUADRORHOMB_FALL, dead_angle, quadrorhomb_limit};
+
+#[test]
+fn a_triple_rocker_passes_the_dead_points_of_its_crank() {
+    let trace = rocking(&mut TripleRocker::new().start().unwrap(), 60.0);
+    assert!(trace.survived() && trace.largest(0) < 1e-5, "{:?} {:e}", trace.end, trace.largest(0));
+    let signs = trace.rows.windows(2).filter(|pair| pair[0].1[3] * pair[1].1[3] < 0.0).count();
+    assert!(signs >= 10, "{signs} dead points");
+    // The crank turns back where coupler and rocker stretch to 1.1 m: cos = 0.2, 78.46 deg.
+    let known = dead_angle(0.7, 1.0, 1.1);
+    assert!((known.to_degrees() - 78.463).abs() < 5e-4);
+    let reached = trace.largest(1);
+    // Samples stand 5 ms apart at an acceleration of some rad/s^2: within 1e-4 of the peak.
+    assert!((-1e-4..1e-6).contains(&(reached - known)), "{} deg", reached.to_degrees());
+}
+
+#[test]
+fn a_crank_rocker_keeps_its_branch_over_all_angles_of_the_crank() {
+    let trace = cranking(&mut CrankRocker::new().start().unwrap(), 3);
+    assert!(trace.survived() && trace.largest(0) < 1e-7, "{:?} {:e}", trace.end, trace.largest(0));
+    let trace = cranking(&mut CrankRocker::new().start_with(Rk4::new(0.01)).unwrap(), 3);
+    assert!(trace.survived() && trace.largest(0) < 1e-7, "{:?} {:e}", trace.end, trace.largest(0));
+}
+
+#[test]
+fn assembly_finds_the_same_branch_at_all_angles_of_the_crank() {
+    let found = assembling().unwrap();
+    assert_eq!(found.len(), 361);
+    let (degree, off) = found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    assert!(off < 1e-12, "{off:e} rad at {degree} deg");
+}
+
+#[test]
+fn quadrorhombs_fall_ends_in_a_named_lock_up() {
+    let mut sim = Quadrorhomb::from_crank(0.0).start().unwrap();
+    let trace = falling(&mut sim);
+    let fault = trace.end.unwrap_err();
+    assert!(!fault.part.is_empty(), "{fault}");
+    assert!((fault.time - QUADRORHOMB_FALL).abs() < 5e-4, "{fault}");
+    // It falls clockwise. 0.01 deg before the end the crank is 0.05 ms away from it.
+    let left = quadrorhomb_limit() + sim.crank().angle;
+    assert!((0.0..0.01_f64.to_radians()).contains(&left), "{} deg", left.to_degrees());
+    // What was fallen through is in the motion: nothing was gained or lost on the way.
+    assert!(
+        sim.energy().abs() < 1e-4 * sim.kinetic_energy(),
+        "{:e} J of {}",
+        sim.energy(),
+        sim.kinetic_energy()
+    );
+}

@@ -1,0 +1,78 @@
+//! Flat poses: the rank of phi_q falls, branches cross, and the motion goes straight on.
+
+use std::f64::consts::TAU;
+use std::thread;
+
+use plm::Rk4;
+
+use crate::scenes::flat::{
+    EqualBars, Folded, Ladder1, Ladder2, Ladder40, Parallelogram, equal_bars, folding, turning,
+    turning_parallelogram,
+};
+use crate::scenes::run::Trace;
+
+/// Energy to 1e-6 of the start, joints closed, no window askew, and back upright after whole turns of known length.
+///
+/// The default tolerance is 1e-8 a step; over some hundred steps that may add up to 1e-6.
+fn assert_turned(name: &str, trace: &Trace<4>, turns: u32) {
+    assert!(trace.survived(), "{name}: {:?}", trace.end);
+    let [energy, apart, askew] = [0, 1, 2].map(|column| trace.largest(column));
+    assert!(energy < 1e-6 && apart < 1e-8 && askew < 1e-6, "{name}: {energy:e} {apart:e} {askew:e}");
+    let behind = trace.last()[3] + f64::from(turns) * TAU;
+    assert!(behind.abs() < 1e-6, "{name}: {behind:e}");
+}
+
+#[test]
+fn ladders_of_one_and_two_windows_turn_through_their_flat_poses() {
+    assert_turned("1 window", &turning(&mut Ladder1::new().start().unwrap(), 5, 100), 5);
+    assert_turned("2 windows", &turning(&mut Ladder2::new().start().unwrap(), 5, 100), 5);
+}
+
+#[test]
+fn a_ladder_of_forty_windows_turns_through_its_flat_poses() {
+    // Matrices of 242 by 243 on the stack, unoptimised, are more than a thread of a test has.
+    let run = || turning(&mut Ladder40::new().start().unwrap(), 2, 100);
+    let trace = thread::Builder::new().stack_size(64 << 20).spawn(run).unwrap().join().unwrap();
+    assert_turned("40 windows", &trace, 2);
+}
+
+#[test]
+fn fixed_steps_carry_a_ladder_through_its_flat_poses() {
+    // Without stabilisation it blows up at this step, at 4.61 s; with alpha = beta = 10 the position is wrong by 1.6e-4 m.
+    let mut sim = Ladder2::new().start_with(Rk4::new(0.01)).unwrap();
+    let trace = turning(&mut sim, 5, 100);
+    assert!(trace.survived() && trace.largest(0) < 1e-4, "{:?} {:e}", trace.end, trace.largest(0));
+    assert!(trace.largest(2) < 1e-6, "{:e}", trace.largest(2));
+}
+
+#[test]
+fn a_parallelogram_stays_one_beyond_its_change_points() {
+    let trace = turning_parallelogram(&mut Parallelogram::new().start().unwrap(), 5);
+    assert!(trace.survived(), "{:?}", trace.end);
+    let [energy, askew, behind] = [0, 1, 2].map(|column| trace.largest(column));
+    assert!(energy < 1e-6 && askew < 1e-6 && behind < 1e-5, "{energy:e} {askew:e} {behind:e}");
+}
+
+#[test]
+fn a_folded_slider_crank_keeps_energy_and_branch() {
+    // 1/2 8 (1/3 + 5/4 + 1/12) + 1/2 4^2 for crank, rod and slider, and the height of both bars.
+    let known = 4.0 * 5.0 / 3.0 + 8.0 + 9.81 * 0.5_f64.sqrt();
+    let trace = folding(&mut Folded::new().start().unwrap(), 10.0);
+    assert_kept(&trace, known);
+}
+
+#[test]
+fn a_slider_crank_of_equal_bars_keeps_its_47_50_joules() {
+    let trace = equal_bars(&mut EqualBars::new().start().unwrap(), 10.0);
+    assert_kept(&trace, 39.0 + 9.81 * 0.75_f64.sqrt());
+    assert!((trace.last()[0] - 47.50).abs() < 0.005);
+}
+
+fn assert_kept(trace: &Trace<3>, known: f64) {
+    assert!(trace.survived(), "{:?}", trace.end);
+    let energies = trace.rows.iter().map(|(_, [energy, ..])| (energy / known - 1.0).abs());
+    let lost = energies.fold(0.0, f64::max);
+    assert!(lost < 1e-5, "{lost:e} of {known} J");
+    let (branch, open) = (trace.largest(1), trace.largest(2));
+    assert!(branch < 1e-6 && open < 1e-8, "{branch:e} rad, {open:e} m");
+}

@@ -1,0 +1,13 @@
+//! Where methods fail: each scene beside the value that theory or a reference gives.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(dead_code, reason = "the example shows more of the scenes")]
+
+#[path = "../../examples/stability/scenes/mod.rs"]
+mod scenes;
+
+mod dead;
+mod extremes;
+mod flat;
+mod long;
+mod stiff;
+mod theory;
