@@ -213,23 +213,18 @@ impl Dyad {
         let arm = motion.arm(chain, class, &[], graph);
         let aa = plane::dot(graph, arm, arm);
         let e = slide_axis(chain, slide, along, motion, graph);
-        let (offset, ahead) = (plane::cross(graph, known, e), plane::dot(graph, known, e));
-        let offset = graph.powi(offset, 2);
-        let square = graph.sub(aa, offset);
+        let (offset, ahead) = (plane::cross(graph, e, known), plane::dot(graph, e, known));
+        let squared = graph.powi(offset, 2);
+        let square = graph.sub(aa, squared);
         let (square, determinant) = root.of(square, graph);
         let value = graph.sub(determinant, ahead);
-        let value = motion.set_slide(slide, value, graph);
-        let way = plane::scale(graph, value, e);
-        let sum = plane::add(graph, known, way);
+        motion.set_slide(slide, value, graph);
+        // `m + s e = D e + (e x m) J e`.
+        let sum = across(graph, [determinant, offset], e);
         let p = motion.name_arm(angle, plane::negated(graph, sum), graph);
         motion.turn_class(angle, class, axis(graph, p, arm, aa), graph);
-        Solution {
-            determinant,
-            square,
-            scale: aa,
-            columns: [plane::left(graph, p), e],
-            arms: vec![(class, p)],
-        }
+        let columns = [plane::left(graph, p), e];
+        Solution { determinant, square, scale: aa, columns, arms: vec![(class, p)] }
     }
 
     /// RPR.
@@ -245,16 +240,16 @@ impl Dyad {
         let [angle, slide] = self.unknowns;
         let d = motion.arm(chain, class, &[slide], graph);
         let e = chain.slide(slide).map_or([graph.zero(); 2], |slide| slide.1);
-        let (offset, ahead) = (plane::cross(graph, d, e), plane::dot(graph, d, e));
+        let (offset, ahead) = (plane::cross(graph, e, d), plane::dot(graph, e, d));
         let mm = root.distance(known, graph);
-        let offset = graph.powi(offset, 2);
-        let square = graph.sub(mm, offset);
+        let squared = graph.powi(offset, 2);
+        let square = graph.sub(mm, squared);
         let (square, determinant) = root.of(square, graph);
-        let sum = graph.add(ahead, determinant);
-        let value = graph.neg(sum);
-        let value = motion.set_slide(slide, value, graph);
-        let way = plane::scale(graph, value, e);
-        let arm = plane::add(graph, d, way);
+        let back = graph.neg(determinant);
+        let value = graph.sub(back, ahead);
+        motion.set_slide(slide, value, graph);
+        // `d + s e = -D e + (e x d) J e`.
+        let arm = across(graph, [back, offset], e);
         let p = plane::negated(graph, known);
         motion.turn_class(angle, class, axis(graph, p, arm, mm), graph);
         let columns = [plane::left(graph, p), motion.turned(graph, class, e)];
@@ -347,6 +342,13 @@ fn known(chain: &Chain, dyad: &Dyad, motion: &Motion, graph: &mut Graph) -> Vec2
 fn slide_axis(chain: &Chain, slide: usize, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
     let vector = chain.slide(slide).map_or([graph.zero(); 2], |slide| slide.1);
     motion.turned(graph, class, vector)
+}
+
+/// `a e + b J e`.
+fn across(graph: &mut Graph, [a, b]: [Expr; 2], e: Vec2) -> Vec2 {
+    let (along, aside) = (plane::scale(graph, a, e), plane::left(graph, e));
+    let aside = plane::scale(graph, b, aside);
+    plane::add(graph, along, aside)
 }
 
 /// Cosine and sine of the angle that turns `arm`, of which the square is given, into `p`.
