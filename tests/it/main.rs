@@ -7,6 +7,7 @@ mod assembly;
 mod derivatives;
 mod language;
 mod manual;
+mod newton;
 mod operations;
 mod oracle;
 mod physics;

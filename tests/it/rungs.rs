@@ -61,18 +61,20 @@ macro_rules! on_both {
     };
 }
 
+pub(crate) use on_both;
+
 /// `[q, v]` of the bodies: the state on rung 5 of a scene without first-order states.
-fn on_rung_5(bodies: &[BodyState<f64>]) -> Vec<f64> {
+pub(crate) fn on_rung_5(bodies: &[BodyState<f64>]) -> Vec<f64> {
     let poses = bodies.iter().flat_map(|body| [body.x, body.y, body.angle]);
     let speeds = bodies.iter().flat_map(|body| [body.vx, body.vy, body.omega]);
     poses.chain(speeds).collect()
 }
 
-fn values(body: BodyState<f64>) -> [f64; 6] {
+pub(crate) fn values(body: BodyState<f64>) -> [f64; 6] {
     [body.x, body.y, body.angle, body.vx, body.vy, body.omega]
 }
 
-fn close<const N: usize>(what: &str, found: [f64; N], wanted: [f64; N], tolerance: f64) {
+pub(crate) fn close<const N: usize>(what: &str, found: [f64; N], wanted: [f64; N], tolerance: f64) {
     for (found, wanted) in found.iter().zip(&wanted) {
         assert!((found - wanted).abs() < tolerance * (1.0 + wanted.abs()), "{what}: {found} and {wanted}");
     }

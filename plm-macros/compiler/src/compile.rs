@@ -104,10 +104,26 @@ fn lower(mut model: Model) -> Lowered {
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
         _ => {
             let length = report::length(&model, &graph, &check::defaults(&model, &graph));
-            reduce(&model, &equations, length, &mut graph)
+            let reduced = reduce(&model, &equations, length, &mut graph);
+            if model.rung.is_some() {
+                reduced
+            } else {
+                reduced.and_then(|reduced| cheaper(reduced, &program, &graph))
+            }
         }
     };
     Lowered { model, graph, equations, program, reduced }
+}
+
+/// Rung 4, if it has fewer operations than rung 5, of which iterations can take more; a rung above it is taken as it is.
+fn cheaper(reduced: Reduced, program: &Absolute, graph: &Graph) -> Result<Reduced, String> {
+    let Some(chart) = reduced.first().filter(|_| reduced.iterates()) else { return Ok(reduced) };
+    let [iterated, absolute] = [&chart.rate, &program.dynamics].map(|form| form.tape(graph).count().total());
+    if iterated < absolute {
+        return Ok(reduced);
+    }
+    let groups = chart.groups.join("; ");
+    Err(format!("its loops need {groups}: {iterated} operations, and absolute coordinates {absolute}"))
 }
 
 impl Lowered {

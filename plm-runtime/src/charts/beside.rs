@@ -108,5 +108,6 @@ impl<S: Real> Beside<S> {
 /// The fault of the dyad that lies flat.
 fn fault<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X, cause: Cause) -> Fault {
     let (memory, _) = system.look(t, held, x);
-    Fault { cause, ..locked::<M>(t, held.chart, &memory) }
+    let fault = locked::<M>(t, held, &memory);
+    Fault { cause: if fault.cause == Cause::Locked { cause } else { fault.cause }, ..fault }
 }

@@ -1,11 +1,14 @@
-//! Loops that are solved in closed form, in charts: which coordinates describe the mechanism, and on which of its mirror
-//! images each loop is.
+//! Loops that are solved in charts: which coordinates describe the mechanism, and on which of its mirror images each loop
+//! is.
 //!
 //! A dyad has two solutions, which meet where its determinant vanishes. The determinant and its rates are remembered from
 //! the last accepted state; a stage takes the solution whose determinant has the sign that they predict, so that a pose
 //! where the solutions meet is passed as the motion passes it. After each accepted step, a chart whose worst dyad is
 //! flat is left for one that is better by far, if there is one. So near to a flat pose that rounding would rule, what
 //! cannot be computed there is interpolated from both sides.
+//!
+//! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
+//! state, so that these are followed as well: values, rates, and how the rates change.
 
 mod beside;
 
@@ -28,6 +31,13 @@ const OPEN: f64 = -1e-10;
 const FARTHEST: f64 = 1.0;
 /// The farthest that a determinant near zero may be from its prediction, as a part of its size before and after.
 const FARTHEST_AREA: f64 = 0.05;
+/// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
+/// measure; other solutions are at least about twice the measure away.
+const FARTHEST_FOLLOWED: f64 = 0.25;
+/// Up to this distance an iteration that does not converge has no solution to find.
+const NEAR: f64 = 0.1;
+/// Below this square the measure does not narrow that any further.
+const NARROWEST: f64 = 1e-4;
 /// How far a body, and by which part a determinant, should have moved until the next look.
 const CALM: f64 = 0.06;
 /// Place in the memory of the time of the last look.
@@ -60,7 +70,12 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     const BEFORE_AREAS: usize;
     /// The bodies whose angles are remembered, in that order.
     const TURNING: &'static [&'static str];
-    /// By chart, by dyad: the part that closes its loop.
+    /// Numbers in the memory before the unknowns of iterations, each followed by its rate and half the rate of that: rad, or
+    /// of displacements over the size of the scene. Behind them stands a unit in the last place.
+    const BEFORE_FOLLOWED: usize;
+    /// The bodies and joints of these unknowns, in that order.
+    const FOLLOWED: &'static [&'static str];
+    /// By chart, by group: the part that closes its loop.
     const CLOSING: &'static [&'static [&'static str]];
 
     /// Pose and velocity of all bodies, and the square of the measure; negative where a loop cannot be closed.
@@ -100,12 +115,39 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     if !areas::<M>().all(far) {
         (memory, measure) = look_closely(system, t, held, x)?;
     }
-    if measure < M::S::lit(OPEN).min(M::S::lit(-64.0) * M::S::EPSILON) {
-        return Err(locked::<M>(t, held.chart, &memory));
+    if is_open(measure) {
+        return Err(locked::<M>(t, held, &memory));
     }
+    check_followed::<M>(t, held, &memory, measure)?;
     let passed = remember::<M>(t, since, held, memory)?;
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
     Ok(Accepted { moved, passed: passed && !moved })
+}
+
+/// Can a loop not be closed at all?
+fn is_open<S: Real>(measure: S) -> bool {
+    measure < S::lit(OPEN).min(S::lit(-64.0) * S::EPSILON)
+}
+
+/// Are the unknowns of iterations where their rates have taken them, and not at another solution?
+#[inline]
+fn check_followed<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory, measure: M::S) -> Result<(), Fault> {
+    let half = M::S::lit(0.5) * (t - held.memory.at(LAST));
+    let farthest = square::<M::S>(FARTHEST_FOLLOWED) * measure.max(M::S::lit(NARROWEST));
+    for (part, k) in M::FOLLOWED.iter().zip(followed::<M>()) {
+        let moved = memory.at(k) - held.memory.at(k);
+        let off = moved - half * (memory.at(k + 1) + held.memory.at(k + 1));
+        // False for what is not a number.
+        let near = off * off < farthest;
+        if !near {
+            return Err(Fault::of_part(
+                t.to_f64(),
+                part,
+                Cause::TurnedTooFar { angle: moved.to_f64().abs() },
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Writes the memory of a state, with what two states tell together; true if a loop went through a flat pose.
@@ -118,6 +160,11 @@ fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Me
             return Err(Fault::of_part(t.to_f64(), body, Cause::TurnedTooFar { angle: turned.to_f64() }));
         }
     }
+    for k in followed::<M>() {
+        if since > zero {
+            memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
+        }
+    }
     // What has moved by so little since the last look does not move far in a like time.
     let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
     for k in areas::<M>() {
@@ -128,8 +175,10 @@ fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Me
             memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
         }
     }
-    memory.set(NEXT, if calm > zero { t + calm * since } else { t });
-    held.memory = memory;
+    // An iteration starts from the last look: the nearer, the better, and a step that is made shorter has to help.
+    let rests = M::FOLLOWED.is_empty() && calm > zero;
+    memory.set(NEXT, if rests { t + calm * since } else { t });
+    held.memory = precise::<M>(memory);
     Ok(passed)
 }
 
@@ -162,6 +211,9 @@ fn look_closely<M: Charted>(
     }
     let (mut memory, measure) = system.look(t, held, x);
     held.memory = last;
+    if is_open(measure) {
+        return Err(locked::<M>(t, held, &memory));
+    }
     for k in areas::<M>() {
         let (area, rate) = predicted(k);
         if !memory.at(k + 1).is_finite() {
@@ -170,23 +222,46 @@ fn look_closely<M: Charted>(
         let size = last.at(k).abs().max(memory.at(k).abs());
         if (memory.at(k) - area).abs() > M::S::lit(FARTHEST_AREA) * size {
             let cause = Cause::TurnedTooFar { angle: (since * rate / size).to_f64().abs() };
-            return Err(Fault { cause, ..locked::<M>(t, held.chart, &memory) });
+            return Err(Fault { cause, ..locked::<M>(t, held, &memory) });
         }
     }
-    if memory.is_finite() { Ok((memory, measure)) } else { Err(locked::<M>(t, held.chart, &memory)) }
+    if memory.is_finite() { Ok((memory, measure)) } else { Err(locked::<M>(t, held, &memory)) }
 }
 
 /// Places of the determinants in the memory.
 fn areas<M: Charted>() -> impl Iterator<Item = usize> {
-    (M::BEFORE_AREAS..M::Memory::LEN).step_by(3)
+    (M::BEFORE_AREAS..M::BEFORE_FOLLOWED).step_by(3)
 }
 
-/// The fault of the first dyad of a chart whose determinant vanishes.
-fn locked<M: Charted>(t: M::S, chart: usize, memory: &M::Memory) -> Fault {
+/// Places in the memory of the unknowns of iterations.
+fn followed<M: Charted>() -> impl Iterator<Item = usize> {
+    (0..M::FOLLOWED.len()).map(|k| M::BEFORE_FOLLOWED + 3 * k)
+}
+
+/// A memory with what iterations need to know of the arithmetic.
+fn precise<M: Charted>(mut memory: M::Memory) -> M::Memory {
+    if !M::FOLLOWED.is_empty() {
+        memory.set(M::Memory::LEN - 1, M::S::EPSILON);
+    }
+    memory
+}
+
+/// The fault of the first group of the chart that is not closed.
+fn locked<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Fault {
     let closed = |k: usize| M::S::lit(0.0).lt(memory.at(k).abs());
     let open = areas::<M>().position(|k| !closed(k)).unwrap_or(0);
-    let part = M::CLOSING.get(chart).and_then(|parts| parts.get(open));
-    Fault::of_part(t.to_f64(), part.copied().unwrap_or(""), Cause::Locked)
+    let part = M::CLOSING.get(held.chart).and_then(|parts| parts.get(open));
+    let moved = expected_move::<M>(t, &held.memory);
+    let angle = moved.to_f64();
+    let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
+    Fault::of_part(t.to_f64(), part.copied().unwrap_or(""), cause)
+}
+
+/// How far the unknowns of iterations should have moved since the last look.
+fn expected_move<M: Charted>(t: M::S, last: &M::Memory) -> M::S {
+    let since = t - last.at(LAST);
+    let moved = followed::<M>().map(|k| ((last.at(k + 1) + last.at(k + 2) * since) * since).abs());
+    moved.fold(M::S::lit(0.0), M::S::max)
 }
 
 #[cold]
@@ -221,7 +296,7 @@ fn change<M: Charted>(
     x: &mut M::X,
 ) {
     held.chart = chart;
-    held.memory = system.survey(chart, t, q, v).0;
+    held.memory = precise::<M>(system.survey(chart, t, q, v).0);
     system.project(chart, t, q, v, x);
 }
 

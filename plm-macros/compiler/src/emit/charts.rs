@@ -1,4 +1,4 @@
-//! Rung 3: the functions of every chart, and what the runtime asks of them.
+//! Rungs 3 and 4: the functions of every chart, and what the runtime asks of them.
 
 use super::bodies::{Shape, write};
 use super::{Emission, Origin, push, reduced};
@@ -118,6 +118,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
     let (length, _) = emission.state_length();
     let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
     let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
+    let followed: Vec<String> = reduced.followed.iter().map(|name| format!("{name:?}")).collect();
     let closing = reduced.charts.iter().map(|chart| {
         let names: Vec<String> = chart.closing.iter().map(|part| format!("{part:?}")).collect();
         format!("&[{}]", names.join(", "))
@@ -142,6 +143,8 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
         const CHARTS: usize = {charts};
         const BEFORE_AREAS: usize = {before};
         const TURNING: &'static [&'static str] = &[{turning}];
+        const BEFORE_FOLLOWED: usize = {before_followed};
+        const FOLLOWED: &'static [&'static str] = &[{followed}];
         const CLOSING: &'static [&'static [&'static str]] = &[{closing}];
 
         fn place(&self, t: S, held: &Self::U, x: &[S; {length}]) -> ([S; {nq}], [S; {nq}], S) {{
@@ -168,7 +171,9 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
             name = emission.name,
             charts = reduced.charts.len(),
             before = reduced.before_areas,
+            before_followed = reduced.before_followed,
             turning = turning.join(", "),
+            followed = followed.join(", "),
             closing = closing.join(", "),
         ),
     );

@@ -242,24 +242,29 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         loop {
             proposal = proposal.min(self.longest_step);
             let (h, last) = self.next_step(course, proposal)?;
-            let attempt = self.trial(course, &rate, h, &mut k);
+            let mut attempt = self.trial(course, &rate, h, &mut k);
             let (error, drift) = match &attempt {
                 Ok(trial) => self.judge(course, h, &k, &trial.x),
                 Err(_) => (M::S::INFINITY, M::S::INFINITY),
             };
-            let worst = larger(error, drift);
-            if worst <= M::S::lit(1.0) {
+            let mut worst = larger(error, drift);
+            if let (Ok(trial), true) = (&attempt, worst <= M::S::lit(1.0)) {
                 let time = if last { course.end } else { course.time + h };
-                let (to, rate_to) = self.arrive(course, time, (&attempt?, &k), drift)?;
-                self.span = Some(Span { time: course.time, h, from: course.x, to, rate_from: rate, rate_to });
-                (self.stages, self.rate) = (Some(k), Some(rate_to));
-                // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
-                let settles = drift > M::S::lit(SETTLED_ABOVE);
-                self.propose(proposal, h, if settles { worst } else { error });
-                course.stats.steps += 1;
-                course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
-                (course.time, course.x) = (time, to);
-                return Ok(());
+                match self.arrive(course, time, (trial, &k), drift) {
+                    Ok((to, rate_to)) => {
+                        self.span =
+                            Some(Span { time: course.time, h, from: course.x, to, rate_from: rate, rate_to });
+                        (self.stages, self.rate) = (Some(k), Some(rate_to));
+                        // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
+                        let settles = drift > M::S::lit(SETTLED_ABOVE);
+                        self.propose(proposal, h, if settles { worst } else { error });
+                        course.stats.steps += 1;
+                        course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
+                        (course.time, course.x) = (time, to);
+                        return Ok(());
+                    }
+                    Err(fault) => (attempt, worst) = (Err(fault), M::S::INFINITY),
+                }
             }
             course.stats.rejected += 1;
             proposal = h * self.control.reject(&P::LIMITS, worst);

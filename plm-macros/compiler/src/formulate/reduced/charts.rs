@@ -1,4 +1,5 @@
-//! From which coordinates the loops are solved: every choice that leaves dyads alone is a chart.
+//! From which coordinates the loops are solved: every choice that leaves dyads alone is a chart; where there is none,
+//! those that leave the smallest blocks.
 
 use std::cell::RefCell;
 
@@ -6,11 +7,17 @@ use plm_cas::Graph;
 
 use super::coordinates::{Coordinates, Unknown};
 use super::groups::Group;
+use super::newton::MOST_UNKNOWNS;
 use crate::model::{Model, Rung};
-use crate::topology::{Block, Equation, drivers};
+use crate::topology::{Block, Choice, Equation, drivers};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
 const SPARE_CHARTS: usize = 3;
+/// The same where blocks are solved by Newton's iteration, whose code is long.
+const SPARE_LONG_CHARTS: usize = 1;
+
+/// Choices that are looked at until those are found.
+const MOST_TRIED: usize = 64;
 
 /// Coordinates, and how everything else follows from them.
 #[derive(Clone, Debug)]
@@ -25,6 +32,12 @@ impl Scheme {
     /// The groups that are loops, in the order of solution.
     pub(crate) fn loops(&self) -> impl Iterator<Item = &Group> {
         self.groups.iter().filter(|group| group.is_loop())
+    }
+
+    /// The unknowns that are found by iteration.
+    pub(crate) fn iterated(&self) -> impl Iterator<Item = usize> {
+        let groups = self.groups.iter().filter(|group| matches!(group, Group::Newton(_)));
+        groups.flat_map(Group::unknowns)
     }
 }
 
@@ -53,20 +66,25 @@ pub(crate) fn schemes(
     let candidates = candidates(model, coordinates);
     let graph = RefCell::new(graph);
     let group = |block: &Block| Group::of(coordinates, block, &mut graph.borrow_mut());
-    let cost = |block: &Block| group(block).map(|group| group.cost());
+    // What has a closed form is small: the others are not worth a look here.
+    let cost = |block: &Block| if block.unknowns.len() > 2 { None } else { group(block)?.cost() };
     let choices = drivers(n, &equations, freedom, &candidates, &cost);
-    if choices.is_empty() {
+    let Some(best) = choices.first() else {
         return Err("its constraints are redundant".to_owned());
-    }
-    let closed = choices.into_iter().filter(|choice| choice.closed).take(freedom + SPARE_CHARTS);
-    let schemes: Vec<Scheme> = closed
-        .map(|choice| Scheme {
-            groups: choice.blocks.iter().filter_map(group).collect(),
-            drivers: choice.drivers,
-        })
-        .collect();
+    };
+    let largest = best.blocks.iter().map(|block| block.unknowns.len()).max().unwrap_or(0);
+    let (closed, spare) = (best.closed, if best.closed { SPARE_CHARTS } else { SPARE_LONG_CHARTS });
+    let scheme = |choice: Choice| {
+        let groups: Option<Vec<Group>> = choice.blocks.iter().map(group).collect();
+        groups.map(|groups| Scheme { groups, drivers: choice.drivers })
+    };
+    let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
+    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect();
     if schemes.is_empty() {
-        return Err("no choice of coordinates splits its loops into dyads".to_owned());
+        return Err(format!(
+            "no choice of coordinates splits its loops into dyads: of {largest} unknowns that must be solved together, \
+             Newton's iteration takes up to {MOST_UNKNOWNS}, without rows of another kind"
+        ));
     }
     Ok(schemes)
 }

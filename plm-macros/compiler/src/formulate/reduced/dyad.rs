@@ -309,7 +309,7 @@ impl Root {
 /// What a dyad's solution leaves for velocities and for the choice of charts.
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
-    /// `D`, m^2, m or 1.
+    /// `D`, m^2, m or 1; of a group without mirror images 1, or 0 where it is not closed.
     pub(crate) determinant: Expr,
     /// `D^2`; negative where the loop cannot be closed.
     pub(crate) square: Expr,
@@ -319,6 +319,21 @@ pub(crate) struct Solution {
     pub(crate) columns: [Vec2; 2],
     /// The vectors of the loop that turn with the unknown classes.
     pub(crate) arms: Vec<(usize, Vec2)>,
+}
+
+impl Solution {
+    /// Of a group without mirror images that a sign could tell apart: the square of its measure, and whether it is closed.
+    pub(crate) fn of_measure(measure: Expr, closed: Expr, graph: &mut Graph) -> Solution {
+        let (one, open) = (graph.one(), graph.int(-1));
+        let columns = [[graph.zero(); 2]; 2];
+        Solution {
+            determinant: graph.select(closed, one, graph.zero()),
+            square: graph.select(closed, measure, open),
+            scale: one,
+            columns,
+            arms: Vec::new(),
+        }
+    }
 }
 
 fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {

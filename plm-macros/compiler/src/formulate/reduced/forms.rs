@@ -22,7 +22,7 @@ fn difference(declaration: &str, states: u64) -> f64 {
     let equations = derive(&model, &mut graph);
     let coordinates = Coordinates::new(&model, &mut graph).unwrap();
     let scheme = charts::schemes(&model, &coordinates, &mut graph).unwrap().remove(0);
-    let memory = Memory::new(&coordinates, 0, &mut graph);
+    let memory = Memory::new(&coordinates, 0, &[], &mut graph);
     let length = graph.one();
     let motion = Motion::new(&model, &coordinates, &scheme, &memory, length, &mut graph);
     let mut layout = Layout {

@@ -8,6 +8,7 @@ use super::dyad::{Dyad, Solution};
 use super::loops;
 use super::memory::Memory;
 use super::motion::Motion;
+use super::newton::Newton;
 use super::rows;
 use crate::topology::Block;
 
@@ -18,6 +19,8 @@ pub(crate) enum Group {
     Row { row: usize, unknown: usize },
     /// Two unknowns of a loop.
     Dyad(Dyad),
+    /// Unknowns of several loops that must be solved together.
+    Newton(Newton),
 }
 
 impl Group {
@@ -29,15 +32,16 @@ impl Group {
             (&[closure], &[first, second]) if closure < loops => {
                 Dyad::of(coordinates, closure, [first, second], graph).map(Group::Dyad)
             }
-            _ => None,
+            _ => Newton::of(coordinates, block, graph).map(Group::Newton),
         }
     }
 
-    /// Effort of its solution, for the choice of coordinates.
-    pub(crate) fn cost(&self) -> u32 {
+    /// Effort of its solution, for the choice of coordinates; none without a closed form.
+    pub(crate) fn cost(&self) -> Option<u32> {
         match self {
-            Group::Row { .. } => 0,
-            Group::Dyad(dyad) => dyad.cost(),
+            Group::Row { .. } => Some(0),
+            Group::Dyad(dyad) => Some(dyad.cost()),
+            Group::Newton(_) => None,
         }
     }
 
@@ -46,6 +50,7 @@ impl Group {
         match self {
             Group::Row { unknown, .. } => vec![*unknown],
             Group::Dyad(dyad) => dyad.unknowns.to_vec(),
+            Group::Newton(newton) => newton.unknowns.clone(),
         }
     }
 
@@ -55,10 +60,11 @@ impl Group {
     }
 
     /// Its name in the literature.
-    pub(crate) fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> String {
         match self {
-            Group::Row { .. } => "given",
-            Group::Dyad(dyad) => dyad.name(),
+            Group::Row { .. } => "given".to_owned(),
+            Group::Dyad(dyad) => dyad.name().to_owned(),
+            Group::Newton(newton) => newton.name(),
         }
     }
 
@@ -67,6 +73,9 @@ impl Group {
         match self {
             Group::Row { .. } => None,
             Group::Dyad(dyad) => Some(coordinates.closing(dyad)),
+            Group::Newton(newton) => {
+                newton.closures.iter().find_map(|&k| coordinates.loops[k].last().copied())
+            }
         }
     }
 
@@ -79,21 +88,23 @@ impl Group {
         time: Expr,
         graph: &mut Graph,
     ) {
-        match self {
+        let solution = match self {
             Group::Row { row, unknown } => {
-                rows::solve(coordinates, motion, &coordinates.rows[*row], *unknown, time, graph);
+                return rows::solve(coordinates, motion, &coordinates.rows[*row], *unknown, time, graph);
             }
             Group::Dyad(dyad) => {
                 let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
                 let solution = dyad.solve(coordinates, motion, predicted, graph);
                 loops::differentiate(coordinates, motion, dyad, &solution, time, graph);
-                motion.solutions.push(solution);
-                for unknown in dyad.unknowns {
-                    if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                        let angle = memory.unwound(unknown, motion.axis[class], graph);
-                        motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
-                    }
-                }
+                solution
+            }
+            Group::Newton(newton) => newton.solve(coordinates, motion, memory, time, graph),
+        };
+        motion.solutions.push(solution);
+        for unknown in self.unknowns() {
+            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+                let angle = memory.unwound(unknown, motion.axis[class], graph);
+                motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
             }
         }
     }
@@ -108,10 +119,11 @@ impl Group {
         match self {
             Group::Row { .. } => None,
             Group::Dyad(dyad) => Some(dyad.at_pose(coordinates, motion, graph)),
+            Group::Newton(newton) => Some(newton.at_pose(coordinates, motion, graph)),
         }
     }
 
-    /// The rate of a loop's determinant.
+    /// The rate of a loop's determinant; of one without mirror images nothing depends on it.
     pub(crate) fn determinant_rate(
         &self,
         coordinates: &Coordinates,
@@ -120,7 +132,7 @@ impl Group {
         graph: &mut Graph,
     ) -> Expr {
         match self {
-            Group::Row { .. } => graph.zero(),
+            Group::Row { .. } | Group::Newton(_) => graph.zero(),
             Group::Dyad(dyad) => loops::determinant_rate(coordinates, motion, dyad, solution, graph),
         }
     }

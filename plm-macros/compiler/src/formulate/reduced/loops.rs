@@ -7,6 +7,7 @@
 
 use plm_cas::{Expr, Graph};
 
+use super::chain::Chain;
 use super::coordinates::Coordinates;
 use super::dyad::{Dyad, Solution};
 use super::motion::Motion;
@@ -21,59 +22,101 @@ pub(crate) fn differentiate(
     time: Expr,
     graph: &mut Graph,
 ) {
-    let closure = &coordinates.closures[dyad.closure];
-    let arms: Vec<(usize, Vec2)> = closure
-        .classes()
-        .into_iter()
-        .map(|class| {
-            let solved = solution.arms.iter().find(|(own, _)| *own == class);
-            (class, solved.map_or_else(|| motion.whole_arm(closure, class, graph), |arm| arm.1))
-        })
-        .collect();
-    let mut known: Vec<(usize, Vec2)> = Vec::new();
-    for &(class, arm) in &arms {
-        known.extend(coordinates.angle_of_class[class].map(|angle| (angle, plane::left(graph, arm))));
-    }
-    for (class, slide, vector) in closure.terms() {
-        if let Some(slide) = slide {
-            known.push((slide, motion.turned(graph, class, vector)));
-        }
-    }
-    known.retain(|(unknown, _)| !dyad.unknowns.contains(unknown));
+    let solved = (&dyad.unknowns[..], &solution.arms[..]);
+    let flow = Flow::new(coordinates, motion, dyad.closure, solved, time, graph);
     let cramer = Cramer::new(dyad, solution, graph);
     for driver in 0..motion.drivers.len() {
-        let sum = weighted(graph, &known, |unknown| motion.gain[unknown][driver]);
+        let sum = flow.gain(motion, driver, graph);
         for (unknown, value) in cramer.solve(sum, &format!("gain_{driver}"), graph) {
             motion.gain[unknown][driver] = value;
         }
     }
-    // What a port of the ground that moves with the time adds.
-    let ground: Vec2 =
-        closure.of_class(0).filter(|(slide, _)| slide.is_none()).fold([graph.zero(); 2], |_, (_, d)| d);
-    let ground_rate = ground.map(|component| graph.diff(component, time));
-    let drifts = weighted(graph, &known, |unknown| motion.drift[unknown]);
-    let sum = plane::add(graph, ground_rate, drifts);
+    let sum = flow.drift(motion, graph);
     for (unknown, value) in cramer.solve(sum, "drift", graph) {
         motion.drift[unknown] = value;
     }
     for unknown in dyad.unknowns {
         motion.set_rate(coordinates, unknown, graph);
     }
-    let mut sum = weighted(graph, &known, |unknown| motion.bias[unknown]);
-    for &(class, arm) in &arms {
-        let squared = graph.powi(motion.omega[class], 2);
-        let inward = plane::scale(graph, squared, arm);
-        sum = [0, 1].map(|i| graph.sub(sum[i], inward[i]));
-        let coriolis = sliding(closure, class, motion, graph);
-        let twice = graph.add(motion.omega[class], motion.omega[class]);
-        let across = plane::left(graph, coriolis);
-        let across = plane::scale(graph, twice, across);
-        sum = plane::add(graph, sum, across);
-    }
-    let moved = ground_rate.map(|component| graph.diff(component, time));
-    let sum = plane::add(graph, sum, moved);
+    let sum = flow.bias(motion, time, graph);
     for (unknown, value) in cramer.solve(sum, "bias", graph) {
         motion.bias[unknown] = value;
+    }
+}
+
+/// How a closure moves with everything but the unknowns that are sought.
+pub(crate) struct Flow<'a> {
+    closure: &'a Chain,
+    /// The vectors that turn with each class.
+    arms: Vec<(usize, Vec2)>,
+    /// The columns of the unknowns that are known.
+    known: Vec<(usize, Vec2)>,
+    /// Velocity of what moves with the time.
+    ground_rate: Vec2,
+}
+
+impl<'a> Flow<'a> {
+    /// `sought` are unknowns, and vectors of the closure that have names.
+    pub(crate) fn new(
+        coordinates: &'a Coordinates,
+        motion: &Motion,
+        closure: usize,
+        (sought, solved): (&[usize], &[(usize, Vec2)]),
+        time: Expr,
+        graph: &mut Graph,
+    ) -> Flow<'a> {
+        let closure = &coordinates.closures[closure];
+        let arms: Vec<(usize, Vec2)> = closure
+            .classes()
+            .into_iter()
+            .map(|class| {
+                let solved = solved.iter().find(|(own, _)| *own == class);
+                (class, solved.map_or_else(|| motion.whole_arm(closure, class, graph), |arm| arm.1))
+            })
+            .collect();
+        let mut known: Vec<(usize, Vec2)> = Vec::new();
+        for &(class, arm) in &arms {
+            known.extend(coordinates.angle_of_class[class].map(|angle| (angle, plane::left(graph, arm))));
+        }
+        for (class, slide, vector) in closure.terms() {
+            if let Some(slide) = slide {
+                known.push((slide, motion.turned(graph, class, vector)));
+            }
+        }
+        known.retain(|(unknown, _)| !sought.contains(unknown));
+        // What a port of the ground that moves with the time adds.
+        let ground: Vec2 =
+            closure.of_class(0).filter(|(slide, _)| slide.is_none()).fold([graph.zero(); 2], |_, (_, d)| d);
+        let ground_rate = ground.map(|component| graph.diff(component, time));
+        Flow { closure, arms, known, ground_rate }
+    }
+
+    /// The closure's velocity when one coordinate moves at the rate 1.
+    pub(crate) fn gain(&self, motion: &Motion, driver: usize, graph: &mut Graph) -> Vec2 {
+        weighted(graph, &self.known, |unknown| motion.gain[unknown][driver])
+    }
+
+    /// Its velocity when no coordinate moves.
+    pub(crate) fn drift(&self, motion: &Motion, graph: &mut Graph) -> Vec2 {
+        let drifts = weighted(graph, &self.known, |unknown| motion.drift[unknown]);
+        plane::add(graph, self.ground_rate, drifts)
+    }
+
+    /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known.
+    pub(crate) fn bias(&self, motion: &Motion, time: Expr, graph: &mut Graph) -> Vec2 {
+        let mut sum = weighted(graph, &self.known, |unknown| motion.bias[unknown]);
+        for &(class, arm) in &self.arms {
+            let squared = graph.powi(motion.omega[class], 2);
+            let inward = plane::scale(graph, squared, arm);
+            sum = [0, 1].map(|i| graph.sub(sum[i], inward[i]));
+            let coriolis = sliding(self.closure, class, motion, graph);
+            let twice = graph.add(motion.omega[class], motion.omega[class]);
+            let across = plane::left(graph, coriolis);
+            let across = plane::scale(graph, twice, across);
+            sum = plane::add(graph, sum, across);
+        }
+        let moved = self.ground_rate.map(|component| graph.diff(component, time));
+        plane::add(graph, sum, moved)
     }
 }
 
@@ -106,7 +149,7 @@ pub(crate) fn determinant_rate(
 }
 
 /// Velocity of a loop's vector in the axes of its class, turned into absolute ones.
-fn sliding(closure: &super::chain::Chain, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
+fn sliding(closure: &Chain, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
     let mut sum = [graph.zero(); 2];
     for (slide, vector) in closure.of_class(class) {
         if let Some(slide) = slide {

@@ -1,18 +1,21 @@
-//! Rungs 2 and 3: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
-//! dyad by dyad, so that no constraint is left that could drift.
+//! Rungs 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
+//! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod articulated;
 mod chain;
 mod charts;
 mod coordinates;
 mod dyad;
+mod elimination;
 #[cfg(test)]
 mod forms;
 mod groups;
 mod inertia;
+mod looks;
 mod loops;
 mod memory;
 mod motion;
+mod newton;
 mod plane;
 mod rows;
 
@@ -22,7 +25,7 @@ use self::charts::Scheme;
 use self::coordinates::{Coordinates, Unknown};
 use self::groups::Group;
 use self::inertia::Dense;
-use self::memory::{Memorable, Memory};
+use self::memory::Memory;
 use self::motion::Motion;
 use super::function::{Function, Place, Section};
 use super::ldl::factorise;
@@ -44,6 +47,10 @@ pub(crate) struct Reduced {
     pub(crate) turning: Vec<String>,
     /// How many of them stand before the determinants of the dyads and their rates.
     pub(crate) before_areas: usize,
+    /// How many of them stand before the unknowns that Newton's iteration starts from.
+    pub(crate) before_followed: usize,
+    /// Bodies and joints that these unknowns belong to.
+    pub(crate) followed: Vec<String>,
 }
 
 impl Reduced {
@@ -52,9 +59,14 @@ impl Reduced {
         self.charts.first().map_or(0, |chart| chart.y.len())
     }
 
-    /// Is it rung 3?
+    /// Is it rung 3 or 4?
     pub(crate) fn has_loops(&self) -> bool {
         !self.memory.is_empty()
+    }
+
+    /// Is it rung 4?
+    pub(crate) fn iterates(&self) -> bool {
+        !self.followed.is_empty()
     }
 
     /// The chart that is taken first.
@@ -111,7 +123,10 @@ pub(crate) fn formulate(
         return Err(format!("it has {freedom} degrees of freedom"));
     }
     let dyads = schemes.iter().map(|scheme| scheme.loops().count()).max().unwrap_or(0);
-    let memory = Memory::new(&coordinates, dyads, graph);
+    let mut iterated: Vec<usize> = schemes.iter().flat_map(Scheme::iterated).collect();
+    iterated.sort_unstable();
+    iterated.dedup();
+    let memory = Memory::new(&coordinates, dyads, &iterated, graph);
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
@@ -120,7 +135,20 @@ pub(crate) fn formulate(
         _ => None,
     });
     let turning = turning.collect();
-    Ok(Reduced { turning, charts, memory: memory.symbols(), before_areas: memory.before_areas() })
+    let owner = |unknown: usize| owner(&inertia::name(model, coordinates.unknowns[unknown])).to_owned();
+    Ok(Reduced {
+        turning,
+        charts,
+        memory: memory.symbols(),
+        before_areas: memory.before_areas(),
+        before_followed: memory.before_followed(),
+        followed: memory.followed().map(owner).collect(),
+    })
+}
+
+/// The body or part of a coordinate's name.
+fn owner(name: &str) -> &str {
+    name.rsplit_once('.').map_or(name, |split| split.0)
 }
 
 /// What all charts share.
@@ -143,8 +171,7 @@ impl Layout<'_> {
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
             motion.drivers.iter().map(|&unknown| motion.names[unknown].clone()).collect();
-        let parts =
-            names.iter().map(|name| name.rsplit_once('.').map_or(name.as_str(), |split| split.0).to_owned());
+        let parts = names.iter().map(|name| owner(name).to_owned());
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
         let survey = loops.then(|| self.survey(scheme));
@@ -217,54 +244,9 @@ impl Layout<'_> {
         }
         Function { sections, results }.optimise(graph)
     }
-
-    fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
-        let graph = &mut *self.graph;
-        let areas = scheme.loops().zip(&motion.solutions).map(|(group, solution)| {
-            [solution.determinant, group.determinant_rate(self.coordinates, motion, solution, graph)]
-        });
-        let areas = areas.collect();
-        self.remembered(motion, areas, &motion.solutions)
-    }
-
-    fn survey(&mut self, scheme: &Scheme) -> Function {
-        let motion = Motion::of_pose(self.model, self.coordinates, self.length, self.graph);
-        let graph = &mut *self.graph;
-        let solutions = scheme.loops().filter_map(|group| group.at_pose(self.coordinates, &motion, graph));
-        let solutions: Vec<dyad::Solution> = solutions.collect();
-        let Equations { q, v, .. } = self.equations;
-        let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect();
-        flow.push((self.model.time, graph.one()));
-        let determinants: Vec<Expr> = solutions.iter().map(|solution| solution.determinant).collect();
-        let rates = graph.directionals(&determinants, &flow);
-        let areas = determinants.into_iter().zip(rates).map(|(area, rate)| [area, rate]).collect();
-        self.remembered(&motion, areas, &solutions)
-    }
-
-    /// `memory`, returning the square of the measure.
-    fn remembered(
-        &mut self,
-        motion: &Motion,
-        areas: Vec<[Expr; 2]>,
-        solutions: &[dyad::Solution],
-    ) -> Function {
-        let graph = &mut *self.graph;
-        let angle = |unknown: usize| {
-            let class = match self.coordinates.unknowns[unknown] {
-                Unknown::Angle { class, .. } => class,
-                _ => 0,
-            };
-            let [cos, sin] = motion.axis[class];
-            [motion.value[unknown], cos, sin]
-        };
-        let values = self.memory.values(&Memorable { time: self.model.time, angle: &angle, areas }, graph);
-        let mut results = stored("memory", values.iter());
-        results.push((Place::Value, measure(solutions, graph)));
-        Function::of_results(results).optimise(graph)
-    }
 }
 
-/// The smallest square of the measures of some dyads.
+/// The smallest square of the measures of some loops.
 fn measure(solutions: &[dyad::Solution], graph: &mut Graph) -> Expr {
     let mut worst: Option<Expr> = None;
     for solution in solutions {
