@@ -77,7 +77,7 @@ pub enum Stabilisation {
 pub enum Rung {
     /// Rung 2: joint coordinates of a tree.
     Tree,
-    /// Rung 3: loops in closed form; rung 2 where there are none.
+    /// Rung 3: loops in closed form; rung 4 where they have none, rung 2 where there are none.
     Loops,
     /// Rung 5: absolute coordinates and multipliers.
     Absolute,

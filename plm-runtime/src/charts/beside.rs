@@ -4,7 +4,7 @@
 //! all the same, so those at four moments around are taken, at a distance where they are worth having:
 //! `f(0) = (4 (f(-h) + f(h)) - (f(-2h) + f(2h))) / 6`, wrong by a sixth of the fourth derivative times `h^4`.
 
-use super::{Charted, locked};
+use super::{Charted, is_open, locked};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
@@ -36,7 +36,12 @@ pub fn rate_beside<M: Charted>(
     x: &M::X,
     dx: &mut M::X,
 ) -> Result<(), Fault> {
-    if !system.rate(t, held, x, dx).is_good() {
+    let health = system.rate(t, held, x, dx);
+    if !M::FOLLOWED.is_empty() && is_open(health.0) {
+        // An iteration that did not converge: moments around are no nearer to where it starts.
+        return Err(fault(system, t, held, x, Cause::Locked));
+    }
+    if !health.is_good() {
         *dx = Beside::new(system, t, held, x)?.1;
     }
     Ok(())

@@ -4,7 +4,7 @@
 //! was looked at, moved on by the rates there and how they change; which of many solutions is meant needs no other
 //! memory. A correction turns a body by `2 atan(d / 2)` instead of `d`, which takes no sine and differs by a third power
 //! only: a first solution `e` off is `e^2`, then with the same decomposition `e^3`, then `e^6` (J. F. Traub, Iterative
-//! Methods for the Solution of Equations, 1964, section 8.3). Whether that was enough is told by the gap that is left.
+//! Methods for the Solution of Equations, 1964). Whether that was enough is told by the gap that is left.
 
 use plm_cas::{Expr, Graph, Number};
 
