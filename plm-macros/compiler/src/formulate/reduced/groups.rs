@@ -9,6 +9,7 @@ use super::loops;
 use super::memory::Memory;
 use super::motion::Motion;
 use super::rows;
+use super::single::Single;
 use crate::topology::Block;
 
 /// Unknowns that follow from those before.
@@ -18,6 +19,8 @@ pub(crate) enum Group {
     Row { row: usize, unknown: usize },
     /// Two unknowns of a loop.
     Dyad(Dyad),
+    /// The one unknown of a loop that says the rest for the second time.
+    Single(Single),
 }
 
 impl Group {
@@ -29,6 +32,9 @@ impl Group {
             (&[closure], &[first, second]) if closure < loops => {
                 Dyad::of(coordinates, closure, [first, second], graph).map(Group::Dyad)
             }
+            (&[closure], &[unknown]) if closure < loops => {
+                Single::of(coordinates, closure, unknown).map(Group::Single)
+            }
             _ => None,
         }
     }
@@ -38,6 +44,7 @@ impl Group {
         match self {
             Group::Row { .. } => 0,
             Group::Dyad(dyad) => dyad.cost(),
+            Group::Single(_) => 2,
         }
     }
 
@@ -46,6 +53,7 @@ impl Group {
         match self {
             Group::Row { unknown, .. } => vec![*unknown],
             Group::Dyad(dyad) => dyad.unknowns.to_vec(),
+            Group::Single(single) => vec![single.unknown],
         }
     }
 
@@ -59,6 +67,7 @@ impl Group {
         match self {
             Group::Row { .. } => "given",
             Group::Dyad(dyad) => dyad.name(),
+            Group::Single(_) => "redundant",
         }
     }
 
@@ -66,7 +75,8 @@ impl Group {
     pub(crate) fn closing(&self, coordinates: &Coordinates) -> Option<usize> {
         match self {
             Group::Row { .. } => None,
-            Group::Dyad(dyad) => Some(coordinates.closing(dyad)),
+            Group::Dyad(dyad) => Some(coordinates.closing(dyad.closure, &dyad.unknowns)),
+            Group::Single(single) => Some(coordinates.closing(single.closure, &[single.unknown])),
         }
     }
 
@@ -86,14 +96,18 @@ impl Group {
             Group::Dyad(dyad) => {
                 let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
                 let solution = dyad.solve(coordinates, motion, predicted, graph);
-                loops::differentiate(coordinates, motion, dyad, &solution, time, graph);
+                loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
                 motion.solutions.push(solution);
-                for unknown in dyad.unknowns {
-                    if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                        let angle = memory.unwound(unknown, motion.axis[class], graph);
-                        motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
-                    }
-                }
+            }
+            Group::Single(single) => {
+                let solution = single.solve(coordinates, motion, time, graph);
+                motion.solutions.push(solution);
+            }
+        }
+        for unknown in self.unknowns() {
+            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+                let angle = memory.unwound(unknown, motion.axis[class], graph);
+                motion.value[unknown] = angle.filter(|_| self.is_loop()).unwrap_or(motion.value[unknown]);
             }
         }
     }
@@ -108,6 +122,7 @@ impl Group {
         match self {
             Group::Row { .. } => None,
             Group::Dyad(dyad) => Some(dyad.at_pose(coordinates, motion, graph)),
+            Group::Single(_) => Some(Solution::certain(graph)),
         }
     }
 
@@ -120,7 +135,7 @@ impl Group {
         graph: &mut Graph,
     ) -> Expr {
         match self {
-            Group::Row { .. } => graph.zero(),
+            Group::Row { .. } | Group::Single(_) => graph.zero(),
             Group::Dyad(dyad) => loops::determinant_rate(coordinates, motion, dyad, solution, graph),
         }
     }

@@ -14,7 +14,9 @@ mod loops;
 mod memory;
 mod motion;
 mod plane;
+mod redundant;
 mod rows;
+mod single;
 
 use plm_cas::{Expr, Graph};
 
@@ -94,18 +96,32 @@ pub(crate) struct Chart {
     pub(crate) closing: Vec<String>,
 }
 
-/// Lays out rung 2 or 3; `length` is the size of the scene, m.
+/// The start with the defaults of the parameters, where structure alone cannot decide.
+#[derive(Debug)]
+pub(crate) struct Assembled {
+    /// Coordinates less the rank of `phi_q`.
+    pub(crate) freedom: usize,
+    /// Values of all symbols, pose and velocity included.
+    pub(crate) values: Vec<(Expr, f64)>,
+}
+
+/// Lays out rung 1, 2 or 3; `length` is the size of the scene, m, and `assembled` gives the start if the joints close.
 ///
 /// # Errors
 /// Why the mechanism has neither: words that go on "rung 5 because …".
 pub(crate) fn formulate(
     model: &Model,
     equations: &Equations,
-    length: f64,
+    (length, assembled): (f64, &dyn Fn(&Graph) -> Option<Assembled>),
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
-    let schemes = charts::schemes(model, &coordinates, graph)?;
+    let schemes = match charts::schemes(model, &coordinates, graph) {
+        Err(reason) => {
+            redundant::schemes(model, equations, &coordinates, (length, assembled), graph).ok_or(reason)
+        }
+        schemes => schemes,
+    }?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
