@@ -181,12 +181,17 @@ fn areas<M: Charted>() -> impl Iterator<Item = usize> {
     (M::BEFORE_AREAS..M::Memory::LEN).step_by(3)
 }
 
-/// The fault of the first dyad of a chart whose determinant vanishes.
+/// The fault of the dyad of a chart whose determinant is nearest to zero.
 fn locked<M: Charted>(t: M::S, chart: usize, memory: &M::Memory) -> Fault {
-    let closed = |k: usize| M::S::lit(0.0).lt(memory.at(k).abs());
-    let open = areas::<M>().position(|k| !closed(k)).unwrap_or(0);
-    let part = M::CLOSING.get(chart).and_then(|parts| parts.get(open));
-    Fault::of_part(t.to_f64(), part.copied().unwrap_or(""), Cause::Locked)
+    let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
+    let (mut part, mut least) = ("", M::S::INFINITY);
+    for (closing, k) in parts.iter().zip(areas::<M>()) {
+        let area = memory.at(k).abs();
+        if !least.lt(area) {
+            (part, least) = (closing, area);
+        }
+    }
+    Fault::of_part(t.to_f64(), part, Cause::Locked)
 }
 
 #[cold]

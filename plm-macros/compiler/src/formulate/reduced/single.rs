@@ -73,8 +73,10 @@ impl Single {
         let one = graph.one();
         let square = graph.sub(one, mismatch);
         let zero = graph.zero();
-        // Zero where it does not close, as a dyad's.
-        let determinant = graph.max(square, zero);
+        // Zero where it does not close, and of the size of a dyad's.
+        let closes = graph.max(square, zero);
+        let area = graph.powi(motion.length, 2);
+        let determinant = graph.mul(area, closes);
         let solution = Solution { determinant, square, arms, ..Solution::certain(graph) };
         let nearest = |sum: Vec2, graph: &mut Graph| {
             let along = plane::dot(graph, sum, column);
