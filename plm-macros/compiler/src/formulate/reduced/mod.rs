@@ -105,14 +105,17 @@ pub(crate) struct Assembled {
     pub(crate) values: Vec<(Expr, f64)>,
 }
 
-/// Lays out rung 1, 2 or 3; `length` is the size of the scene, m, and `assembled` gives the start if the joints close.
+/// The size of the scene, m, and what gives the start if the joints close.
+pub(crate) type Known<'a> = (f64, &'a dyn Fn(&Graph) -> Option<Assembled>);
+
+/// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
 /// Why the mechanism has neither: words that go on "rung 5 because …".
 pub(crate) fn formulate(
     model: &Model,
     equations: &Equations,
-    (length, assembled): (f64, &dyn Fn(&Graph) -> Option<Assembled>),
+    (length, assembled): Known,
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
