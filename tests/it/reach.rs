@@ -62,3 +62,30 @@ fn steps_that_are_too_long_for_a_loop_end_the_run_by_name() {
         assert!(gap < 64.0 * f64::EPSILON, "{gap:e}");
     }
 }
+
+#[test]
+fn energy_out_of_nowhere_ends_the_run_if_it_is_watched() {
+    // Steps of 2/w, w = sqrt(500/0.35) 1/s: Runge-Kutta's formula is stable there and takes most of the energy away.
+    let mut sim = shaken::Shaken::new().start_with(Rk4::new(0.05)).unwrap();
+    sim.watch_energy(Some(0.1));
+    let fault = sim.step(1.0).unwrap_err();
+    assert!(matches!(fault.cause, Cause::EnergyJump { by, .. } if by.abs() > 0.0), "{fault}");
+    // Springs, dampers and torques do work; with steps that are short enough nothing is out of order.
+    let mut sim = shaken::Shaken::new().start_with(Rk4::new(1e-4)).unwrap();
+    sim.watch_energy(Some(0.1));
+    sim.step(1.0).unwrap();
+    let mut sim = rocker::TripleRocker::new().start().unwrap();
+    sim.watch_energy(Some(0.01));
+    sim.step(4.0).unwrap();
+}
+
+/// A damped bar on a spring that is too stiff for long steps.
+mod shaken {
+    plm::mechanism! {
+        pub Shaken {
+            ground { port o: (0, 0) m; }
+            body bar { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; start angle: 5 deg, locked; start omega: 1 rad/s, locked; }
+            revolute hinge(ground.o, bar.o) { stiffness: 500 N*m/rad; damping: 0.5 N*m*s/rad; drive: 1 N*m*cos(20 rad/s*t); }
+        }
+    }
+}
