@@ -120,8 +120,8 @@ pub trait System {
 pub struct Accepted {
     /// The state was mapped to another chart: rates that were kept belong to the old one.
     pub moved: bool,
-    /// A singular pose was passed, where the mechanism could have gone on in another way.
-    pub passed: bool,
+    /// A singular pose was passed, where the mechanism could have gone on in another way: the part that closes its loop.
+    pub passed: Option<&'static str>,
 }
 
 /// Smallest pivot of a solution without pivoting, over its diagonal entry before elimination: 1 is perfect, 0 singular.
