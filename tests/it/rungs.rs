@@ -200,3 +200,82 @@ on_both!(five_bar_with_a_strut, [left, right, up, down, strut], [top_force], {
     pin_slot guide(strut.c, up.l);
     output top.force;
 });
+
+on_both!(a_geared_pair_of_arms, [sun, planet], [], {
+    gravity: 9.81 m/s^2;
+    ground { port a: (0, 0) m; port b: (0.6, 0) m; }
+    body sun { mass: 0.5 kg; inertia: 0.01 kg*m^2; port a: (-0.2, 0) m; start angle: 30 deg, locked; start omega: 1 rad/s, locked; }
+    body planet { mass: 0.7 kg; inertia: 0.02 kg*m^2; port b: (-0.1, 0.1) m; start x: 0.6 m; start angle: -60 deg; }
+    revolute p1(ground.a, sun.a);
+    revolute p2(ground.b, planet.b) { stiffness: 2 N*m/rad; }
+    constraint gear: planet.angle + 2*sun.angle = 0;
+});
+
+on_both!(a_driven_trolley, [trolley, bob], [], {
+    gravity: 9.81 m/s^2;
+    ground { port rail: (0, 0) m, axis: 15 deg; }
+    body trolley { mass: 2 kg; inertia: 0.1 kg*m^2; port s: (0, 0) m; port p: (0.1, 0) m; start angle: 15 deg; }
+    body bob { mass: 0.7 kg; inertia: 0.02 kg*m^2; port p: (0, 0.4) m; start angle: 20 deg, locked; }
+    prismatic slide(ground.rail, trolley.s);
+    revolute hook(trolley.p, bob.p) { damping: 0.1 N*m*s/rad; }
+    constraint pull: trolley.x = 0.1 m*sin(3 rad/s*t);
+});
+
+on_both!(a_driven_four_bar_with_a_flail, [crank, coupler, rocker, flail], [drive_force], {
+    gravity: 9.81 m/s^2;
+    ground { port a: (0.1, -0.1) m; port d: (1.1, 0) m; }
+    body crank { mass: 0.3 kg; inertia: 0.00225 kg*m^2; port a: (-0.15, 0.02) m; port b: (0.15, 0) m; start angle: 60 deg; }
+    body coupler { mass: 0.9 kg; inertia: 0.06075 kg*m^2; port b: (-0.45, 0.1) m; port c: (0.45, 0) m; start angle: 30 deg; }
+    body rocker { mass: 0.7 kg; inertia: 0.02858 kg*m^2; port d: (-0.35, 0) m; port c: (0.35, 0.1) m; start x: 1 m; start angle: 95 deg; }
+    body flail { mass: 0.2 kg; inertia: 0.001 kg*m^2; port c: (-0.1, 0) m; start x: 1 m; start y: 0.6 m; start angle: 20 deg, locked; }
+    revolute drive(ground.a, crank.a);
+    revolute elbow(crank.b, coupler.b) { stiffness: 2 N*m/rad; damping: 0.1 N*m*s/rad; }
+    revolute knee(coupler.c, rocker.c);
+    revolute pivot(ground.d, rocker.d);
+    revolute hook(coupler.c, flail.c);
+    constraint motor: crank.angle = 60 deg + 2 rad/s*t + 0.1 rad*sin(5 rad/s*t);
+    output drive.force;
+});
+
+/// Rung 1: nothing is left to integrate, and loops are followed through the time alone.
+mod driven {
+    plm::mechanism! {
+        pub CrankRocker {
+            gravity: 9.81 m/s^2;
+            ground { port a: (0, 0) m; port d: (1, 0) m; }
+            body crank { mass: 0.5 kg; inertia: 0.0104 kg*m^2; port a: (-0.25, 0) m; port b: (0.25, 0) m; start omega: 1 rad/s; }
+            body coupler { mass: 1.2 kg; inertia: 0.144 kg*m^2; port b: (-0.6, 0) m; port c: (0.6, 0) m; start x: 1 m; start y: 0.4 m; start angle: 40 deg; }
+            body rocker { mass: 0.8 kg; inertia: 0.0427 kg*m^2; port d: (-0.4, 0) m; port c: (0.4, 0) m; start x: 1.2 m; start y: 0.4 m; start angle: 60 deg; }
+            revolute a(ground.a, crank.a);
+            revolute b(crank.b, coupler.b);
+            revolute c(coupler.c, rocker.c);
+            revolute d(ground.d, rocker.d);
+            constraint drive: crank.angle = 1 rad/s*t;
+            output d.force;
+        }
+    }
+}
+
+#[test]
+fn what_is_driven_altogether_has_no_state() {
+    use plm::runtime::Vector;
+    type Driven = driven::CrankRocker<f64>;
+    assert_eq!(<<Driven as System>::X as Vector<f64>>::LEN, 0);
+    let mut sim = Driven::new().start().unwrap();
+    let mut samples = Vec::new();
+    sim.run(20.0, 0.1, |state| samples.push((state.time(), state.coupler().angle, state.rocker().angle)))
+        .unwrap();
+    assert_eq!(samples.len(), 201);
+    for (time, coupler, rocker) in samples {
+        let gap = [
+            0.5 * time.cos() + 1.2 * coupler.cos() - 0.8 * rocker.cos() - 1.0,
+            0.5 * time.sin() + 1.2 * coupler.sin() - 0.8 * rocker.sin(),
+        ];
+        assert!(gap.iter().all(|gap| gap.abs() < 1e-14), "{time}: {gap:?}");
+        // The knee stays above the line from the crank's pin to the pivot.
+        assert!((rocker - coupler).sin() > 0.1, "{time}");
+    }
+    let mut fixed = Driven::new().start_with(plm::Rk4::new(0.01)).unwrap();
+    fixed.step(20.0).unwrap();
+    close("rocker", values(fixed.rocker()), values(sim.rocker()), 1e-14);
+}

@@ -7,7 +7,7 @@ use crate::derive::{Equations, derive};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
-use crate::formulate::{Absolute, Reduced, formulate, reduce};
+use crate::formulate::{Absolute, Assembled, Reduced, formulate, reduce};
 use crate::front;
 use crate::model::{Model, Rung, Stabilisation};
 use crate::oracle::Oracle;
@@ -104,7 +104,15 @@ fn lower(mut model: Model) -> Lowered {
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
         _ => {
             let length = report::length(&model, &graph, &check::defaults(&model, &graph));
-            reduce(&model, &equations, length, &mut graph)
+            let assembled = |graph: &Graph| {
+                let others = check::defaults(&model, graph);
+                let found = check::assemble(&model, &equations, &program, graph, &others);
+                let rows = 0..equations.phi.len();
+                let rank = found.rank.independent.iter().filter(|row| rows.contains(row)).count();
+                let freedom = equations.q.len() - rank;
+                found.is_closed().then(|| Assembled { freedom, values: found.values(&equations, &others) })
+            };
+            reduce(&model, &equations, (length, &assembled), &mut graph)
         }
     };
     Lowered { model, graph, equations, program, reduced }

@@ -157,18 +157,7 @@ impl std::fmt::Display for Report {
 /// The rung, and why it was taken.
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     match reduced {
-        Ok(reduced) if !reduced.has_loops() => {
-            let first = reduced.first();
-            let names = first.map(|chart| chart.names.join(", ")).unwrap_or_default();
-            let method = first.map_or("", |chart| chart.method);
-            vec![
-                "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left."
-                    .to_owned(),
-                format!("Coordinates: {names}."),
-                format!("Accelerations by {method}."),
-            ]
-        }
-        Ok(reduced) => loops(reduced),
+        Ok(reduced) => joint_coordinates(reduced),
         Err(reason) => {
             let kept = match model.stabilisation {
                 Stabilisation::Projection => "projection",
@@ -181,15 +170,28 @@ fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     }
 }
 
-/// The charts of rung 3.
-fn loops(reduced: &Reduced) -> Vec<String> {
-    let mut lines = vec![
-        "Rung 3: joint coordinates; the loops are solved in closed form, so that no constraint is left."
-            .to_owned(),
-    ];
+/// The charts of the rungs above 5.
+fn joint_coordinates(reduced: &Reduced) -> Vec<String> {
+    let title = match (reduced.has_loops(), reduced.freedom()) {
+        (_, 0) => "Rung 1: everything is driven; the motion follows from the time alone.",
+        (false, _) => "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.",
+        (true, _) => {
+            "Rung 3: joint coordinates; the loops are solved in closed form, so that no constraint is left."
+        }
+    };
+    let mut lines = vec![title.to_owned()];
     for (k, chart) in reduced.charts.iter().enumerate() {
-        let dyads: Vec<&str> = chart.dyads.iter().map(|dyad| dyad.0.as_str()).collect();
-        lines.push(format!("Chart {k}: {}; then {}.", chart.names.join(", "), dyads.join("; ")));
+        let label = if reduced.has_loops() { format!("Chart {k}") } else { "Coordinates".to_owned() };
+        let names = if chart.names.is_empty() { "none".to_owned() } else { chart.names.join(", ") };
+        let then = if chart.groups.is_empty() {
+            String::new()
+        } else {
+            format!("; then {}", chart.groups.join("; "))
+        };
+        lines.push(format!("{label}: {names}{then}."));
+    }
+    if let Some(chart) = reduced.first().filter(|chart| !chart.names.is_empty()) {
+        lines.push(format!("Accelerations by {}.", chart.method));
     }
     lines
 }

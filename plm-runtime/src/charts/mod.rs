@@ -105,13 +105,19 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     }
     let passed = remember::<M>(t, since, held, memory)?;
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
-    Ok(Accepted { moved, passed: passed && !moved })
+    Ok(Accepted { moved, passed: if moved { None } else { passed } })
 }
 
-/// Writes the memory of a state, with what two states tell together; true if a loop went through a flat pose.
-fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<bool, Fault> {
+/// Writes the memory of a state, with what two states tell together; the part that closes a loop which went through a
+/// flat pose.
+fn remember<M: Charted>(
+    t: M::S,
+    since: M::S,
+    held: &mut M::U,
+    mut memory: M::Memory,
+) -> Result<Option<&'static str>, Fault> {
     let (old, zero) = (held.memory, M::S::lit(0.0));
-    let (mut passed, mut turned) = (false, zero);
+    let (mut passed, mut turned) = (None, zero);
     for (body, k) in M::TURNING.iter().zip((NEXT + 1..M::BEFORE_AREAS).step_by(3)) {
         turned = turned.max((memory.at(k) - old.at(k)).abs());
         if turned > M::S::lit(FARTHEST) {
@@ -120,9 +126,11 @@ fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Me
     }
     // What has moved by so little since the last look does not move far in a like time.
     let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
-    for k in areas::<M>() {
+    for (dyad, k) in areas::<M>().enumerate() {
         let (area, change) = (memory.at(k), memory.at(k) - old.at(k));
-        passed |= old.at(k) * area < zero;
+        if old.at(k) * area < zero {
+            passed = M::CLOSING.get(held.chart).and_then(|parts| parts.get(dyad)).copied();
+        }
         calm = calm.min(M::S::lit(CALM) * area.abs() / change.abs());
         if since > zero {
             memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
@@ -181,12 +189,17 @@ fn areas<M: Charted>() -> impl Iterator<Item = usize> {
     (M::BEFORE_AREAS..M::Memory::LEN).step_by(3)
 }
 
-/// The fault of the first dyad of a chart whose determinant vanishes.
+/// The fault of the dyad of a chart whose determinant is nearest to zero.
 fn locked<M: Charted>(t: M::S, chart: usize, memory: &M::Memory) -> Fault {
-    let closed = |k: usize| M::S::lit(0.0).lt(memory.at(k).abs());
-    let open = areas::<M>().position(|k| !closed(k)).unwrap_or(0);
-    let part = M::CLOSING.get(chart).and_then(|parts| parts.get(open));
-    Fault::of_part(t.to_f64(), part.copied().unwrap_or(""), Cause::Locked)
+    let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
+    let (mut part, mut least) = ("", M::S::INFINITY);
+    for (closing, k) in parts.iter().zip(areas::<M>()) {
+        let area = memory.at(k).abs();
+        if !least.lt(area) {
+            (part, least) = (closing, area);
+        }
+    }
+    Fault::of_part(t.to_f64(), part, Cause::Locked)
 }
 
 #[cold]

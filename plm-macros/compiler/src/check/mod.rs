@@ -8,7 +8,7 @@ mod verdict;
 
 use plm_cas::{Expr, Graph, Tape};
 
-pub(crate) use assembly::{Assembly, run, value};
+pub(crate) use assembly::{Assembly, assemble, run, value};
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
@@ -99,7 +99,7 @@ pub(crate) fn check_assembly(
 ) {
     let values = defaults(model, graph);
     check_masses(model, graph, &values, diagnostics);
-    let found = assembly::assemble(model, equations, program, graph, &values);
+    let found = assemble(model, equations, program, graph, &values);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
     report.add_assembly(model, equations, &found, &turns);

@@ -83,7 +83,13 @@ fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: u
 /// What `System` does besides `typical` and `part_of_state`.
 pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) {
     let (length, _) = emission.state_length();
-    let rate = chosen(reduced, "u.chart", |k| format!("self.motion_{k}(t, &u.input, &u.memory, x, dx)"));
+    let rate = chosen(reduced, "u.chart", |k| match k {
+        0 => "self.motion_0(t, &u.input, &u.memory, x, dx)".to_owned(),
+        // A copy goes through memory, so that the arrays of the first chart stay in registers.
+        _ => format!(
+            "{{ let (at, mut out) = (*x, *dx); let measure = self.motion_{k}(t, &u.input, &u.memory, &at, &mut out); *dx = out; measure }}"
+        ),
+    });
     push(
         text,
         format_args!(
@@ -113,7 +119,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
     let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
     let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
     let closing = reduced.charts.iter().map(|chart| {
-        let names: Vec<String> = chart.dyads.iter().map(|dyad| format!("{:?}", dyad.1)).collect();
+        let names: Vec<String> = chart.closing.iter().map(|part| format!("{part:?}")).collect();
         format!("&[{}]", names.join(", "))
     });
     let closing: Vec<String> = closing.collect();

@@ -1,7 +1,7 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, charts, push};
+use super::{Emission, Origin, charts, push, system};
 use crate::formulate::Chart;
 
 /// The straight-line functions.
@@ -70,7 +70,7 @@ pub(crate) fn projection(text: &mut String, emission: &Emission, chart: &Chart, 
 }
 
 /// `System` for the joint coordinates, and the pose of a state.
-pub(crate) fn system(text: &mut String, emission: &Emission) {
+pub(crate) fn contract(text: &mut String, emission: &Emission) {
     let Some((reduced, chart)) = emission.reduced.and_then(|reduced| Some((reduced, reduced.first()?)))
     else {
         return;
@@ -104,6 +104,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
             ),
         );
     }
+    system::energy(&mut rate, emission);
     push(
         text,
         format_args!(

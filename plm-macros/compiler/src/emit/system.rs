@@ -1,5 +1,7 @@
 //! The contracts of the runtime, implemented for the mechanism.
 
+use plm_cas::Expr;
+
 use super::{Emission, defaults, push, reduced};
 use crate::formulate::coordinate_name;
 use crate::model::Stabilisation;
@@ -20,7 +22,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
         ),
     );
     if emission.reduced.is_some() {
-        reduced::system(&mut text, emission);
+        reduced::contract(&mut text, emission);
     } else {
         system(&mut text, emission);
     }
@@ -101,8 +103,31 @@ fn system(text: &mut String, emission: &Emission) {
             );
         }
     }
+    energy(text, emission);
     typical(text, emission);
     text.push_str("    }\n\n");
+}
+
+/// `energy`, where no constraint knows the time.
+pub(super) fn energy(text: &mut String, emission: &Emission) {
+    let Emission { model, graph, .. } = emission;
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    if graph.symbols(&rows).contains(&model.time) {
+        return;
+    }
+    let (length, _) = emission.state_length();
+    push(
+        text,
+        format_args!(
+            "        fn energy(&self, t: S, u: &Self::U, x: &[S; {length}]) -> Option<rt::Energy<S>> {{
+            let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+            let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+            Some(rt::Energy {{ kinetic, gravity, power: state.load_power() }})
+        }}
+
+"
+        ),
+    );
 }
 
 /// Sizes for absolute tolerances: the scene's length for positions, one radian for angles, both per second for rates.

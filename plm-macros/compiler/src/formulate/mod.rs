@@ -14,4 +14,4 @@ mod reduced;
 
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};
-pub(crate) use reduced::{Chart, Reduced, formulate as reduce};
+pub(crate) use reduced::{Assembled, Chart, Reduced, formulate as reduce};

@@ -150,6 +150,8 @@ impl Elimination<'_> {
             arm = [0, 1].map(|i| self.graph.sub(arm[i], start[i]));
         }
         let arm = self.motion.turned(self.graph, parent, arm);
+        // With a name the lengths in it are multiplied once, not wherever the arm is used.
+        let arm = [0, 1].map(|i| self.define(["arm_x", "arm_y"][i], arm[i]));
         let lever = plane::left(self.graph, arm);
         let mut link =
             Link { lever, bias: self.inward(parent, arm), turns_along: true, freedoms: Vec::new() };
@@ -294,7 +296,7 @@ impl Elimination<'_> {
     /// `w = I l` and `l . w` of the lever `l`, for what elimination left of I.
     ///
     /// Of a revolute, `I_0 l - g (u . l)` and `l . I_0 l - (u . l)^2 / (s . I s)`: more operations, but the next division
-    /// waits for this one and two operations, not for seven (chain of 64: 4280 ns a step instead of 5060).
+    /// waits for this one and two operations, not for seven (chain of 64: 4280 ns a step or 5060).
     fn levered(
         &mut self,
         whole: Answer,

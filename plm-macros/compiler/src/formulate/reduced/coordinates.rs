@@ -8,8 +8,8 @@
 use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
-use super::dyad::Dyad;
 use super::plane::{self, Vec2};
+use super::rows::{self, Linear};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
@@ -58,6 +58,8 @@ pub(crate) struct Coordinates {
     pub(crate) order: Vec<Hold>,
     /// Independent loops: vectors that sum to zero.
     pub(crate) closures: Vec<Chain>,
+    /// Rows that are no joint's, linear in the unknowns.
+    pub(crate) rows: Vec<Linear>,
     /// The joints that each loop goes through, by their places in [`Coordinates::joints`].
     pub(crate) loops: Vec<Vec<usize>>,
     /// The joints that close them.
@@ -99,6 +101,7 @@ impl Coordinates {
             joints,
             order,
             closures: Vec::new(),
+            rows: Vec::new(),
             loops: Vec::new(),
             chords: forest.chords,
         };
@@ -113,6 +116,13 @@ impl Coordinates {
                 coordinates.add_across(&mut closure, model, graph, joint, !along);
             }
             coordinates.closures.push(closure);
+        }
+        for row in &model.rows {
+            if model.parts[row.part].pair.is_none() {
+                let linear = rows::linear(model, &coordinates, row.phi, graph);
+                let own = || format!("`{}` constrains in a way of its own", model.parts[row.part].name.text);
+                coordinates.rows.push(linear.ok_or_else(own)?);
+            }
         }
         Ok(coordinates)
     }
@@ -155,17 +165,21 @@ impl Coordinates {
         self.unknowns.len() - 1
     }
 
-    /// The joint of a loop that a dyad closes: between its two bodies, or the one that slides.
-    pub(crate) fn closing(&self, dyad: &Dyad) -> usize {
-        let solved = dyad.classes();
+    /// The joint of a loop that some unknowns close: between their bodies, or the one that slides.
+    pub(crate) fn closing(&self, closure: usize, unknowns: &[usize]) -> usize {
+        let class = |&unknown: &usize| match self.unknowns[unknown] {
+            Unknown::Angle { class, .. } => Some(class),
+            _ => None,
+        };
+        let solved: Vec<usize> = unknowns.iter().filter_map(class).collect();
         let within =
             |frame: FrameRef| frame.body.is_some_and(|body| solved.contains(&self.headings[body].class));
         let rank = |&joint: &usize| {
             let Joint { a, b, slide, .. } = self.joints[joint];
-            let slides = slide.is_some_and(|slide| dyad.unknowns.contains(&slide));
+            let slides = slide.is_some_and(|slide| unknowns.contains(&slide));
             (slides || (within(a) && within(b)), within(a) || within(b))
         };
-        self.loops[dyad.closure].iter().copied().max_by_key(rank).unwrap_or(0)
+        self.loops[closure].iter().copied().max_by_key(rank).unwrap_or(0)
     }
 
     /// Heading of the body of a frame.
@@ -282,7 +296,7 @@ fn joints(model: &Model, graph: &Graph) -> Result<Vec<Joint>, String> {
     for (part, count) in rows.into_iter().enumerate() {
         let declared = &model.parts[part];
         let expected = match declared.pair {
-            None => 0,
+            None => count,
             Some(Pair::PinSlot) => 1,
             Some(Pair::Revolute | Pair::Prismatic) => 2,
             Some(Pair::Weld) => 3,

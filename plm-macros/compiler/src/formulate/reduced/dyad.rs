@@ -125,7 +125,7 @@ impl Dyad {
         graph: &mut Graph,
     ) -> Solution {
         let chain = &coordinates.closures[self.closure];
-        let known = known(chain, self, motion, graph);
+        let known = known(chain, &self.classes(), &self.unknowns, motion, graph);
         let known = named(graph, known, &format!("loop_{}", self.closure));
         let root = Root { closure: self.closure, predicted };
         match self.kind {
@@ -213,23 +213,18 @@ impl Dyad {
         let arm = motion.arm(chain, class, &[], graph);
         let aa = plane::dot(graph, arm, arm);
         let e = slide_axis(chain, slide, along, motion, graph);
-        let (offset, ahead) = (plane::cross(graph, known, e), plane::dot(graph, known, e));
-        let offset = graph.powi(offset, 2);
-        let square = graph.sub(aa, offset);
+        let (offset, ahead) = (plane::cross(graph, e, known), plane::dot(graph, e, known));
+        let squared = graph.powi(offset, 2);
+        let square = graph.sub(aa, squared);
         let (square, determinant) = root.of(square, graph);
         let value = graph.sub(determinant, ahead);
-        let value = motion.set_slide(slide, value, graph);
-        let way = plane::scale(graph, value, e);
-        let sum = plane::add(graph, known, way);
+        motion.set_slide(slide, value, graph);
+        // `m + s e = D e + (e x m) J e`.
+        let sum = across(graph, [determinant, offset], e);
         let p = motion.name_arm(angle, plane::negated(graph, sum), graph);
         motion.turn_class(angle, class, axis(graph, p, arm, aa), graph);
-        Solution {
-            determinant,
-            square,
-            scale: aa,
-            columns: [plane::left(graph, p), e],
-            arms: vec![(class, p)],
-        }
+        let columns = [plane::left(graph, p), e];
+        Solution { determinant, square, scale: aa, columns, arms: vec![(class, p)] }
     }
 
     /// RPR.
@@ -245,16 +240,16 @@ impl Dyad {
         let [angle, slide] = self.unknowns;
         let d = motion.arm(chain, class, &[slide], graph);
         let e = chain.slide(slide).map_or([graph.zero(); 2], |slide| slide.1);
-        let (offset, ahead) = (plane::cross(graph, d, e), plane::dot(graph, d, e));
+        let (offset, ahead) = (plane::cross(graph, e, d), plane::dot(graph, e, d));
         let mm = root.distance(known, graph);
-        let offset = graph.powi(offset, 2);
-        let square = graph.sub(mm, offset);
+        let squared = graph.powi(offset, 2);
+        let square = graph.sub(mm, squared);
         let (square, determinant) = root.of(square, graph);
-        let sum = graph.add(ahead, determinant);
-        let value = graph.neg(sum);
-        let value = motion.set_slide(slide, value, graph);
-        let way = plane::scale(graph, value, e);
-        let arm = plane::add(graph, d, way);
+        let back = graph.neg(determinant);
+        let value = graph.sub(back, ahead);
+        motion.set_slide(slide, value, graph);
+        // `d + s e = -D e + (e x d) J e`.
+        let arm = across(graph, [back, offset], e);
         let p = plane::negated(graph, known);
         motion.turn_class(angle, class, axis(graph, p, arm, mm), graph);
         let columns = [plane::left(graph, p), motion.turned(graph, class, e)];
@@ -326,17 +321,30 @@ pub(crate) struct Solution {
     pub(crate) arms: Vec<(usize, Vec2)>,
 }
 
+impl Solution {
+    /// A loop that has nothing to decide.
+    pub(crate) fn certain(graph: &Graph) -> Solution {
+        let (zero, one) = ([graph.zero(); 2], graph.one());
+        Solution { determinant: one, square: one, scale: one, columns: [zero; 2], arms: Vec::new() }
+    }
+}
+
 fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
     let (along, _) = chain.slide(slide)?;
     Some(if along == class { Kind::Along { class } } else { Kind::Across { class, along } })
 }
 
 /// Sum of the vectors of a loop that do not hold the unknowns of a dyad.
-fn known(chain: &Chain, dyad: &Dyad, motion: &Motion, graph: &mut Graph) -> Vec2 {
-    let turns = dyad.classes();
+pub(crate) fn known(
+    chain: &Chain,
+    turns: &[usize],
+    unknowns: &[usize],
+    motion: &Motion,
+    graph: &mut Graph,
+) -> Vec2 {
     let mut sum = [graph.zero(); 2];
     for class in chain.classes().into_iter().filter(|class| !turns.contains(class)) {
-        let own = motion.arm(chain, class, &dyad.unknowns, graph);
+        let own = motion.arm(chain, class, unknowns, graph);
         let own = motion.turned(graph, class, own);
         sum = plane::add(graph, sum, own);
     }
@@ -347,6 +355,13 @@ fn known(chain: &Chain, dyad: &Dyad, motion: &Motion, graph: &mut Graph) -> Vec2
 fn slide_axis(chain: &Chain, slide: usize, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
     let vector = chain.slide(slide).map_or([graph.zero(); 2], |slide| slide.1);
     motion.turned(graph, class, vector)
+}
+
+/// `a e + b J e`.
+fn across(graph: &mut Graph, [a, b]: [Expr; 2], e: Vec2) -> Vec2 {
+    let (along, aside) = (plane::scale(graph, a, e), plane::left(graph, e));
+    let aside = plane::scale(graph, b, aside);
+    plane::add(graph, along, aside)
 }
 
 /// Cosine and sine of the angle that turns `arm`, of which the square is given, into `p`.

@@ -1,4 +1,5 @@
 //! Both forms of the right-hand side of a tree, the dense one and elimination body by body, at the same states.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 use plm_cas::{Expr, Tape};
 
@@ -32,7 +33,7 @@ fn difference(declaration: &str, states: u64) -> f64 {
         length,
         graph: &mut graph,
     };
-    let forms = layout.forms(&motion, false);
+    let forms = layout.forms(&motion, &scheme);
     assert_eq!(forms.len(), 2);
     let defaults = check::defaults(&model, &graph);
     let mut random = 1_u64;

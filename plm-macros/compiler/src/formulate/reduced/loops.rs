@@ -12,8 +12,29 @@ use super::dyad::{Dyad, Solution};
 use super::motion::Motion;
 use super::plane::{self, Vec2};
 
+/// Unknowns of one closure that have been found.
+pub(crate) struct Found<'a> {
+    /// The loop.
+    pub(crate) closure: usize,
+    pub(crate) unknowns: &'a [usize],
+    pub(crate) solution: &'a Solution,
+    /// The unknowns `u` of `sum of g u + c = 0`, by `c`.
+    pub(crate) solve: &'a dyn Fn(Vec2, &mut Graph) -> Vec<Expr>,
+}
+
+impl Found<'_> {
+    /// The rates that belong to `sum`, by unknown, with names.
+    fn named(&self, sum: Vec2, what: &str, graph: &mut Graph) -> Vec<(usize, Expr)> {
+        let values = (self.solve)(sum, graph);
+        let named = self.unknowns.iter().zip(values).enumerate().map(|(k, (&unknown, value))| {
+            (unknown, graph.define(&format!("{what}_{}_{k}", self.closure), value))
+        });
+        named.collect()
+    }
+}
+
 /// Writes coefficients and rates of the two unknowns of a dyad into `motion`.
-pub(crate) fn differentiate(
+pub(crate) fn differentiate_dyad(
     coordinates: &Coordinates,
     motion: &mut Motion,
     dyad: &Dyad,
@@ -21,7 +42,26 @@ pub(crate) fn differentiate(
     time: Expr,
     graph: &mut Graph,
 ) {
-    let closure = &coordinates.closures[dyad.closure];
+    let reciprocal = graph.recip(solution.determinant);
+    let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
+    let [first, second] = solution.columns;
+    let cramer = |sum: Vec2, graph: &mut Graph| {
+        let minors = [plane::cross(graph, second, sum), plane::cross(graph, sum, first)];
+        minors.map(|minor| graph.mul(minor, reciprocal)).to_vec()
+    };
+    let found = Found { closure: dyad.closure, unknowns: &dyad.unknowns, solution, solve: &cramer };
+    differentiate(coordinates, motion, &found, time, graph);
+}
+
+/// Writes coefficients and rates of the unknowns that were found into `motion`.
+pub(crate) fn differentiate(
+    coordinates: &Coordinates,
+    motion: &mut Motion,
+    found: &Found,
+    time: Expr,
+    graph: &mut Graph,
+) {
+    let (closure, solution) = (&coordinates.closures[found.closure], found.solution);
     let arms: Vec<(usize, Vec2)> = closure
         .classes()
         .into_iter()
@@ -39,11 +79,10 @@ pub(crate) fn differentiate(
             known.push((slide, motion.turned(graph, class, vector)));
         }
     }
-    known.retain(|(unknown, _)| !dyad.unknowns.contains(unknown));
-    let cramer = Cramer::new(dyad, solution, graph);
+    known.retain(|(unknown, _)| !found.unknowns.contains(unknown));
     for driver in 0..motion.drivers.len() {
         let sum = weighted(graph, &known, |unknown| motion.gain[unknown][driver]);
-        for (unknown, value) in cramer.solve(sum, &format!("gain_{driver}"), graph) {
+        for (unknown, value) in found.named(sum, &format!("gain_{driver}"), graph) {
             motion.gain[unknown][driver] = value;
         }
     }
@@ -53,10 +92,10 @@ pub(crate) fn differentiate(
     let ground_rate = ground.map(|component| graph.diff(component, time));
     let drifts = weighted(graph, &known, |unknown| motion.drift[unknown]);
     let sum = plane::add(graph, ground_rate, drifts);
-    for (unknown, value) in cramer.solve(sum, "drift", graph) {
+    for (unknown, value) in found.named(sum, "drift", graph) {
         motion.drift[unknown] = value;
     }
-    for unknown in dyad.unknowns {
+    for &unknown in found.unknowns {
         motion.set_rate(coordinates, unknown, graph);
     }
     let mut sum = weighted(graph, &known, |unknown| motion.bias[unknown]);
@@ -72,7 +111,7 @@ pub(crate) fn differentiate(
     }
     let moved = ground_rate.map(|component| graph.diff(component, time));
     let sum = plane::add(graph, sum, moved);
-    for (unknown, value) in cramer.solve(sum, "bias", graph) {
+    for (unknown, value) in found.named(sum, "bias", graph) {
         motion.bias[unknown] = value;
     }
 }
@@ -126,29 +165,4 @@ fn weighted(graph: &mut Graph, columns: &[(usize, Vec2)], weight: impl Fn(usize)
         sum = plane::add(graph, sum, own);
     }
     sum
-}
-
-/// Two linear equations in the unknowns of a dyad.
-struct Cramer {
-    unknowns: [usize; 2],
-    columns: [Vec2; 2],
-    reciprocal: Expr,
-    closure: usize,
-}
-
-impl Cramer {
-    fn new(dyad: &Dyad, solution: &Solution, graph: &mut Graph) -> Cramer {
-        let reciprocal = graph.recip(solution.determinant);
-        let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
-        Cramer { unknowns: dyad.unknowns, columns: solution.columns, reciprocal, closure: dyad.closure }
-    }
-
-    /// The unknowns `u` of `g_1 u_1 + g_2 u_2 + sum = 0`.
-    fn solve(&self, sum: Vec2, what: &str, graph: &mut Graph) -> [(usize, Expr); 2] {
-        let minors = [plane::cross(graph, self.columns[1], sum), plane::cross(graph, sum, self.columns[0])];
-        [0, 1].map(|k| {
-            let value = graph.mul(minors[k], self.reciprocal);
-            (self.unknowns[k], graph.define(&format!("{what}_{}_{k}", self.closure), value))
-        })
-    }
 }

@@ -8,16 +8,21 @@ mod coordinates;
 mod dyad;
 #[cfg(test)]
 mod forms;
+mod groups;
 mod inertia;
 mod loops;
 mod memory;
 mod motion;
 mod plane;
+mod redundant;
+mod rows;
+mod single;
 
 use plm_cas::{Expr, Graph};
 
 use self::charts::Scheme;
 use self::coordinates::{Coordinates, Unknown};
+use self::groups::Group;
 use self::inertia::Dense;
 use self::memory::{Memorable, Memory};
 use self::motion::Motion;
@@ -85,27 +90,46 @@ pub(crate) struct Chart {
     pub(crate) look: Option<Function>,
     /// `memory` of a pose and velocity in this chart, returning the square of the measure; of loops alone.
     pub(crate) survey: Option<Function>,
-    /// The dyads in the order of solution: kind and unknowns, and the part that closes its loop.
-    pub(crate) dyads: Vec<(String, String)>,
+    /// The groups in the order of solution: kind and unknowns.
+    pub(crate) groups: Vec<String>,
+    /// The parts that close the loops, in the order of solution.
+    pub(crate) closing: Vec<String>,
 }
 
-/// Lays out rung 2 or 3; `length` is the size of the scene, m.
+/// The start with the defaults of the parameters, where structure alone cannot decide.
+#[derive(Debug)]
+pub(crate) struct Assembled {
+    /// Coordinates less the rank of `phi_q`.
+    pub(crate) freedom: usize,
+    /// Values of all symbols, pose and velocity included.
+    pub(crate) values: Vec<(Expr, f64)>,
+}
+
+/// The size of the scene, m, and what gives the start if the joints close.
+pub(crate) type Known<'a> = (f64, &'a dyn Fn(&Graph) -> Option<Assembled>);
+
+/// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
 /// Why the mechanism has neither: words that go on "rung 5 because …".
 pub(crate) fn formulate(
     model: &Model,
     equations: &Equations,
-    length: f64,
+    (length, assembled): Known,
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
-    let schemes = charts::schemes(model, &coordinates, graph)?;
+    let schemes = match charts::schemes(model, &coordinates, graph) {
+        Err(reason) => {
+            redundant::schemes(model, equations, &coordinates, (length, assembled), graph).ok_or(reason)
+        }
+        schemes => schemes,
+    }?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
-    if freedom > MOST_DENSE && !coordinates.closures.is_empty() {
+    if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
     }
-    let dyads = schemes.iter().map(|scheme| scheme.dyads.len()).max().unwrap_or(0);
+    let dyads = schemes.iter().map(|scheme| scheme.loops().count()).max().unwrap_or(0);
     let memory = Memory::new(&coordinates, dyads, graph);
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
@@ -132,8 +156,8 @@ impl Layout<'_> {
     fn chart(&mut self, scheme: &Scheme) -> Chart {
         let Layout { model, coordinates, equations, .. } = *self;
         let motion = Motion::new(model, coordinates, scheme, self.memory, self.length, self.graph);
-        let loops = !scheme.dyads.is_empty();
-        let (method, rate) = self.rate(&motion, loops);
+        let loops = scheme.loops().next().is_some();
+        let (method, rate) = self.rate(&motion, scheme);
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -143,12 +167,15 @@ impl Layout<'_> {
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
         let survey = loops.then(|| self.survey(scheme));
-        let described = scheme.dyads.iter().map(|dyad| {
-            let [first, second] = dyad.unknowns.map(|unknown| &motion.names[unknown]);
-            let part = coordinates.joints[coordinates.closing(dyad)].part;
-            (format!("{} {first}, {second}", dyad.name()), model.parts[part].name.text.clone())
-        });
-        let dyads = described.collect();
+        let described = |group: &Group| {
+            let names: Vec<&str> =
+                group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect();
+            format!("{} {}", group.name(), names.join(", "))
+        };
+        let closing = |group: &Group| {
+            let part = coordinates.joints[group.closing(coordinates)?].part;
+            Some(model.parts[part].name.text.clone())
+        };
         Chart {
             parts: parts.collect(),
             names,
@@ -161,30 +188,33 @@ impl Layout<'_> {
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
             look,
             survey,
-            dyads,
+            groups: scheme.groups.iter().map(described).collect(),
+            closing: scheme.loops().filter_map(closing).collect(),
         }
     }
 
     /// The right-hand side: of its forms, the one with the fewest operations.
-    fn rate(&mut self, motion: &Motion, loops: bool) -> (&'static str, Function) {
-        let forms = self.forms(motion, loops).into_iter();
+    fn rate(&mut self, motion: &Motion, scheme: &Scheme) -> (&'static str, Function) {
+        let forms = self.forms(motion, scheme).into_iter();
         forms.min_by_key(|(_, form)| form.tape(self.graph).count().total()).unwrap_or_default()
     }
 
     /// The dense form of a mechanism, and elimination body by body of a tree.
-    fn forms(&mut self, motion: &Motion, loops: bool) -> Vec<(&'static str, Function)> {
+    fn forms(&mut self, motion: &Motion, scheme: &Scheme) -> Vec<(&'static str, Function)> {
+        let tree = scheme.groups.is_empty();
+        let loops = scheme.loops().next().is_some();
         let Layout { model, coordinates, .. } = *self;
         let force = loads(model, motion, self.graph);
         let mut forms = Vec::new();
-        if loops || motion.drivers.len() <= MOST_DENSE {
+        if !tree || motion.drivers.len() <= MOST_DENSE {
             let mut dense = inertia::dense(model, coordinates, motion, &force, self.graph);
-            if loops {
+            if !tree {
                 dense = inertia::along_drivers(&dense, motion, self.graph);
             }
             let solution = accelerations(motion, &dense, self.graph);
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }
-        if !loops {
+        if tree {
             let solution = articulated::accelerations(model, coordinates, motion, &force, self.graph);
             forms.push(("elimination body by body", self.right_hand_side(motion, solution, loops)));
         }
@@ -209,8 +239,8 @@ impl Layout<'_> {
 
     fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
         let graph = &mut *self.graph;
-        let areas = scheme.dyads.iter().zip(&motion.solutions).map(|(dyad, solution)| {
-            [solution.determinant, loops::determinant_rate(self.coordinates, motion, dyad, solution, graph)]
+        let areas = scheme.loops().zip(&motion.solutions).map(|(group, solution)| {
+            [solution.determinant, group.determinant_rate(self.coordinates, motion, solution, graph)]
         });
         let areas = areas.collect();
         self.remembered(motion, areas, &motion.solutions)
@@ -219,7 +249,7 @@ impl Layout<'_> {
     fn survey(&mut self, scheme: &Scheme) -> Function {
         let motion = Motion::of_pose(self.model, self.coordinates, self.length, self.graph);
         let graph = &mut *self.graph;
-        let solutions = scheme.dyads.iter().map(|dyad| dyad.at_pose(self.coordinates, &motion, graph));
+        let solutions = scheme.loops().filter_map(|group| group.at_pose(self.coordinates, &motion, graph));
         let solutions: Vec<dyad::Solution> = solutions.collect();
         let Equations { q, v, .. } = self.equations;
         let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect();
@@ -238,13 +268,10 @@ impl Layout<'_> {
         solutions: &[dyad::Solution],
     ) -> Function {
         let graph = &mut *self.graph;
-        let angle = |unknown: usize| {
-            let class = match self.coordinates.unknowns[unknown] {
-                Unknown::Angle { class, .. } => class,
-                _ => 0,
-            };
-            let [cos, sin] = motion.axis[class];
-            [motion.value[unknown], cos, sin]
+        // The direction of the angle itself, not the axis that it was found from: rounding would add up from look to look.
+        let angle = |unknown: usize, graph: &mut Graph| {
+            let value = motion.value[unknown];
+            [value, graph.cos(value), graph.sin(value)]
         };
         let values = self.memory.values(&Memorable { time: self.model.time, angle: &angle, areas }, graph);
         let mut results = stored("memory", values.iter());

@@ -6,7 +6,6 @@ use super::chain::Chain;
 use super::charts::Scheme;
 use super::coordinates::{Coordinates, Heading, Unknown};
 use super::dyad::Solution;
-use super::loops;
 use super::memory::Memory;
 use super::plane::{self, Vec2};
 use crate::model::{FrameRef, Model};
@@ -68,17 +67,9 @@ impl Motion {
                 motion.omega[class] = rate;
             }
         }
-        for (k, dyad) in scheme.dyads.iter().enumerate() {
-            let predicted = if dyad.is_signed() { memory.predicted(k, model.time, graph) } else { None };
-            let solution = dyad.solve(coordinates, &mut motion, predicted, graph);
-            loops::differentiate(coordinates, &mut motion, dyad, &solution, model.time, graph);
-            motion.solutions.push(solution);
-            for unknown in dyad.unknowns {
-                if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                    let angle = memory.unwound(unknown, motion.axis[class], graph);
-                    motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
-                }
-            }
+        for group in &scheme.groups {
+            let place = motion.solutions.len();
+            group.solve(coordinates, &mut motion, (memory, place), model.time, graph);
         }
         motion.place(model, coordinates, graph);
         motion.substitute_headings(model, coordinates, graph);
@@ -195,7 +186,8 @@ impl Motion {
             let negative = joint.b.body != Some(body);
             let mut position = hold.parent.map_or(zero, |parent| self.position[parent]);
             let mut velocity = hold.parent.map_or(zero, |parent| self.velocity[parent]);
-            let (class, mut out) = coordinates.arm(model, graph, joint.a);
+            let (class, start) = coordinates.arm(model, graph, joint.a);
+            let mut out = start;
             if let Some(slide) = joint.slide {
                 let (_, axis) = coordinates.axis(model, graph, joint.a);
                 let along = plane::scale(graph, self.value[slide], axis);
@@ -205,12 +197,14 @@ impl Motion {
                 velocity = signed_sum(graph, velocity, speed, negative);
             }
             let (other, back) = coordinates.arm(model, graph, joint.b);
-            for (class, arm, negative) in [(class, out, negative), (other, back, !negative)] {
+            for (class, arm, fixed, negative) in
+                [(class, out, start, negative), (other, back, back, !negative)]
+            {
                 let arm = self.turned(graph, class, arm);
                 position = signed_sum(graph, position, arm, negative);
                 // A port of the ground may move with the time.
                 if class == 0 {
-                    let drift = arm.map(|component| graph.diff(component, model.time));
+                    let drift = fixed.map(|component| graph.diff(component, model.time));
                     velocity = signed_sum(graph, velocity, drift, negative);
                 }
                 let across = plane::left(graph, arm);
