@@ -65,7 +65,7 @@ fn all(shorter: u32) -> Vec<Box<dyn Fn() -> Result<Figure, Fault>>> {
         Box::new(long::chaos),
         Box::new(|| Ok(stiff::baumgarte())),
         Box::new(|| Ok(stiff::end_stop())),
-        Box::new(stiff::order_reduction),
+        Box::new(stiff::stiff_spring),
         Box::new(theory::kapitza),
         Box::new(theory::laguerre),
         Box::new(extremes::fast_crank),

@@ -77,7 +77,7 @@ fn swung(stiffness: f64, rtol: Option<f64>) -> Result<([f64; 2], u64), Fault> {
     Ok((read(bob.x, bob.y, bob.vx, bob.vy), sim.stats().steps))
 }
 
-pub fn order_reduction() -> Result<Figure, Fault> {
+pub fn stiff_spring() -> Result<Figure, Fault> {
     let mut chart = Chart::new(Axis::log("steps in 1 s", ""), Axis::log("error of the angle", "rad"))
         .titled("Pendulum of 1 m on a stiff spring, Radau IIA of order 5")
         .noted("Against DOP853 at 1e-13.");
@@ -98,5 +98,5 @@ pub fn order_reduction() -> Result<Figure, Fault> {
         ));
         chart = chart.with(Series::new(format!("{stiffness:.0e} N/m"), points).marked());
     }
-    Ok(Figure { slug: "order-reduction", chart, rows })
+    Ok(Figure { slug: "stiff-spring", chart, rows })
 }

@@ -272,13 +272,10 @@ impl Layout<'_> {
         solutions: &[dyad::Solution],
     ) -> Function {
         let graph = &mut *self.graph;
-        let angle = |unknown: usize| {
-            let class = match self.coordinates.unknowns[unknown] {
-                Unknown::Angle { class, .. } => class,
-                _ => 0,
-            };
-            let [cos, sin] = motion.axis[class];
-            [motion.value[unknown], cos, sin]
+        // The direction of the angle itself, not the axis that it was found from: rounding would add up from look to look.
+        let angle = |unknown: usize, graph: &mut Graph| {
+            let value = motion.value[unknown];
+            [value, graph.cos(value), graph.sin(value)]
         };
         let values = self.memory.values(&Memorable { time: self.model.time, angle: &angle, areas }, graph);
         let mut results = stored("memory", values.iter());
