@@ -15,10 +15,10 @@ use crate::system::{Accepted, Drift, System};
 /// method forget the rate that it had kept, because state, parameters or inputs may have been changed.
 #[derive(Clone, Copy)]
 pub struct Sim<M: Mechanism, I = Dop853<M>> {
-    state: M::State,
-    method: I,
-    stats: Stats,
-    watch: Watch<M::S, M::G>,
+    pub(crate) state: M::State,
+    pub(crate) method: I,
+    pub(crate) stats: Stats,
+    pub(crate) watch: Watch<M::S, M::G>,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -233,14 +233,14 @@ fn stretch<M: Mechanism, I: Method<M>>(
 const SHORTEST_ULPS: f64 = 64.0;
 
 /// What a look at the state reached has found.
-struct Next<M: System> {
+pub(crate) struct Next<M: System> {
     accepted: Accepted,
     held: M::U,
     x: M::X,
 }
 
 /// Lets the system look at the state reached. One that it refuses is not kept: none, if a shorter step is to be tried.
-fn look<M: Mechanism, I: Method<M>>(
+pub(crate) fn look<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     watch: &mut Watch<M::S, M::G>,
@@ -266,7 +266,7 @@ fn look<M: Mechanism, I: Method<M>>(
 
 impl<M: Mechanism> Next<M> {
     /// Goes on with it.
-    fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
+    pub(crate) fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
         (course.held, course.x) = (self.held, self.x);
         course.stats.charts += u64::from(self.accepted.moved);
         course.stats.change_points += u64::from(self.accepted.passed);

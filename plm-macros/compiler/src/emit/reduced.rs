@@ -1,7 +1,7 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, charts, push};
+use super::{Emission, Origin, charts, push, system};
 use crate::formulate::Chart;
 
 /// The straight-line functions.
@@ -75,15 +75,14 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
     else {
         return;
     };
-    let Emission { name, equations, .. } = emission;
+    let equations = emission.equations;
     let ((length, second_order), n) = (emission.state_length(), reduced.freedom());
     let (nq, nx) = (equations.q.len(), equations.x.len());
-    let mut rate = String::new();
-    let held = emission.held("S");
     let place;
     if reduced.has_loops() {
-        charts::system(&mut rate, emission, reduced);
         charts::charted(text, emission, reduced);
+        system::rate(text, emission, n, &charts::rate(reduced));
+        charts::system(text, emission);
         place = "rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)".to_owned();
     } else {
         place = format!(
@@ -91,30 +90,12 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
             self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
             (q, v)"
         );
-        push(
-            &mut rate,
-            format_args!(
-                "        #[inline]
-        fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
-            self.motion(t, u, x, dx);
-            rt::Health::perfect()
-        }}
-
-"
-            ),
-        );
+        system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
     push(
         text,
         format_args!(
-            "    impl<S: Real> rt::System for {name}<S> {{
-        type S = S;
-        type X = [S; {length}];
-        type U = {held};
-        type G = [S; 0];
-        const NQ: usize = {n};
-
-{rate}        fn typical(&self) -> [S; {length}] {{
+            "        fn typical(&self) -> [S; {length}] {{
             [{}].map(S::lit)
         }}
 
