@@ -4,9 +4,11 @@
 //! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench lanes --features lanes
 //! ```
 //!
-//! The eight start a hundredth of a radian apart. `formula` is one trajectory without a look at what it does, `sim` one
+//! Names of scenes behind `--` choose among them. The eight start a hundredth of a radian apart. `formula` is one trajectory without a look at what it does, `sim` one
 //! as users run it, `batch` one of eight in a [`Batch`], with the same looks.
 
+#[path = "scenes/chain.rs"]
+mod chain;
 #[path = "../tests/it/scenes.rs"]
 #[allow(dead_code, unused_imports, unreachable_pub)] // The tests use more of it.
 mod declared;
@@ -20,6 +22,8 @@ use declared::{s1, s2, s5, s6};
 use plm::runtime::lanes::Pack;
 use plm::{Batch, Rk4};
 use steps::{Level, Steps, steps};
+
+chain::chain!(Chain16, 16);
 
 /// Times that everything is measured, in turn, so that all see the same machine.
 const ROUNDS: u32 = 40;
@@ -52,10 +56,19 @@ fn main() {
         mechanism.start.k1.angle.value += turn;
         mechanism
     });
+    table("chain", 1e-3, |turn| {
+        let mut mechanism = Chain16::new();
+        mechanism.start.bar_0.angle.value += turn;
+        mechanism
+    });
 }
 
 /// Prints what a step costs in each way.
 fn table<M: Pack<S = f64, G = [f64; 0]> + 'static>(name: &str, h: f64, turned: fn(f64) -> M) {
+    let chosen: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    if !chosen.is_empty() && !chosen.iter().any(|other| other == name) {
+        return;
+    }
     let mechanisms = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|lane| turned(0.01 * lane));
     let mut all = [
         (1, steps(mechanisms[0], h, Level::Formula)),

@@ -104,8 +104,12 @@ impl Scalar for F64x8 {
     }
     #[inline]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        let pairs = angles.map(Self::sin_cos);
-        (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+        // A loop, not `array::map`: compilers see through it.
+        let (mut sines, mut cosines) = (angles, angles);
+        for i in 0..N {
+            (sines[i], cosines[i]) = angles[i].sin_cos();
+        }
+        (sines, cosines)
     }
     #[inline]
     fn sqrt(self) -> Self {
