@@ -15,11 +15,11 @@ use crate::system::{Accepted, Drift, System};
 /// method forget the rate that it had kept, because state, parameters or inputs may have been changed.
 #[derive(Clone, Copy)]
 pub struct Sim<M: Mechanism, I = Dop853<M>> {
-    state: M::State,
-    method: I,
-    stats: Stats,
-    watch: Watch<M::S, M::G>,
-    limits: Limits<M::S>,
+    pub(crate) state: M::State,
+    pub(crate) method: I,
+    pub(crate) stats: Stats,
+    pub(crate) watch: Watch<M::S, M::G>,
+    pub(crate) limits: Limits<M::S>,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -253,7 +253,7 @@ fn stretch<M: Mechanism, I: Method<M>>(
 
 /// What ends a run although its state could be continued.
 #[derive(Clone, Copy)]
-struct Limits<S> {
+pub(crate) struct Limits<S> {
     /// The energy jumps by more than this fraction.
     energy_jump: Option<S>,
     /// A loop can go on in several ways.
@@ -267,14 +267,14 @@ type Guarded<'w, M> = (&'w mut Watch<<M as System>::S, <M as System>::G>, Limits
 const SHORTEST_ULPS: f64 = 64.0;
 
 /// What a look at the state reached has found.
-struct Next<M: System> {
+pub(crate) struct Next<M: System> {
     accepted: Accepted,
     held: M::U,
     x: M::X,
 }
 
 /// Lets the system look at the state reached. One that it refuses is not kept: none, if a shorter step is to be tried.
-fn look<M: Mechanism, I: Method<M>>(
+pub(crate) fn look<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     (watch, limits): Guarded<'_, M>,
@@ -326,7 +326,7 @@ fn audit<M: Mechanism>(course: &Course<'_, M>, fraction: M::S, before: &(M::S, M
 
 impl<M: Mechanism> Next<M> {
     /// Goes on with it.
-    fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
+    pub(crate) fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
         (course.held, course.x) = (self.held, self.x);
         course.stats.charts += u64::from(self.accepted.moved);
         course.stats.change_points += u64::from(self.accepted.passed.is_some());

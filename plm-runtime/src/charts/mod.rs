@@ -90,7 +90,7 @@ pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &
 /// When the loops cannot be closed there, or cannot have been followed so far.
 #[inline]
 pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Accepted, Fault> {
-    if t < held.memory.at(NEXT) {
+    if is_calm::<M>(t, held) {
         return Ok(Accepted::default());
     }
     let (mut memory, mut measure) = system.look(t, held, x);
@@ -106,6 +106,12 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     let passed = remember::<M>(t, since, held, memory)?;
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
     Ok(Accepted { moved, passed: if moved { None } else { passed } })
+}
+
+/// Whether [`accept`] has nothing to look at yet.
+#[inline]
+pub fn is_calm<M: Charted>(t: M::S, held: &M::U) -> bool {
+    t < held.memory.at(NEXT)
 }
 
 /// Writes the memory of a state, with what two states tell together; the part that closes a loop which went through a

@@ -111,15 +111,14 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     else {
         return;
     };
-    let Emission { name, equations, .. } = emission;
+    let equations = emission.equations;
     let ((length, second_order), n) = (emission.state_length(), reduced.freedom());
     let (nq, nx) = (equations.q.len(), equations.x.len());
-    let mut rate = String::new();
-    let held = emission.held("S");
     let place;
     if reduced.has_loops() {
-        charts::system(&mut rate, emission, reduced);
         charts::charted(text, emission, reduced);
+        system::rate(text, emission, n, &charts::rate(reduced));
+        charts::system(text, emission);
         place = "rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)".to_owned();
     } else {
         place = format!(
@@ -127,18 +126,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
             self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
             (q, v)"
         );
-        push(
-            &mut rate,
-            format_args!(
-                "        #[inline]
-        fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
-            self.motion(t, u, x, dx);
-            rt::Health::perfect()
-        }}
-
-"
-            ),
-        );
+        system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
     let switching = charts::chosen(reduced, "u.chart", |k| {
         if reduced.has_loops() {
@@ -147,19 +135,12 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
             "self.switching(t, u, x, g)".to_owned()
         }
     });
-    sides::contract(&mut rate, emission, &switching);
-    system::energy(&mut rate, emission);
-    let guard_type = sides::guard_type(emission);
+    sides::contract(text, emission, &switching);
+    system::energy(text, emission);
     push(
         text,
         format_args!(
-            "    impl<S: Real> rt::System for {name}<S> {{
-        type S = S;
-        type X = [S; {length}];
-        type U = {held};
-{guard_type}        const NQ: usize = {n};
-
-{rate}        fn typical(&self) -> [S; {length}] {{
+            "        fn typical(&self) -> [S; {length}] {{
             [{}].map(S::lit)
         }}
 

@@ -3,11 +3,6 @@
 use super::bodies::{Shape, write};
 use super::{Emission, Origin, push};
 
-/// The type of the guards.
-pub(crate) fn guard_type(emission: &Emission) -> String {
-    format!("        type G = [S; {}];\n", emission.model.guards())
-}
-
 /// The straight-line functions that do not depend on the chart.
 pub(crate) fn instants(text: &mut String, emission: &Emission) {
     let count = emission.model.sides.len() - emission.model.guards();

@@ -34,7 +34,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 /// `System`: rates, projection, typical sizes.
 fn system(text: &mut String, emission: &Emission) {
-    let Emission { name, equations, .. } = emission;
+    let Emission { equations, .. } = emission;
     let (nq, nc, nx) = (equations.q.len(), equations.phi.len(), equations.x.len());
     let length = 2 * nq + nx;
     let first_order = if nx == 0 {
@@ -49,21 +49,17 @@ fn system(text: &mut String, emission: &Emission) {
 "
         )
     };
-    let guard_type = sides::guard_type(emission);
+    rate(
+        text,
+        emission,
+        nq,
+        &format!(
+            "let mut lambda = [S::lit(0.0); {nc}];
+            rt::Health(self.dynamics(t, u, x, dx, &mut lambda))"
+        ),
+    );
     push(text, format_args!(
-        "    impl<S: Real> rt::System for {name}<S> {{
-        type S = S;
-        type X = [S; {length}];
-        type U = Input<S>;
-{guard_type}        const NQ: usize = {nq};
-
-        #[inline]
-        fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
-            let mut lambda = [S::lit(0.0); {nc}];
-            rt::Health(self.dynamics(t, u, x, dx, &mut lambda))
-        }}
-
-        fn rate_by_rank(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
+        "        fn rate_by_rank(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
             let solution = self.accelerate(t, u, x)?;
             let (_, v): ([S; {nq}], [S; {nq}]) = absolute::split(x);
             absolute::join(&v, &solution.a, dx);
@@ -124,6 +120,42 @@ pub(super) fn energy(text: &mut String, emission: &Emission) {
             let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
             let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
             Some(rt::Energy {{ kinetic, gravity, power: state.load_power() }})
+        }}
+
+"
+        ),
+    );
+}
+
+/// `Rate` for any scalar, and the beginning of `System`: its types and its rate.
+pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, statements: &str) {
+    let (name, held, (length, _)) = (&emission.name, emission.held("S"), emission.state_length());
+    let guards = emission.model.guards();
+    push(
+        text,
+        format_args!(
+            "    impl<S: Scalar> rt::lanes::Rate for {name}<S> {{
+        type S = S;
+        type X = [S; {length}];
+        type U = {held};
+        const NQ: usize = {coordinates};
+
+        #[inline]
+        fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
+            {statements}
+        }}
+    }}
+
+    impl<S: Real> rt::System for {name}<S> {{
+        type S = S;
+        type X = [S; {length}];
+        type U = {held};
+        type G = [S; {guards}];
+        const NQ: usize = {coordinates};
+
+        #[inline]
+        fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
+            rt::lanes::Rate::rate(self, t, u, x, dx)
         }}
 
 "
