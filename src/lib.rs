@@ -44,9 +44,13 @@ pub use plm_runtime::{
 };
 #[cfg(doctest)]
 mod book;
+#[cfg(feature = "lanes")]
+mod lanes;
 #[cfg(feature = "linearise")]
 mod linearise;
 
+#[cfg(feature = "lanes")]
+pub use lanes::{Batch, F64x8};
 #[cfg(feature = "linearise")]
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 

@@ -6,7 +6,7 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`scalar`], [`vector`] | numbers (`f32`, `f64`, later lanes of them) and fixed arrays of them |
+//! | [`scalar`], [`vector`] | numbers (`f32`, `f64`, lanes of them) and fixed arrays of them |
 //! | [`system`], [`mechanism`], [`start`] | what generated code provides |
 //! | [`fault`] | errors as values that name the time and the part |
 //! | [`events`] | switching: where it happens, and how often it may |
@@ -15,6 +15,7 @@
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
 //! | [`ports`] | inputs and outputs by number |
+//! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
@@ -28,6 +29,7 @@ pub mod charts;
 pub mod dual;
 pub mod events;
 pub mod fault;
+pub mod lanes;
 pub mod linalg;
 pub mod linear;
 pub mod mechanism;
@@ -52,5 +54,5 @@ pub use ports::Ports;
 pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start};
-pub use system::{Accepted, Drift, Health, System};
+pub use system::{Accepted, Drift, Energy, Health, System};
 pub use vector::Vector;

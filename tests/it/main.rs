@@ -16,3 +16,4 @@ mod references;
 mod robust;
 mod rungs;
 mod scenes;
+mod sides;

@@ -3,11 +3,11 @@
 use plm_cas::Graph;
 
 use crate::check;
-use crate::derive::{Equations, derive};
+use crate::derive::{Equations, derive, hold};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
-use crate::formulate::{Absolute, Reduced, formulate, reduce};
+use crate::formulate::{Absolute, Assembled, Reduced, formulate, reduce};
 use crate::front;
 use crate::model::{Model, Rung, Stabilisation};
 use crate::oracle::Oracle;
@@ -97,6 +97,7 @@ struct Lowered {
 
 fn lower(mut model: Model) -> Lowered {
     let mut graph = std::mem::take(&mut model.graph);
+    hold(&mut model, &mut graph);
     let equations = derive(&model, &mut graph);
     let program = formulate(&model, &equations, &mut graph);
     let reduced = match (model.rung, model.stabilisation) {
@@ -104,7 +105,15 @@ fn lower(mut model: Model) -> Lowered {
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
         _ => {
             let length = report::length(&model, &graph, &check::defaults(&model, &graph));
-            let reduced = reduce(&model, &equations, length, &mut graph);
+            let assembled = |graph: &Graph| {
+                let others = check::defaults(&model, graph);
+                let found = check::assemble(&model, &equations, &program, graph, &others);
+                let rows = 0..equations.phi.len();
+                let rank = found.rank.independent.iter().filter(|row| rows.contains(row)).count();
+                let freedom = equations.q.len() - rank;
+                found.is_closed().then(|| Assembled { freedom, values: found.values(&equations, &others) })
+            };
+            let reduced = reduce(&model, &equations, (length, &assembled), &mut graph);
             if model.rung.is_some() {
                 reduced
             } else {

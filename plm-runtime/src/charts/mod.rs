@@ -105,7 +105,7 @@ pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &
 /// When the loops cannot be closed there, or cannot have been followed so far.
 #[inline]
 pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Accepted, Fault> {
-    if t < held.memory.at(NEXT) {
+    if is_calm::<M>(t, held) {
         return Ok(Accepted::default());
     }
     let (mut memory, mut measure) = system.look(t, held, x);
@@ -121,7 +121,7 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     check_followed::<M>(t, held, &memory, measure)?;
     let passed = remember::<M>(t, since, held, memory)?;
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
-    Ok(Accepted { moved, passed: passed && !moved })
+    Ok(Accepted { moved, passed: if moved { None } else { passed } })
 }
 
 /// Can a loop not be closed at all?
@@ -150,10 +150,22 @@ fn check_followed<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory, measure:
     Ok(())
 }
 
-/// Writes the memory of a state, with what two states tell together; true if a loop went through a flat pose.
-fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<bool, Fault> {
+/// Whether [`accept`] has nothing to look at yet.
+#[inline]
+pub fn is_calm<M: Charted>(t: M::S, held: &M::U) -> bool {
+    t < held.memory.at(NEXT)
+}
+
+/// Writes the memory of a state, with what two states tell together; the part that closes a loop which went through a
+/// flat pose.
+fn remember<M: Charted>(
+    t: M::S,
+    since: M::S,
+    held: &mut M::U,
+    mut memory: M::Memory,
+) -> Result<Option<&'static str>, Fault> {
     let (old, zero) = (held.memory, M::S::lit(0.0));
-    let (mut passed, mut turned) = (false, zero);
+    let (mut passed, mut turned) = (None, zero);
     for (body, k) in M::TURNING.iter().zip((NEXT + 1..M::BEFORE_AREAS).step_by(3)) {
         turned = turned.max((memory.at(k) - old.at(k)).abs());
         if turned > M::S::lit(FARTHEST) {
@@ -167,9 +179,11 @@ fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Me
     }
     // What has moved by so little since the last look does not move far in a like time.
     let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
-    for k in areas::<M>() {
+    for (dyad, k) in areas::<M>().enumerate() {
         let (area, change) = (memory.at(k), memory.at(k) - old.at(k));
-        passed |= old.at(k) * area < zero;
+        if old.at(k) * area < zero {
+            passed = M::CLOSING.get(held.chart).and_then(|parts| parts.get(dyad)).copied();
+        }
         calm = calm.min(M::S::lit(CALM) * area.abs() / change.abs());
         if since > zero {
             memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
@@ -246,15 +260,20 @@ fn precise<M: Charted>(mut memory: M::Memory) -> M::Memory {
     memory
 }
 
-/// The fault of the first group of the chart that is not closed.
+/// The fault of the group of a chart that is nearest to not being closed.
 fn locked<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Fault {
-    let closed = |k: usize| M::S::lit(0.0).lt(memory.at(k).abs());
-    let open = areas::<M>().position(|k| !closed(k)).unwrap_or(0);
-    let part = M::CLOSING.get(held.chart).and_then(|parts| parts.get(open));
+    let parts = M::CLOSING.get(held.chart).copied().unwrap_or_default();
+    let (mut part, mut least) = ("", M::S::INFINITY);
+    for (closing, k) in parts.iter().zip(areas::<M>()) {
+        let area = memory.at(k).abs();
+        if !least.lt(area) {
+            (part, least) = (closing, area);
+        }
+    }
     let moved = expected_move::<M>(t, &held.memory);
     let angle = moved.to_f64();
     let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
-    Fault::of_part(t.to_f64(), part.copied().unwrap_or(""), cause)
+    Fault::of_part(t.to_f64(), part, cause)
 }
 
 /// How far the unknowns of iterations should have moved since the last look.

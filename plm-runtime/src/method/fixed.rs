@@ -41,9 +41,9 @@ pub struct FixedStep<S, F> {
     pub tolerance: S,
     /// Steps between two looks at the drift; counted on across intervals.
     pub check_every: u32,
-    plan: Plan<S>,
+    pub(crate) plan: Plan<S>,
     /// The last step was unhealthy.
-    careful: bool,
+    pub(crate) careful: bool,
     /// Steps until the next look at the drift.
     until_check: u32,
     formula: PhantomData<F>,
@@ -72,7 +72,11 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
     /// Makes one step, by rank where needed.
     #[inline]
-    fn step<M: System<S = S>>(&mut self, course: &mut Course<'_, M>, x: &mut M::X) -> Result<(), Fault> {
+    pub(crate) fn step<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        x: &mut M::X,
+    ) -> Result<(), Fault> {
         if !self.careful {
             let health = F::plain_step(course.system, course.time, &course.held, x, self.plan.h);
             course.stats.evaluations += F::STAGES;
@@ -101,6 +105,31 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         outcome
     }
 
+    /// A step whose drift is not looked at, if it is not due.
+    #[inline]
+    pub(crate) fn coast(&mut self) -> bool {
+        let coasts = self.until_check > 1 && !self.careful;
+        self.until_check -= u32::from(coasts);
+        coasts
+    }
+
+    /// Takes the course to `next`, the state after the step.
+    #[inline]
+    pub(crate) fn land<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        mut next: M::X,
+    ) -> Result<(), Fault> {
+        if !next.is_finite() {
+            return Err(not_finite(course.system, self.plan.next_time, &next));
+        }
+        self.limit_drift(course, &mut next)?;
+        course.stats.steps += 1;
+        (course.time, course.x) = (self.plan.next_time, next);
+        self.plan.next();
+        Ok(())
+    }
+
     /// Settles a new state if its drift is due to be looked at and too large; by rank, after every step.
     #[inline]
     fn limit_drift<M: System<S = S>>(
@@ -108,8 +137,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         course: &mut Course<'_, M>,
         next: &mut M::X,
     ) -> Result<(), Fault> {
-        if self.until_check > 1 && !self.careful {
-            self.until_check -= 1;
+        if self.coast() {
             return Ok(());
         }
         let drift = course.system.drift(self.plan.next_time, next);
@@ -136,14 +164,7 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         let mut next = course.x;
         self.step(course, &mut next)?;
-        if !next.is_finite() {
-            return Err(not_finite(course.system, self.plan.next_time, &next));
-        }
-        self.limit_drift(course, &mut next)?;
-        course.stats.steps += 1;
-        (course.time, course.x) = (self.plan.next_time, next);
-        self.plan.next();
-        Ok(())
+        self.land(course, next)
     }
 
     fn interpolate(&self, _time: M::S) -> M::X {

@@ -31,6 +31,7 @@ pub use embedded::{Embedded, Limits, Pair};
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
 pub use fixed::{FixedStep, Formula};
 pub use gauss::Gauss;
+pub(crate) use plan::Plan;
 pub use radau::RadauIia5;
 pub use rk4::{Rk4, Rk4Formula};
 pub use ros34pw2::Ros34Pw2;

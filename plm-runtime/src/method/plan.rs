@@ -8,13 +8,13 @@ use crate::vector::Vector;
 
 /// An interval divided into equal steps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plan<S> {
+pub(crate) struct Plan<S> {
     start: S,
     end: S,
     /// The length of a step, s.
-    pub(super) h: S,
+    pub(crate) h: S,
     /// The time after the next step.
-    pub(super) next_time: S,
+    pub(crate) next_time: S,
     steps: u32,
     /// Steps up to that time.
     done: u32,
@@ -77,7 +77,7 @@ impl<S: Real> Plan<S> {
 
     /// The time after the next step.
     #[inline]
-    pub(super) fn next(&mut self) {
+    pub(crate) fn next(&mut self) {
         self.done = self.done.wrapping_add(1);
         let inside = self.start + S::lit(f64::from(self.done)) * self.h;
         self.next_time = if self.done < self.steps { inside } else { self.end };

@@ -8,7 +8,7 @@ mod verdict;
 
 use plm_cas::{Expr, Graph, Tape};
 
-pub(crate) use assembly::{Assembly, run, value};
+pub(crate) use assembly::{Assembly, assemble, run, value};
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
@@ -65,6 +65,14 @@ pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
     values
 }
 
+/// Adds the sides of the conditions at a state whose other symbols have values.
+pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f64)>) {
+    for side in &model.sides {
+        let difference = value(graph, side.difference, values);
+        values.push((side.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
+    }
+}
+
 /// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
 fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
     for body in &model.bodies {
@@ -99,7 +107,7 @@ pub(crate) fn check_assembly(
 ) {
     let values = defaults(model, graph);
     check_masses(model, graph, &values, diagnostics);
-    let found = assembly::assemble(model, equations, program, graph, &values);
+    let found = assemble(model, equations, program, graph, &values);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
     report.add_assembly(model, equations, &found, &turns);

@@ -47,6 +47,13 @@ fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: u
             arguments: &["t", "u", "m", "x", "q", "v"],
         },
     );
+    reduced::guards(
+        text,
+        emission,
+        (&chart.guards, Origin::Chart(index)),
+        &format!("fn switching_{index}(&self, {state}"),
+        &["t", "u", "m", "x", "g"],
+    );
     reduced::projection(text, emission, chart, &format!("project_{index}"));
     if let Some(look) = &chart.look {
         write(
@@ -80,9 +87,8 @@ fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: u
     }
 }
 
-/// What `System` does besides `typical` and `part_of_state`.
-pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) {
-    let (length, _) = emission.state_length();
+/// The rate in the chart that is held.
+pub(crate) fn rate(reduced: &Reduced) -> String {
     let rate = chosen(reduced, "u.chart", |k| match k {
         0 => "self.motion_0(t, &u.input, &u.memory, x, dx)".to_owned(),
         // A copy goes through memory, so that the arrays of the first chart stay in registers.
@@ -90,15 +96,16 @@ pub(crate) fn system(text: &mut String, emission: &Emission, reduced: &Reduced) 
             "{{ let (at, mut out) = (*x, *dx); let measure = self.motion_{k}(t, &u.input, &u.memory, &at, &mut out); *dx = out; measure }}"
         ),
     });
+    format!("rt::Health({rate})")
+}
+
+/// What `System` does besides the rate, `typical` and `part_of_state`.
+pub(crate) fn system(text: &mut String, emission: &Emission) {
+    let (length, _) = emission.state_length();
     push(
         text,
         format_args!(
-            "        #[inline]
-        fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
-            rt::Health({rate})
-        }}
-
-        #[cold]
+            "        #[cold]
         fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
             rt::charts::rate_beside(self, t, u, x, dx)
         }}
@@ -180,7 +187,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
 }
 
 /// A call that depends on the chart; none to choose from costs nothing.
-fn chosen(reduced: &Reduced, chart: &str, call: impl Fn(usize) -> String) -> String {
+pub(crate) fn chosen(reduced: &Reduced, chart: &str, call: impl Fn(usize) -> String) -> String {
     let count = reduced.charts.len();
     if count == 1 {
         return call(0);

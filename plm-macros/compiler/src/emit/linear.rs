@@ -1,36 +1,98 @@
-//! What derivatives need of a mechanism: itself in dual numbers, its inputs and outputs by number.
+//! A mechanism in other numbers, for derivatives and for lanes, and its inputs and outputs by number.
 //!
-//! All of it is generic: nothing is compiled where nobody differentiates.
+//! All of it is generic: nothing is compiled where nobody asks for it.
 
 use super::{Emission, docs, push};
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
+    pack(&mut text, emission);
     lift(&mut text, emission);
     ports(&mut text, emission);
     text
 }
 
-/// `Linear`: every number of the mechanism and of what it holds becomes a constant with derivatives.
-fn lift(text: &mut String, emission: &Emission) {
-    let Emission { model, fields, name, .. } = emission;
-    let (length, _) = emission.state_length();
-    let list = |fields: &[String], from: &str| {
-        each(fields, |_, field| format!("                {field}: lift({from}.{field}),\n"))
-    };
-    let bodies =
-        each(&fields.bodies, |_, field| format!("                {field}: self.start.{field}.map(lift),\n"));
-    let inputs = if model.inputs.is_empty() {
+/// `Pack`: every number of a mechanism and of what it holds, made of those of several.
+fn pack(text: &mut String, emission: &Emission) {
+    let Emission { fields, name, .. } = emission;
+    let held = emission.held("S");
+    let bodies = each(&fields.bodies, |_, field| {
+        format!("                {field}: self.start.{field}.map(|s| number([s; N])),\n")
+    });
+    let states = each(&fields.states, |_, field| {
+        format!("                {field}: number([self.start.{field}; N]),\n")
+    });
+    let params = each(&fields.params, |_, field| {
+        format!("                {field}: number(all.map(|one| one.{field})),\n")
+    });
+    let from = if emission.loops().is_some() { "held.input" } else { "held" };
+    let inputs = if fields.inputs.is_empty() {
         "                none: core::marker::PhantomData,\n".to_owned()
     } else {
-        list(&fields.inputs, if emission.loops().is_some() { "held.input" } else { "held" })
+        each(&fields.inputs, |_, field| {
+            format!("                {field}: number(all.map(|held| {from}.{field})),\n")
+        })
     };
-    let (held, lifted) = (emission.held("S"), emission.held("rt::Dual<S, K>"));
-    let wrapped = if emission.loops().is_some() {
-        "rt::charts::Held { input, chart: held.chart, memory: held.memory.map(lift) }"
+    let inputs = if emission.model.sides.is_empty() {
+        inputs
     } else {
-        "input"
+        format!(
+            "{inputs}                side: core::array::from_fn(|k| number(all.map(|held| {from}.side[k]))),\n"
+        )
     };
+    let (first, wrapped, calm) = if emission.loops().is_some() {
+        (
+            "first",
+            "let memory = core::array::from_fn(|k| number(all.map(|held| held.memory[k])));
+            rt::charts::Held { input, chart: first.chart, memory }",
+            "rt::charts::is_calm::<Self>(t, held)
+        }
+
+        fn chart(held: &Self::U) -> usize {
+            held.chart",
+        )
+    } else {
+        ("_", "input", "let _ = (t, held);\n            true")
+    };
+    push(
+        text,
+        format_args!(
+            "    impl<S: Real> rt::lanes::Pack for {name}<S> {{
+        type Packed<T: Scalar> = {name}<T>;
+
+        #[allow(unused_variables)] // where there are no parameters
+        fn pack<T: Scalar, const N: usize>(&self, all: [&Self; N], number: impl Fn([S; N]) -> T) -> {name}<T> {{
+            let start = Starts {{
+{bodies}{states}            }};
+            {name} {{
+                start,
+{params}            }}
+        }}
+
+        #[allow(unused_variables)] // where there are no inputs
+        fn pack_held<T: Scalar, const N: usize>({first}: &{held}, all: [&{held}; N], number: impl Fn([S; N]) -> T) -> {packed} {{
+            let input = Input {{
+{inputs}            }};
+            {wrapped}
+        }}
+
+        #[inline]
+        fn is_calm(t: S, held: &{held}) -> bool {{
+            {calm}
+        }}
+    }}
+
+",
+            packed = emission.held("T"),
+        ),
+    );
+}
+
+/// `Linear`: the mechanism and what it holds as constants with derivatives.
+fn lift(text: &mut String, emission: &Emission) {
+    let name = &emission.name;
+    let (length, _) = emission.state_length();
+    let (held, lifted) = (emission.held("S"), emission.held("rt::Dual<S, K>"));
     let constraints = if emission.reduced.is_some() {
         String::new()
     } else {
@@ -49,21 +111,13 @@ fn lift(text: &mut String, emission: &Emission) {
         type Lifted<const K: usize> = {name}<rt::Dual<S, K>>;
 
         fn lift<const K: usize>(&self, held: &{held}) -> ({name}<rt::Dual<S, K>>, {lifted}) {{
-            let lift = rt::Dual::constant;
-            let start = Starts {{
-{bodies}{states}            }};
-            let mechanism = {name} {{
-                start,
-{params}            }};
-            let input = Input {{
-{inputs}            }};
-            (mechanism, {wrapped})
+            use rt::lanes::Pack;
+            let constant = |[s]: [S; 1]| rt::Dual::constant(s);
+            (self.pack([self], constant), Self::pack_held(held, [held], constant))
         }}
 {constraints}    }}
 
-",
-            states = list(&fields.states, "self.start"),
-            params = list(&fields.params, "self"),
+"
         ),
     );
 }

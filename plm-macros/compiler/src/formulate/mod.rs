@@ -11,7 +11,8 @@ mod ldl;
 mod order;
 mod outputs;
 mod reduced;
+mod sides;
 
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};
-pub(crate) use reduced::{Chart, Reduced, formulate as reduce};
+pub(crate) use reduced::{Assembled, Chart, Reduced, formulate as reduce};

@@ -63,12 +63,26 @@ pub(crate) fn schemes(
         Some(freedom) if freedom > 0 || !coordinates.rows.is_empty() => freedom,
         _ => return Err("nothing can move, or constraints are redundant".to_owned()),
     };
+    split(model, coordinates, &equations, freedom, graph)
+}
+
+/// The charts of some equations that leave so much freedom.
+///
+/// # Errors
+/// As [`schemes`].
+pub(crate) fn split(
+    model: &Model,
+    coordinates: &Coordinates,
+    equations: &[Equation],
+    freedom: usize,
+    graph: &mut Graph,
+) -> Result<Vec<Scheme>, String> {
     let candidates = candidates(model, coordinates);
     let graph = RefCell::new(graph);
     let group = |block: &Block| Group::of(coordinates, block, &mut graph.borrow_mut());
     // What has a closed form is small: the others are not worth a look here.
     let cost = |block: &Block| if block.unknowns.len() > 2 { None } else { group(block)?.cost() };
-    let choices = drivers(n, &equations, freedom, &candidates, &cost);
+    let choices = drivers(coordinates.unknowns.len(), equations, freedom, &candidates, &cost);
     let Some(best) = choices.first() else {
         return Err("its constraints are redundant".to_owned());
     };
@@ -90,7 +104,7 @@ pub(crate) fn schemes(
 }
 
 /// The unknowns of the loops, then those of the rows.
-fn equations(coordinates: &Coordinates) -> Vec<Equation> {
+pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
     let loops = coordinates.closures.iter().map(|closure| {
         let mut unknowns = Vec::new();
         for (class, slide, _) in closure.terms() {

@@ -8,7 +8,6 @@
 use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
-use super::dyad::Dyad;
 use super::plane::{self, Vec2};
 use super::rows::{self, Linear};
 use crate::model::{FrameRef, Model, Pair, Port};
@@ -166,17 +165,21 @@ impl Coordinates {
         self.unknowns.len() - 1
     }
 
-    /// The joint of a loop that a dyad closes: between its two bodies, or the one that slides.
-    pub(crate) fn closing(&self, dyad: &Dyad) -> usize {
-        let solved = dyad.classes();
+    /// The joint of a loop that some unknowns close: between their bodies, or the one that slides.
+    pub(crate) fn closing(&self, closure: usize, unknowns: &[usize]) -> usize {
+        let class = |&unknown: &usize| match self.unknowns[unknown] {
+            Unknown::Angle { class, .. } => Some(class),
+            _ => None,
+        };
+        let solved: Vec<usize> = unknowns.iter().filter_map(class).collect();
         let within =
             |frame: FrameRef| frame.body.is_some_and(|body| solved.contains(&self.headings[body].class));
         let rank = |&joint: &usize| {
             let Joint { a, b, slide, .. } = self.joints[joint];
-            let slides = slide.is_some_and(|slide| dyad.unknowns.contains(&slide));
+            let slides = slide.is_some_and(|slide| unknowns.contains(&slide));
             (slides || (within(a) && within(b)), within(a) || within(b))
         };
-        self.loops[dyad.closure].iter().copied().max_by_key(rank).unwrap_or(0)
+        self.loops[closure].iter().copied().max_by_key(rank).unwrap_or(0)
     }
 
     /// Heading of the body of a frame.

@@ -125,7 +125,7 @@ impl Dyad {
         graph: &mut Graph,
     ) -> Solution {
         let chain = &coordinates.closures[self.closure];
-        let known = known(chain, self, motion, graph);
+        let known = known(chain, &self.classes(), &self.unknowns, motion, graph);
         let known = named(graph, known, &format!("loop_{}", self.closure));
         let root = Root { closure: self.closure, predicted };
         match self.kind {
@@ -334,6 +334,12 @@ impl Solution {
             arms: Vec::new(),
         }
     }
+
+    /// A loop that has nothing to decide.
+    pub(crate) fn certain(graph: &Graph) -> Solution {
+        let (zero, one) = ([graph.zero(); 2], graph.one());
+        Solution { determinant: one, square: one, scale: one, columns: [zero; 2], arms: Vec::new() }
+    }
 }
 
 fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
@@ -342,11 +348,16 @@ fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
 }
 
 /// Sum of the vectors of a loop that do not hold the unknowns of a dyad.
-fn known(chain: &Chain, dyad: &Dyad, motion: &Motion, graph: &mut Graph) -> Vec2 {
-    let turns = dyad.classes();
+pub(crate) fn known(
+    chain: &Chain,
+    turns: &[usize],
+    unknowns: &[usize],
+    motion: &Motion,
+    graph: &mut Graph,
+) -> Vec2 {
     let mut sum = [graph.zero(); 2];
     for class in chain.classes().into_iter().filter(|class| !turns.contains(class)) {
-        let own = motion.arm(chain, class, &dyad.unknowns, graph);
+        let own = motion.arm(chain, class, unknowns, graph);
         let own = motion.turned(graph, class, own);
         sum = plane::add(graph, sum, own);
     }

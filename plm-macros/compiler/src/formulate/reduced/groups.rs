@@ -10,6 +10,7 @@ use super::memory::Memory;
 use super::motion::Motion;
 use super::newton::Newton;
 use super::rows;
+use super::single::Single;
 use crate::topology::Block;
 
 /// Unknowns that follow from those before.
@@ -19,6 +20,8 @@ pub(crate) enum Group {
     Row { row: usize, unknown: usize },
     /// Two unknowns of a loop.
     Dyad(Dyad),
+    /// The one unknown of a loop that says the rest for the second time.
+    Single(Single),
     /// Unknowns of several loops that must be solved together.
     Newton(Newton),
 }
@@ -32,6 +35,9 @@ impl Group {
             (&[closure], &[first, second]) if closure < loops => {
                 Dyad::of(coordinates, closure, [first, second], graph).map(Group::Dyad)
             }
+            (&[closure], &[unknown]) if closure < loops => {
+                Single::of(coordinates, closure, unknown).map(Group::Single)
+            }
             _ => Newton::of(coordinates, block, graph).map(Group::Newton),
         }
     }
@@ -41,6 +47,7 @@ impl Group {
         match self {
             Group::Row { .. } => Some(0),
             Group::Dyad(dyad) => Some(dyad.cost()),
+            Group::Single(_) => Some(2),
             Group::Newton(_) => None,
         }
     }
@@ -50,6 +57,7 @@ impl Group {
         match self {
             Group::Row { unknown, .. } => vec![*unknown],
             Group::Dyad(dyad) => dyad.unknowns.to_vec(),
+            Group::Single(single) => vec![single.unknown],
             Group::Newton(newton) => newton.unknowns.clone(),
         }
     }
@@ -64,6 +72,7 @@ impl Group {
         match self {
             Group::Row { .. } => "given".to_owned(),
             Group::Dyad(dyad) => dyad.name().to_owned(),
+            Group::Single(_) => "redundant".to_owned(),
             Group::Newton(newton) => newton.name(),
         }
     }
@@ -72,7 +81,8 @@ impl Group {
     pub(crate) fn closing(&self, coordinates: &Coordinates) -> Option<usize> {
         match self {
             Group::Row { .. } => None,
-            Group::Dyad(dyad) => Some(coordinates.closing(dyad)),
+            Group::Dyad(dyad) => Some(coordinates.closing(dyad.closure, &dyad.unknowns)),
+            Group::Single(single) => Some(coordinates.closing(single.closure, &[single.unknown])),
             Group::Newton(newton) => {
                 newton.closures.iter().find_map(|&k| coordinates.loops[k].last().copied())
             }
@@ -95,9 +105,10 @@ impl Group {
             Group::Dyad(dyad) => {
                 let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
                 let solution = dyad.solve(coordinates, motion, predicted, graph);
-                loops::differentiate(coordinates, motion, dyad, &solution, time, graph);
+                loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
                 solution
             }
+            Group::Single(single) => single.solve(coordinates, motion, time, graph),
             Group::Newton(newton) => newton.solve(coordinates, motion, memory, time, graph),
         };
         motion.solutions.push(solution);
@@ -119,6 +130,7 @@ impl Group {
         match self {
             Group::Row { .. } => None,
             Group::Dyad(dyad) => Some(dyad.at_pose(coordinates, motion, graph)),
+            Group::Single(_) => Some(Solution::certain(graph)),
             Group::Newton(newton) => Some(newton.at_pose(coordinates, motion, graph)),
         }
     }
@@ -132,7 +144,7 @@ impl Group {
         graph: &mut Graph,
     ) -> Expr {
         match self {
-            Group::Row { .. } | Group::Newton(_) => graph.zero(),
+            Group::Row { .. } | Group::Single(_) | Group::Newton(_) => graph.zero(),
             Group::Dyad(dyad) => loops::determinant_rate(coordinates, motion, dyad, solution, graph),
         }
     }

@@ -7,7 +7,6 @@ use super::coordinates::Unknown;
 use super::dyad::Solution;
 use super::memory::Memorable;
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use super::{Layout, measure, stored};
 use crate::derive::Equations;
 use crate::formulate::function::{Function, Place};
@@ -42,23 +41,17 @@ impl Layout<'_> {
     /// `memory`, returning the square of the measure.
     fn remembered(&mut self, motion: &Motion, areas: Vec<[Expr; 2]>, solutions: &[Solution]) -> Function {
         let graph = &mut *self.graph;
-        let mut axis = motion.axis.clone();
         let mut followed = vec![[graph.zero(); 2]; motion.value.len()];
         for unknown in self.memory.followed() {
             followed[unknown] = [motion.value[unknown], motion.rate[unknown]];
-            if let Unknown::Angle { class, .. } = self.coordinates.unknowns[unknown] {
-                axis[class] = normalised(axis[class], graph);
-            } else {
+            if !matches!(self.coordinates.unknowns[unknown], Unknown::Angle { .. }) {
                 followed[unknown] = followed[unknown].map(|value| graph.div(value, motion.length));
             }
         }
-        let angle = |unknown: usize| {
-            let class = match self.coordinates.unknowns[unknown] {
-                Unknown::Angle { class, .. } => class,
-                _ => 0,
-            };
-            let [cos, sin] = axis[class];
-            [motion.value[unknown], cos, sin]
+        // The direction of the angle itself, not the axis that it was found from: rounding would add up from look to look.
+        let angle = |unknown: usize, graph: &mut Graph| {
+            let value = motion.value[unknown];
+            [value, graph.cos(value), graph.sin(value)]
         };
         let followed = |unknown: usize| followed[unknown];
         let memorable = Memorable { time: self.model.time, angle: &angle, areas, followed: &followed };
@@ -67,12 +60,4 @@ impl Layout<'_> {
         results.push((Place::Value, measure(solutions, graph)));
         Function::of_results(results).optimise(graph)
     }
-}
-
-/// A vector that has the length 1 but for rounding, so that rounding does not add up from look to look.
-fn normalised(axis: Vec2, graph: &mut Graph) -> Vec2 {
-    let (square, [three, two]) = (plane::dot(graph, axis, axis), [3, 2].map(|n| graph.int(n)));
-    let rest = graph.sub(three, square);
-    let factor = graph.div(rest, two);
-    plane::scale(graph, factor, axis)
 }

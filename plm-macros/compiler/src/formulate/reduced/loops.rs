@@ -13,8 +13,29 @@ use super::dyad::{Dyad, Solution};
 use super::motion::Motion;
 use super::plane::{self, Vec2};
 
+/// Unknowns of one closure that have been found.
+pub(crate) struct Found<'a> {
+    /// The loop.
+    pub(crate) closure: usize,
+    pub(crate) unknowns: &'a [usize],
+    pub(crate) solution: &'a Solution,
+    /// The unknowns `u` of `sum of g u + c = 0`, by `c`.
+    pub(crate) solve: &'a dyn Fn(Vec2, &mut Graph) -> Vec<Expr>,
+}
+
+impl Found<'_> {
+    /// The rates that belong to `sum`, by unknown, with names.
+    fn named(&self, sum: Vec2, what: &str, graph: &mut Graph) -> Vec<(usize, Expr)> {
+        let values = (self.solve)(sum, graph);
+        let named = self.unknowns.iter().zip(values).enumerate().map(|(k, (&unknown, value))| {
+            (unknown, graph.define(&format!("{what}_{}_{k}", self.closure), value))
+        });
+        named.collect()
+    }
+}
+
 /// Writes coefficients and rates of the two unknowns of a dyad into `motion`.
-pub(crate) fn differentiate(
+pub(crate) fn differentiate_dyad(
     coordinates: &Coordinates,
     motion: &mut Motion,
     dyad: &Dyad,
@@ -22,24 +43,42 @@ pub(crate) fn differentiate(
     time: Expr,
     graph: &mut Graph,
 ) {
-    let solved = (&dyad.unknowns[..], &solution.arms[..]);
-    let flow = Flow::new(coordinates, motion, dyad.closure, solved, time, graph);
-    let cramer = Cramer::new(dyad, solution, graph);
+    let reciprocal = graph.recip(solution.determinant);
+    let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
+    let [first, second] = solution.columns;
+    let cramer = |sum: Vec2, graph: &mut Graph| {
+        let minors = [plane::cross(graph, second, sum), plane::cross(graph, sum, first)];
+        minors.map(|minor| graph.mul(minor, reciprocal)).to_vec()
+    };
+    let found = Found { closure: dyad.closure, unknowns: &dyad.unknowns, solution, solve: &cramer };
+    differentiate(coordinates, motion, &found, time, graph);
+}
+
+/// Writes coefficients and rates of the unknowns that were found into `motion`.
+pub(crate) fn differentiate(
+    coordinates: &Coordinates,
+    motion: &mut Motion,
+    found: &Found,
+    time: Expr,
+    graph: &mut Graph,
+) {
+    let solved = (found.unknowns, &found.solution.arms[..]);
+    let flow = Flow::new(coordinates, motion, found.closure, solved, time, graph);
     for driver in 0..motion.drivers.len() {
         let sum = flow.gain(motion, driver, graph);
-        for (unknown, value) in cramer.solve(sum, &format!("gain_{driver}"), graph) {
+        for (unknown, value) in found.named(sum, &format!("gain_{driver}"), graph) {
             motion.gain[unknown][driver] = value;
         }
     }
     let sum = flow.drift(motion, graph);
-    for (unknown, value) in cramer.solve(sum, "drift", graph) {
+    for (unknown, value) in found.named(sum, "drift", graph) {
         motion.drift[unknown] = value;
     }
-    for unknown in dyad.unknowns {
+    for &unknown in found.unknowns {
         motion.set_rate(coordinates, unknown, graph);
     }
     let sum = flow.bias(motion, time, graph);
-    for (unknown, value) in cramer.solve(sum, "bias", graph) {
+    for (unknown, value) in found.named(sum, "bias", graph) {
         motion.bias[unknown] = value;
     }
 }
@@ -169,29 +208,4 @@ fn weighted(graph: &mut Graph, columns: &[(usize, Vec2)], weight: impl Fn(usize)
         sum = plane::add(graph, sum, own);
     }
     sum
-}
-
-/// Two linear equations in the unknowns of a dyad.
-struct Cramer {
-    unknowns: [usize; 2],
-    columns: [Vec2; 2],
-    reciprocal: Expr,
-    closure: usize,
-}
-
-impl Cramer {
-    fn new(dyad: &Dyad, solution: &Solution, graph: &mut Graph) -> Cramer {
-        let reciprocal = graph.recip(solution.determinant);
-        let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
-        Cramer { unknowns: dyad.unknowns, columns: solution.columns, reciprocal, closure: dyad.closure }
-    }
-
-    /// The unknowns `u` of `g_1 u_1 + g_2 u_2 + sum = 0`.
-    fn solve(&self, sum: Vec2, what: &str, graph: &mut Graph) -> [(usize, Expr); 2] {
-        let minors = [plane::cross(graph, self.columns[1], sum), plane::cross(graph, sum, self.columns[0])];
-        [0, 1].map(|k| {
-            let value = graph.mul(minors[k], self.reciprocal);
-            (self.unknowns[k], graph.define(&format!("{what}_{}_{k}", self.closure), value))
-        })
-    }
 }

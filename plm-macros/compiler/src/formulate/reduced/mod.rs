@@ -17,7 +17,9 @@ mod memory;
 mod motion;
 mod newton;
 mod plane;
+mod redundant;
 mod rows;
+mod single;
 
 use plm_cas::{Expr, Graph};
 
@@ -29,6 +31,7 @@ use self::memory::Memory;
 use self::motion::Motion;
 use super::function::{Function, Place, Section};
 use super::ldl::factorise;
+use super::sides;
 use crate::derive::Equations;
 use crate::model::Model;
 
@@ -92,6 +95,8 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
+    /// `g`, the guards of conditions.
+    pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
     /// `x` of a state in absolute coordinates.
@@ -106,18 +111,35 @@ pub(crate) struct Chart {
     pub(crate) closing: Vec<String>,
 }
 
-/// Lays out rung 2 or 3; `length` is the size of the scene, m.
+/// The start with the defaults of the parameters, where structure alone cannot decide.
+#[derive(Debug)]
+pub(crate) struct Assembled {
+    /// Coordinates less the rank of `phi_q`.
+    pub(crate) freedom: usize,
+    /// Values of all symbols, pose and velocity included.
+    pub(crate) values: Vec<(Expr, f64)>,
+}
+
+/// The size of the scene, m, and what gives the start if the joints close.
+pub(crate) type Known<'a> = (f64, &'a dyn Fn(&Graph) -> Option<Assembled>);
+
+/// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
 /// Why the mechanism has neither: words that go on "rung 5 because …".
 pub(crate) fn formulate(
     model: &Model,
     equations: &Equations,
-    length: f64,
+    (length, assembled): Known,
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
-    let schemes = charts::schemes(model, &coordinates, graph)?;
+    let schemes = match charts::schemes(model, &coordinates, graph) {
+        Err(reason) => {
+            redundant::schemes(model, equations, &coordinates, (length, assembled), graph).ok_or(reason)
+        }
+        schemes => schemes,
+    }?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
@@ -192,6 +214,7 @@ impl Layout<'_> {
             y_dot: of_drivers(&motion.rate),
             method,
             rate,
+            guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
             look,

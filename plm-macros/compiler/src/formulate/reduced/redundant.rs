@@ -1,0 +1,122 @@
+//! Redundant constraints that agree: which loop says what others have said.
+//!
+//! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
+//! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
+
+use plm_cas::{Expr, Graph, Tape};
+
+use super::charts::{self, Scheme};
+use super::coordinates::{Coordinates, Unknown};
+use super::memory::Memory;
+use super::motion::{self, Motion};
+use super::{Assembled, Known, Layout};
+use crate::check;
+use crate::derive::Equations;
+use crate::model::Model;
+
+/// Sets of loops that are tried.
+const MOST_SETS: usize = 200;
+/// How far from the start the joints must close, rad or parts of the scene's length.
+const AWAY: [f64; 3] = [0.05, -0.07, 0.11];
+/// The largest gap there, as a part of the scene's length.
+const CLOSED: f64 = 1e-9;
+
+/// The charts of a mechanism that is redundant, if some loops say what others have said.
+pub(crate) fn schemes(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    (length, assembled): Known,
+    graph: &mut Graph,
+) -> Option<Vec<Scheme>> {
+    let all = charts::equations(coordinates);
+    let rows: usize = all.iter().map(|equation| equation.rows).sum();
+    let loops = coordinates.closures.len();
+    if loops == 0 {
+        return None;
+    }
+    let assembled = assembled(graph)?;
+    let spare = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
+    if spare == 0 || spare > loops {
+        return None;
+    }
+    for set in sets(loops, spare) {
+        let mut equations_left = all.clone();
+        for &closure in &set {
+            equations_left[closure].rows = 1;
+        }
+        let Ok(schemes) = charts::split(model, coordinates, &equations_left, assembled.freedom, graph) else {
+            continue;
+        };
+        let closing: Vec<Scheme> = schemes
+            .into_iter()
+            .filter(|scheme| closes(model, equations, coordinates, scheme, (length, &assembled), graph))
+            .collect();
+        if !closing.is_empty() {
+            return Some(closing);
+        }
+    }
+    None
+}
+
+/// Do all joints close in poses away from the start?
+fn closes(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    scheme: &Scheme,
+    (length, assembled): (f64, &Assembled),
+    graph: &mut Graph,
+) -> bool {
+    let iterated: Vec<usize> = scheme.iterated().collect();
+    let memory = Memory::new(coordinates, scheme.loops().count(), &iterated, graph);
+    let size = graph.number(plm_cas::Number::from_f64(length));
+    let motion = Motion::new(model, coordinates, scheme, &memory, size, graph);
+    let survey = {
+        let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size, graph };
+        layout.survey(scheme)
+    };
+    let values_of =
+        |graph: &Graph, roots: &[Expr], values: &[(Expr, f64)]| check::run(&Tape::new(graph, roots), values);
+    let remembered: Vec<Expr> = survey.results.iter().map(|&(_, value)| value).collect();
+    let remembered = values_of(graph, &remembered, &assembled.values);
+    let drivers: Vec<Expr> = scheme
+        .drivers
+        .iter()
+        .map(|&unknown| motion::of_pose(model, coordinates, graph, coordinates.unknowns[unknown]))
+        .collect();
+    let start = values_of(graph, &drivers, &assembled.values);
+    let pose: Vec<Expr> = (0..model.bodies.len())
+        .flat_map(|body| {
+            let [x, y] = motion.position[body];
+            [x, y, motion.angle(coordinates, graph, coordinates.headings[body])]
+        })
+        .collect();
+    let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));
+    let others: Vec<(Expr, f64)> = others.copied().collect();
+    AWAY.iter().all(|away| {
+        let mut at = others.clone();
+        at.extend(memory.symbols().into_iter().zip(remembered.iter().copied()));
+        for (&unknown, &from) in scheme.drivers.iter().zip(&start) {
+            let is_angle = matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
+            at.push((motion.value[unknown], from + if is_angle { *away } else { away * length }));
+        }
+        let q = values_of(graph, &pose, &at);
+        let mut there = others.clone();
+        there.extend(equations.q.iter().copied().zip(q));
+        values_of(graph, &equations.phi, &there).iter().all(|gap| gap.abs() <= CLOSED * length)
+    })
+}
+
+/// Sets of so many loops; the later ones first, which were declared to hold what the earlier ones hold.
+fn sets(loops: usize, size: usize) -> Vec<Vec<usize>> {
+    let mut sets: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..size {
+        let longer = sets.iter().flat_map(|set| {
+            let below = set.last().copied().unwrap_or(loops);
+            (0..below).rev().map(move |closure| set.iter().copied().chain([closure]).collect())
+        });
+        sets = longer.take(MOST_SETS).collect();
+    }
+    sets
+}

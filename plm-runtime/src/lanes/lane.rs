@@ -1,0 +1,96 @@
+//! One lane of a batch, as the simulation that it is.
+
+use super::{LANES, Lanes, Pack};
+use crate::events::Watch;
+use crate::fault::Fault;
+use crate::mechanism::{Mechanism, Moment};
+use crate::method::{Course, FixedStep, Formula, Method, Plan};
+use crate::sim::{Limits, Sim, look};
+use crate::vector::Vector;
+
+/// A simulation on its way through an interval.
+pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
+    pub(super) course: Course<'a, M>,
+    method: &'a mut FixedStep<f64, F>,
+    watch: &'a mut Watch<f64, M::G>,
+    limits: Limits<f64>,
+    /// It goes with the others: it started with them and has not stopped.
+    pub(super) runs: bool,
+    pub(super) outcome: Result<(), Fault>,
+    /// Steps that were made for all lanes at once, and needed nothing more.
+    coasted: u64,
+}
+
+impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
+    /// The simulation, on its way to `end`; it goes with the others if it `joins` them.
+    pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
+        let Sim { state, method, stats, watch, limits } = sim;
+        let (system, held, x) = (state.mechanism(), state.held(), *state.x());
+        let mut course = Course { system, held, time: state.time(), x, end, stats };
+        let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
+        Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, coasted: 0 }
+    }
+
+    /// The division of the interval into steps.
+    pub(super) fn plan(&self) -> Plan<f64> {
+        self.method.plan
+    }
+
+    /// Whether its steps may be made with the others', in their chart.
+    pub(super) fn joins(&self, chart: usize) -> bool {
+        self.runs && !self.method.careful && M::chart(&self.course.held) == chart
+    }
+
+    /// Makes the next step with the others and without a look at it, if none is due.
+    #[inline]
+    pub(super) fn coast(&mut self, plan: &Plan<f64>) -> bool {
+        let coasts = M::is_calm(plan.next_time, &self.course.held) && self.method.coast();
+        self.coasted += u64::from(coasts);
+        coasts
+    }
+
+    /// Makes the next step of the plan from the state `x`, to `next` if that is known, and looks at it.
+    pub(super) fn step(&mut self, time: f64, plan: &Plan<f64>, x: M::X, next: Option<M::X>) {
+        (self.course.time, self.course.x, self.method.plan) = (time, x, *plan);
+        self.outcome = self.land(next);
+        self.runs = self.outcome.is_ok();
+    }
+
+    fn land(&mut self, next: Option<M::X>) -> Result<(), Fault> {
+        let Self { course, method, watch, limits, .. } = self;
+        let before = (course.time, course.x);
+        let mut x = course.x;
+        match next {
+            Some(next) => {
+                x = next;
+                course.stats.evaluations += F::STAGES;
+            }
+            None => method.step(course, &mut x)?,
+        }
+        method.land(course, x)?;
+        if let Some(next) = look(*method, course, (&mut **watch, *limits), before)? {
+            next.hold(*method, course);
+        }
+        Ok(())
+    }
+
+    /// Counts the steps that were made with the others.
+    pub(super) fn close(&mut self) {
+        self.course.stats.steps += self.coasted;
+        self.course.stats.evaluations += self.coasted * F::STAGES;
+    }
+}
+
+/// The values of one lane.
+pub(super) fn column<L: Lanes, X: Vector<f64>>(wide: &impl Vector<L>, lane: usize) -> X {
+    X::from_fn(|k| wide.at(k).values()[lane % LANES])
+}
+
+/// Gives one lane its values.
+pub(super) fn set_column<L: Lanes, Y: Vector<L>>(wide: &mut Y, lane: usize, x: &impl Vector<f64>) {
+    for k in 0..Y::LEN {
+        let mut values = wide.at(k).values();
+        values[lane % LANES] = x.at(k);
+        wide.set(k, L::of(values));
+    }
+}

@@ -1,0 +1,89 @@
+//! Several trajectories of one mechanism side by side, one in each lane of vectors.
+//!
+//! The equations are straight-line code for any [`Scalar`], so a number that holds a value for every lane runs them for
+//! all lanes at once. What is decided on data (rank, charts, projection) is decided lane by lane, in ordinary numbers.
+
+mod batch;
+mod lane;
+
+pub use batch::Batch;
+
+use crate::mechanism::Mechanism;
+use crate::scalar::Scalar;
+use crate::system::{Health, System};
+use crate::vector::Vector;
+
+/// How many trajectories run side by side.
+pub const LANES: usize = 8;
+
+/// Eight values of `f64` as one number; every operation gives each lane the bits that `f64` gives.
+pub trait Lanes: Scalar {
+    /// A value for every lane.
+    fn of(values: [f64; LANES]) -> Self;
+    /// The values.
+    fn values(self) -> [f64; LANES];
+}
+
+/// The right-hand side alone, for any numbers; implemented by generated code.
+pub trait Rate {
+    /// The numbers it computes with.
+    type S: Scalar;
+    /// The state and its rate, as [`System::X`].
+    type X: Vector<Self::S>;
+    /// What is held over a step, as [`System::U`].
+    type U: Copy;
+
+    /// Number of coordinates, as [`System::NQ`].
+    const NQ: usize;
+
+    /// The rate `dx` of the state, as straight-line code without pivoting.
+    fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
+}
+
+/// A mechanism of which several can be packed into one; implemented by generated code.
+pub trait Pack: Mechanism {
+    /// The same equations in other numbers.
+    type Packed<T: Scalar>: Rate<S = T>;
+
+    /// Several mechanisms as one, whose parameters `number` makes of theirs; it cannot be assembled (its starts are
+    /// those of this one).
+    fn pack<T: Scalar, const N: usize>(
+        &self,
+        all: [&Self; N],
+        number: impl Fn([Self::S; N]) -> T,
+    ) -> Self::Packed<T>;
+
+    /// What several mechanisms hold over a step as one; the chart is that of `first`.
+    fn pack_held<T: Scalar, const N: usize>(
+        first: &Self::U,
+        all: [&Self::U; N],
+        number: impl Fn([Self::S; N]) -> T,
+    ) -> <Self::Packed<T> as Rate>::U;
+
+    /// The chart that is held, from 0.
+    fn chart(held: &Self::U) -> usize {
+        let _ = held;
+        0
+    }
+
+    /// Whether [`System::accept`] has nothing to do at the time `t`.
+    fn is_calm(t: Self::S, held: &Self::U) -> bool;
+}
+
+/// A right-hand side as a system that is never looked at: what the formulas of methods ask for.
+struct Unwatched<R>(R);
+
+impl<R: Rate> System for Unwatched<R> {
+    type S = R::S;
+    type X = R::X;
+    type U = R::U;
+    type G = [R::S; 0];
+
+    const NQ: usize = R::NQ;
+
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn rate(&self, t: R::S, u: &R::U, x: &R::X, dx: &mut R::X) -> Health<R::S> {
+        self.0.rate(t, u, x, dx)
+    }
+}
