@@ -234,7 +234,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 fn stretch<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    (watch, limits): (&mut Watch<M::S, M::G>, Limits<M::S>),
+    (watch, limits): Guarded<'_, M>,
     mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
     watch.begin(method, course)?;
@@ -260,6 +260,9 @@ struct Limits<S> {
     change_points: bool,
 }
 
+/// Guards and limits of a run.
+type Guarded<'w, M> = (&'w mut Watch<<M as System>::S, <M as System>::G>, Limits<<M as System>::S>);
+
 /// A step that was refused is not shortened below so many units in the last place of the time.
 const SHORTEST_ULPS: f64 = 64.0;
 
@@ -274,7 +277,7 @@ struct Next<M: System> {
 fn look<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    (watch, limits): (&mut Watch<M::S, M::G>, Limits<M::S>),
+    (watch, limits): Guarded<'_, M>,
     before: (M::S, M::X),
 ) -> Result<Option<Next<M>>, Fault> {
     let (mut held, mut x) = (course.held, course.x);
@@ -312,8 +315,9 @@ fn audit<M: Mechanism>(course: &Course<'_, M>, fraction: M::S, before: &(M::S, M
     let half = M::S::lit(0.5) * (course.time - before.0);
     let jump = (to.kinetic - from.kinetic) + (to.gravity - from.gravity) - half * (from.power + to.power);
     let moves = from.kinetic.max(to.kinetic).max((half * from.power).abs()).max((half * to.power).abs());
-    // True for what is not a number.
-    if !(jump.abs() <= fraction * moves) {
+    // False for what is not a number.
+    let fits = jump.abs() <= fraction * moves;
+    if !fits {
         let cause = Cause::EnergyJump { by: jump.to_f64(), of: moves.to_f64() };
         return Err(Fault::new(course.time.to_f64(), cause));
     }

@@ -25,6 +25,12 @@ fn lift(text: &mut String, emission: &Emission) {
     } else {
         list(&fields.inputs, if emission.loops().is_some() { "held.input" } else { "held" })
     };
+    let source = if emission.loops().is_some() { "held.input" } else { "held" };
+    let inputs = if model.sides.is_empty() {
+        inputs
+    } else {
+        format!("{inputs}                side: {source}.side.map(lift),\n")
+    };
     let (held, lifted) = (emission.held("S"), emission.held("rt::Dual<S, K>"));
     let wrapped = if emission.loops().is_some() {
         "rt::charts::Held { input, chart: held.chart, memory: held.memory.map(lift) }"

@@ -1,8 +1,8 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, charts, push, system};
-use crate::formulate::Chart;
+use super::{Emission, Origin, charts, push, sides, system};
+use crate::formulate::{Chart, Function};
 
 /// The straight-line functions.
 pub(crate) fn emit(emission: &Emission) -> String {
@@ -48,6 +48,42 @@ fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
         },
     );
     projection(text, emission, chart, "project");
+    let state = format!("t: S, u: &Input<S>, x: &[S; {length}]");
+    guards(
+        text,
+        emission,
+        (&chart.guards, Origin::Chart(0)),
+        &format!("fn switching(&self, {state}"),
+        &["t", "u", "x", "g"],
+    );
+}
+
+/// How far the conditions are from switching.
+pub(crate) fn guards(
+    text: &mut String,
+    emission: &Emission,
+    (function, origin): (&Function, Origin),
+    signature: &str,
+    arguments: &[&str],
+) {
+    let count = emission.model.guards();
+    if count == 0 {
+        return;
+    }
+    write(
+        text,
+        emission,
+        function,
+        origin,
+        &Shape {
+            docs: &[
+                "How far every condition is from switching: positive while the side that is held applies.",
+            ],
+            attribute: "",
+            signature: &format!("{signature}, g: &mut [S; {count}])"),
+            arguments,
+        },
+    );
 }
 
 /// The coordinates of a chart at a pose.
@@ -104,7 +140,16 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
             ),
         );
     }
+    let switching = charts::chosen(reduced, "u.chart", |k| {
+        if reduced.has_loops() {
+            format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
+        } else {
+            "self.switching(t, u, x, g)".to_owned()
+        }
+    });
+    sides::contract(&mut rate, emission, &switching);
     system::energy(&mut rate, emission);
+    let guard_type = sides::guard_type(emission);
     push(
         text,
         format_args!(
@@ -112,8 +157,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         type S = S;
         type X = [S; {length}];
         type U = {held};
-        type G = [S; 0];
-        const NQ: usize = {n};
+{guard_type}        const NQ: usize = {n};
 
 {rate}        fn typical(&self) -> [S; {length}] {{
             [{}].map(S::lit)

@@ -2,7 +2,7 @@
 
 use plm_cas::Expr;
 
-use super::{Emission, defaults, push, reduced};
+use super::{Emission, defaults, push, reduced, sides};
 use crate::formulate::coordinate_name;
 use crate::model::Stabilisation;
 
@@ -49,13 +49,13 @@ fn system(text: &mut String, emission: &Emission) {
 "
         )
     };
+    let guard_type = sides::guard_type(emission);
     push(text, format_args!(
         "    impl<S: Real> rt::System for {name}<S> {{
         type S = S;
         type X = [S; {length}];
         type U = Input<S>;
-        type G = [S; 0];
-        const NQ: usize = {nq};
+{guard_type}        const NQ: usize = {nq};
 
         #[inline]
         fn rate(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
@@ -103,6 +103,7 @@ fn system(text: &mut String, emission: &Emission) {
             );
         }
     }
+    sides::contract(text, emission, "self.switching(t, u, x, g)");
     energy(text, emission);
     typical(text, emission);
     text.push_str("    }\n\n");
@@ -224,12 +225,13 @@ fn mechanism(text: &mut String, emission: &Emission) {
 
 /// From the assembled pose to the state.
 fn begin(emission: &Emission) -> String {
+    let sides = sides::begin(emission);
     if let Some(reduced) = emission.loops() {
         return format!(
             "            let memory = [S::lit(0.0); {}];
             let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
             rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
-            Ok((held, x))
+{sides}            Ok((held, x))
 ",
             reduced.memory.len()
         );
@@ -239,7 +241,10 @@ fn begin(emission: &Emission) -> String {
     } else {
         "absolute::join(&assembly.q, &assembly.v, &mut x)"
     };
-    format!("            {call};\n            Ok((self.declared_input(), x))\n")
+    let mutable = if sides.is_empty() { "" } else { "mut " };
+    format!(
+        "            {call};\n            let {mutable}held = self.declared_input();\n{sides}            Ok((held, x))\n"
+    )
 }
 
 /// `Absolute`: the constraints, for assembly, projection and the fallback.

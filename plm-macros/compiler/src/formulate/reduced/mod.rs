@@ -28,6 +28,7 @@ use self::memory::{Memorable, Memory};
 use self::motion::Motion;
 use super::function::{Function, Place, Section};
 use super::ldl::factorise;
+use super::sides;
 use crate::derive::Equations;
 use crate::model::Model;
 
@@ -82,6 +83,8 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
+    /// `g`, the guards of conditions.
+    pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
     /// `x` of a state in absolute coordinates.
@@ -184,6 +187,7 @@ impl Layout<'_> {
             y_dot: of_drivers(&motion.rate),
             method,
             rate,
+            guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
             look,
