@@ -72,7 +72,11 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
     /// Makes one step, by rank where needed.
     #[inline]
-    pub(crate) fn step<M: System<S = S>>(&mut self, course: &mut Course<'_, M>, x: &mut M::X) -> Result<(), Fault> {
+    pub(crate) fn step<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        x: &mut M::X,
+    ) -> Result<(), Fault> {
         if !self.careful {
             let health = F::plain_step(course.system, course.time, &course.held, x, self.plan.h);
             course.stats.evaluations += F::STAGES;
