@@ -9,7 +9,8 @@ mod scenes;
 mod standard;
 
 use plm::runtime::lanes::Pack;
-use plm::{Batch, Cause, Moment, Rk4, Sim, Stats};
+use plm::runtime::method::{FixedStep, Formula, Rk4Formula};
+use plm::{Batch, Cause, Moment, Rk4, SemiImplicitEuler, Sim, Stats};
 use scenes::{Driven, parallelogram, triple_rocker, triple_rocker_absolute};
 use standard::{s1, s2, s5, s6};
 
@@ -17,22 +18,22 @@ use standard::{s1, s2, s5, s6};
 const AROUND: [f64; 8] = [0.0, 0.3, -0.2, 0.45, -0.4, 0.1, -0.05, 0.22];
 
 /// One of eight simulations.
-type Lane<M> = Sim<M, Rk4<f64>>;
+type Lane<M, F = Rk4Formula> = Sim<M, FixedStep<f64, F>>;
 
 /// Runs eight mechanisms in a batch and alone; `before` may change each before each interval. What the lanes have done.
-fn agree<M>(
+fn agree<M, F: Formula>(
     mechanisms: [M; 8],
-    h: f64,
+    method: FixedStep<f64, F>,
     intervals: &[f64],
-    before: impl Fn(usize, usize, &mut Lane<M>),
+    before: impl Fn(usize, usize, &mut Lane<M, F>),
 ) -> [Stats; 8]
 where
     M: Pack<S = f64, G = [f64; 0]>,
     M::U: std::fmt::Debug + PartialEq,
     M::X: PartialEq,
 {
-    let mut batch = Batch::start(&mechanisms, Rk4::new(h)).unwrap();
-    let mut alone = mechanisms.map(|mechanism| mechanism.start_with(Rk4::new(h)).unwrap());
+    let mut batch: Batch<M, F> = Batch::start(&mechanisms, method).unwrap();
+    let mut alone = mechanisms.map(|mechanism| mechanism.start_with(method).unwrap());
     for (interval, dt) in intervals.iter().enumerate() {
         for lane in 0..8 {
             before(interval, lane, &mut batch[lane]);
@@ -41,7 +42,7 @@ where
         let expected = alone.each_mut().map(|sim| sim.step(*dt));
         assert_eq!(batch.step(*dt), expected, "interval {interval}");
         for (lane, (one, other)) in batch.iter().zip(&alone).enumerate() {
-            let moment = |sim: &Lane<M>| (sim.state().time(), *sim.state().x(), sim.state().held());
+            let moment = |sim: &Lane<M, F>| (sim.state().time(), *sim.state().x(), sim.state().held());
             assert_eq!(moment(one), moment(other), "lane {lane}, interval {interval}");
             assert_eq!(one.stats(), other.stats(), "lane {lane}, interval {interval}");
         }
@@ -49,7 +50,7 @@ where
     batch.each_ref().map(Sim::stats)
 }
 
-fn unchanged<M: Pack<S = f64>>(_interval: usize, _lane: usize, _sim: &mut Lane<M>) {}
+fn unchanged<M: Pack<S = f64>, F>(_interval: usize, _lane: usize, _sim: &mut Lane<M, F>) {}
 
 #[test]
 fn trees_from_eight_starts() {
@@ -59,16 +60,17 @@ fn trees_from_eight_starts() {
         mechanism.start.forearm.angle.value -= 0.5 * turn;
         mechanism
     });
-    let stats = agree(mechanisms, 1e-3, &[0.4, 0.35, 0.25], unchanged);
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.4, 0.35, 0.25], unchanged);
     assert!(stats.iter().all(|stats| stats.steps == 1000 && stats.evaluations == 4000));
 }
 
 #[test]
 fn trees_with_eight_parameters_and_inputs() {
     let mechanisms = AROUND.map(|s| Driven { mass: 1.0 + s, damping: 0.5 * s * s, ..Driven::new() });
-    agree(mechanisms, 1e-3, &[0.3, 0.3, 0.4], |interval, lane, sim| {
+    agree(mechanisms, Rk4::new(1e-3), &[0.3, 0.3, 0.4], |interval, lane, sim| {
         sim.input.torque = AROUND[lane] * interval as f64;
     });
+    agree(mechanisms, SemiImplicitEuler::new(1e-3), &[0.3, 0.3], unchanged);
 }
 
 #[test]
@@ -78,19 +80,19 @@ fn loops_from_eight_starts() {
         mechanism.start.crank.angle.value += turn;
         mechanism
     });
-    agree(mechanisms, 1e-3, &[0.5, 0.5], unchanged);
+    agree(mechanisms, Rk4::new(1e-3), &[0.5, 0.5], unchanged);
     let mechanisms = AROUND.map(|turn| {
         let mut mechanism = s6::SliderCrank::new();
         mechanism.start.crank.angle.value += turn;
         mechanism
     });
-    agree(mechanisms, 1e-3, &[0.5, 0.5], unchanged);
+    agree(mechanisms, Rk4::new(1e-3), &[0.5, 0.5], unchanged);
     let mechanisms = AROUND.map(|turn| {
         let mut mechanism = s5::Andrews::new();
         mechanism.start.k1.angle.value += 0.1 * turn;
         mechanism
     });
-    agree(mechanisms, 1e-5, &[0.01], unchanged);
+    agree(mechanisms, Rk4::new(1e-5), &[0.01], unchanged);
 }
 
 /// Every lane changes its chart at times of its own; one is too fast for its steps and stops.
@@ -101,7 +103,7 @@ fn loops_in_several_charts() {
         mechanism.start.crank.omega.value = if s == 0.1 { 3000.0 } else { 3.0 + 4.0 * s };
         mechanism
     });
-    let stats = agree(mechanisms, 1e-3, &[1.0, 1.0], unchanged);
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[1.0, 1.0], unchanged);
     for (stats, s) in stats.iter().zip(AROUND) {
         assert_eq!(stats.steps < 2000, s == 0.1, "{stats:?}");
         assert!(stats.charts >= 2 || s == 0.1, "{stats:?}");
@@ -115,7 +117,7 @@ fn absolute_coordinates_are_settled_lane_by_lane() {
         mechanism.start.crank.omega.value = 10.0 + 10.0 * s;
         mechanism
     });
-    let stats = agree(mechanisms, 1e-2, &[0.5, 0.5], unchanged);
+    let stats = agree(mechanisms, Rk4::new(1e-2), &[0.5, 0.5], unchanged);
     assert!(stats.iter().all(|stats| stats.settled > 0), "{stats:?}");
 }
 
@@ -126,7 +128,7 @@ fn unhealthy_lanes_go_by_rank() {
         mechanism.start.crank.omega.value = 2.0 + s;
         mechanism
     });
-    let stats = agree(mechanisms, 1e-3, &[0.7, 1.3], unchanged);
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.7, 1.3], unchanged);
     assert!(stats.iter().any(|stats| stats.by_rank > 0), "{stats:?}");
 }
 
@@ -135,8 +137,8 @@ fn unhealthy_lanes_go_by_rank() {
 fn a_fault_stops_its_lane_alone() {
     let mechanisms = AROUND.map(|s| Driven { mass: 1.0 + s, ..Driven::new() });
     let torque = |interval, lane| if (interval, lane) == (1, 3) { f64::INFINITY } else { 0.1 };
-    agree(mechanisms, 1e-3, &[0.1, 0.1, 0.1], |interval, lane, sim| {
-        sim.input.torque = torque(interval, lane)
+    agree(mechanisms, Rk4::new(1e-3), &[0.1, 0.1, 0.1], |interval, lane, sim| {
+        sim.input.torque = torque(interval, lane);
     });
 
     let mut batch = Batch::start(&mechanisms, Rk4::new(1e-3)).unwrap();
@@ -150,6 +152,6 @@ fn a_fault_stops_its_lane_alone() {
 #[test]
 fn intervals_that_cannot_be_run() {
     let mechanisms = AROUND.map(|_| Driven::new());
-    agree(mechanisms, 1e-3, &[0.01, 0.0, -1.0, 1e-30, f64::INFINITY, 0.01], unchanged);
-    agree(mechanisms, 0.0, &[0.01], unchanged);
+    agree(mechanisms, Rk4::new(1e-3), &[0.01, 0.0, -1.0, 1e-30, f64::INFINITY, 0.01], unchanged);
+    agree(mechanisms, Rk4::new(0.0), &[0.01], unchanged);
 }
