@@ -52,6 +52,13 @@ pub enum Cause {
     Flat,
     /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there.
     ChangePoint,
+    /// The energy jumped by what no force has done.
+    EnergyJump {
+        /// By how much, J.
+        by: f64,
+        /// Kinetic energy and work in the step, J.
+        of: f64,
+    },
     /// The interval needed more internal steps than allowed.
     TooManySteps {
         /// The number allowed.
@@ -165,6 +172,9 @@ impl fmt::Display for Cause {
                 "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
             ),
             Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
+            Self::EnergyJump { by, of } => {
+                write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
+            }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")

@@ -54,5 +54,5 @@ pub use ports::Ports;
 pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start};
-pub use system::{Accepted, Drift, Health, System};
+pub use system::{Accepted, Drift, Energy, Health, System};
 pub use vector::Vector;

@@ -19,6 +19,7 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) method: I,
     pub(crate) stats: Stats,
     pub(crate) watch: Watch<M::S, M::G>,
+    pub(crate) limits: Limits<M::S>,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -67,7 +68,13 @@ pub enum Notice {
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
     pub fn new(state: M::State, method: I) -> Self {
-        Self { state, method, stats: Stats::default(), watch: Watch::new() }
+        Self {
+            state,
+            method,
+            stats: Stats::default(),
+            watch: Watch::new(),
+            limits: Limits { energy_jump: None, change_points: false },
+        }
     }
 
     /// Runs for the communication interval `dt`, in s, and ends exactly there.
@@ -159,6 +166,20 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         (h_alpha > 0.5).then_some(Notice::StiffStabilisation { h_alpha })
     }
 
+    /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run
+    /// goes on as the motion does, and the pose is counted.
+    pub fn stop_at_change_points(&mut self, stop: bool) {
+        self.limits.change_points = stop;
+    }
+
+    /// Ends a step in which kinetic and potential energy less the work of the forces change by more than this fraction of
+    /// what moves (the kinetic energy or the work in the step). It guards against formulas, parts and step lengths that
+    /// are wrong; 0.1 is a good value. It costs two evaluations of all outputs a step, and is off at first. Prescribed motions do
+    /// work that is not accounted for, so that nothing is looked at where there are some.
+    pub fn watch_energy(&mut self, fraction: Option<M::S>) {
+        self.limits.energy_jump = fraction;
+    }
+
     /// Everything that decides how the run goes on.
     pub fn save(&self) -> Snapshot<M, I> {
         Snapshot(*self)
@@ -179,7 +200,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !(end >= time && end.is_finite()) {
             return Err(self.bad_interval(end - time));
         }
-        let Self { state, method, stats, watch } = self;
+        let Self { state, method, stats, watch, limits } = self;
+        let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course { system, held, time, x, end, stats };
         let mut outcome = Ok(());
@@ -187,7 +209,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             let instant = system.next_instant(course.time, &course.held);
             let instant = instant.filter(|instant| *instant > course.time && *instant <= end);
             course.end = instant.unwrap_or(end);
-            outcome = stretch(method, &mut course, watch, &mut observe);
+            outcome = stretch(method, &mut course, (watch, limits), &mut observe);
             if outcome.is_ok() && instant.is_some() {
                 pass(method, &mut course, watch);
             }
@@ -212,7 +234,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 fn stretch<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    watch: &mut Watch<M::S, M::G>,
+    (watch, limits): Guarded<'_, M>,
     mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
     watch.begin(method, course)?;
@@ -220,7 +242,7 @@ fn stretch<M: Mechanism, I: Method<M>>(
     while course.time < course.end {
         let before = (course.time, course.x);
         let due = watch.step(method, course)?;
-        let Some(next) = look(method, course, watch, before)? else { continue };
+        let Some(next) = look(method, course, (watch, limits), before)? else { continue };
         // Samples within the step belong to what was held over it.
         observe(method, course)?;
         next.hold(method, course);
@@ -228,6 +250,26 @@ fn stretch<M: Mechanism, I: Method<M>>(
     }
     Ok(())
 }
+
+/// What ends a run although its state could be continued.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits<S> {
+    /// The energy jumps by more than this fraction.
+    energy_jump: Option<S>,
+    /// A loop can go on in several ways.
+    change_points: bool,
+}
+
+impl<S> Limits<S> {
+    /// Every step is compared with the one before.
+    #[inline]
+    pub(crate) fn audit(&self) -> bool {
+        self.energy_jump.is_some()
+    }
+}
+
+/// Guards and limits of a run.
+type Guarded<'w, M> = (&'w mut Watch<<M as System>::S, <M as System>::G>, Limits<<M as System>::S>);
 
 /// A step that was refused is not shortened below so many units in the last place of the time.
 const SHORTEST_ULPS: f64 = 64.0;
@@ -243,11 +285,19 @@ pub(crate) struct Next<M: System> {
 pub(crate) fn look<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    watch: &mut Watch<M::S, M::G>,
+    (watch, limits): Guarded<'_, M>,
     before: (M::S, M::X),
 ) -> Result<Option<Next<M>>, Fault> {
     let (mut held, mut x) = (course.held, course.x);
-    match course.system.accept(course.time, &mut held, &mut x) {
+    let audited = limits.energy_jump.map_or(Ok(()), |fraction| audit(course, fraction, &before));
+    match audited.and_then(|()| course.system.accept(course.time, &mut held, &mut x)) {
+        Ok(Accepted { passed: Some(part), .. }) if limits.change_points => {
+            let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);
+            (course.time, course.x) = before;
+            method.restart();
+            watch.forget();
+            Err(fault)
+        }
         Ok(accepted) => Ok(Some(Next { accepted, held, x })),
         Err(fault) => {
             let (h, time) = (course.time - before.0, course.time);
@@ -264,12 +314,30 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
     }
 }
 
+/// Compares the energy after a step with that before and the work in between, by the trapezoidal rule.
+fn audit<M: Mechanism>(course: &Course<'_, M>, fraction: M::S, before: &(M::S, M::X)) -> Result<(), Fault> {
+    let energy = |t: M::S, x: &M::X| course.system.energy(t, &course.held, x);
+    let (Some(from), Some(to)) = (energy(before.0, &before.1), energy(course.time, &course.x)) else {
+        return Ok(());
+    };
+    let half = M::S::lit(0.5) * (course.time - before.0);
+    let jump = (to.kinetic - from.kinetic) + (to.gravity - from.gravity) - half * (from.power + to.power);
+    let moves = from.kinetic.max(to.kinetic).max((half * from.power).abs()).max((half * to.power).abs());
+    // False for what is not a number.
+    let fits = jump.abs() <= fraction * moves;
+    if !fits {
+        let cause = Cause::EnergyJump { by: jump.to_f64(), of: moves.to_f64() };
+        return Err(Fault::new(course.time.to_f64(), cause));
+    }
+    Ok(())
+}
+
 impl<M: Mechanism> Next<M> {
     /// Goes on with it.
     pub(crate) fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
         (course.held, course.x) = (self.held, self.x);
         course.stats.charts += u64::from(self.accepted.moved);
-        course.stats.change_points += u64::from(self.accepted.passed);
+        course.stats.change_points += u64::from(self.accepted.passed.is_some());
         if self.accepted.moved {
             method.restart();
         }

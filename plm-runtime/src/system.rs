@@ -92,6 +92,12 @@ pub trait System {
         let _ = (t, u);
     }
 
+    /// Energy at a state, where it can be accounted for: no motion is prescribed, whose drive would do work.
+    fn energy(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Option<Energy<Self::S>> {
+        let _ = (t, u, x);
+        None
+    }
+
     /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.
     fn typical(&self) -> Self::X {
         Self::X::fill(Self::S::lit(1.0))
@@ -114,8 +120,8 @@ pub trait System {
 pub struct Accepted {
     /// The state was mapped to another chart: rates that were kept belong to the old one.
     pub moved: bool,
-    /// A singular pose was passed, where the mechanism could have gone on in another way.
-    pub passed: bool,
+    /// A singular pose was passed, where the mechanism could have gone on in another way: the part that closes its loop.
+    pub passed: Option<&'static str>,
 }
 
 /// Smallest pivot of a solution without pivoting, over its diagonal entry before elimination: 1 is perfect, 0 singular.
@@ -142,6 +148,17 @@ impl<S: Scalar> Health<S> {
     pub fn worst(self, other: Self) -> Self {
         Self(self.0.min(other.0))
     }
+}
+
+/// What a mechanism stores and what flows in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy<S> {
+    /// Kinetic energy, J.
+    pub kinetic: S,
+    /// Potential energy of gravity, J.
+    pub gravity: S,
+    /// Power of all other forces and torques, springs and dampers included, W.
+    pub power: S,
 }
 
 /// Largest residuals of the constraints.

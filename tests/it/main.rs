@@ -15,3 +15,4 @@ mod references;
 mod robust;
 mod rungs;
 mod scenes;
+mod sides;

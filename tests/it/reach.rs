@@ -62,3 +62,60 @@ fn steps_that_are_too_long_for_a_loop_end_the_run_by_name() {
         assert!(gap < 64.0 * f64::EPSILON, "{gap:e}");
     }
 }
+
+#[test]
+fn a_run_stops_at_a_change_point_if_it_is_told_to() {
+    let mut sim = rhomb::Rhomb::new().start().unwrap();
+    sim.step(2.5).unwrap();
+    assert_eq!(sim.stats().change_points, 1);
+    // The turn through the flat pose at constant speed goes on as a parallelogram.
+    assert!((sim.left().angle - 3.5).abs() < 1e-7 && (sim.right().angle - 3.5).abs() < 1e-7);
+    let mut sim = rhomb::Rhomb::new().start().unwrap();
+    sim.stop_at_change_points(true);
+    let fault = sim.step(3.0).unwrap_err();
+    assert_eq!((fault.cause, fault.part), (Cause::ChangePoint, "c"));
+    assert!(fault.time > std::f64::consts::PI - 1.0 && sim.left().angle < std::f64::consts::PI, "{fault}");
+}
+
+/// A parallelogram without gravity that turns at 1 rad/s from 1 rad.
+mod rhomb {
+    plm::mechanism! {
+        pub Rhomb {
+            ground { port a: (0, 0) m; port d: (2, 0) m; }
+            body left { mass: 1 kg; inertia: 1 kg*m^2/48; port a: (-0.25, 0) m; port b: (0.25, 0) m; start angle: 1 rad, locked; start omega: 1 rad/s, locked; }
+            body top { mass: 2 kg; inertia: 2 kg*m^2/3; port b: (-1, 0) m; port c: (1, 0) m; start x: 1 m; start y: 0.4 m; }
+            body right { mass: 1 kg; inertia: 1 kg*m^2/48; port d: (-0.25, 0) m; port c: (0.25, 0) m; start x: 2 m; start angle: 1 rad; }
+            revolute a(ground.a, left.a);
+            revolute b(left.b, top.b);
+            revolute c(top.c, right.c);
+            revolute d(ground.d, right.d);
+        }
+    }
+}
+
+#[test]
+fn energy_out_of_nowhere_ends_the_run_if_it_is_watched() {
+    // Steps of 2/w, w = sqrt(500/0.35) 1/s: Runge-Kutta's formula is stable there and takes most of the energy away.
+    let mut sim = shaken::Shaken::new().start_with(Rk4::new(0.05)).unwrap();
+    sim.watch_energy(Some(0.1));
+    let fault = sim.step(1.0).unwrap_err();
+    assert!(matches!(fault.cause, Cause::EnergyJump { by, .. } if by.abs() > 0.0), "{fault}");
+    // Springs, dampers and torques do work; with steps that are short enough nothing is out of order.
+    let mut sim = shaken::Shaken::new().start_with(Rk4::new(1e-4)).unwrap();
+    sim.watch_energy(Some(0.1));
+    sim.step(1.0).unwrap();
+    let mut sim = rocker::TripleRocker::new().start().unwrap();
+    sim.watch_energy(Some(0.01));
+    sim.step(4.0).unwrap();
+}
+
+/// A damped bar on a spring that is too stiff for long steps.
+mod shaken {
+    plm::mechanism! {
+        pub Shaken {
+            ground { port o: (0, 0) m; }
+            body bar { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; start angle: 5 deg, locked; start omega: 1 rad/s, locked; }
+            revolute hinge(ground.o, bar.o) { stiffness: 500 N*m/rad; damping: 0.5 N*m*s/rad; drive: 1 N*m*cos(20 rad/s*t); }
+        }
+    }
+}

@@ -11,7 +11,7 @@ mod standard;
 use plm::runtime::lanes::Pack;
 use plm::runtime::method::{FixedStep, Formula, Rk4Formula};
 use plm::{Batch, Cause, Moment, Rk4, SemiImplicitEuler, Sim, Stats};
-use scenes::{Driven, parallelogram, triple_rocker, triple_rocker_absolute};
+use scenes::{Driven, Pulsed, parallelogram, parallelogram_in_loops, triple_rocker, triple_rocker_absolute};
 use standard::{s1, s2, s5, s6};
 
 /// Eight numbers around zero.
@@ -130,6 +130,40 @@ fn unhealthy_lanes_go_by_rank() {
     });
     let stats = agree(mechanisms, Rk4::new(1e-3), &[0.7, 1.3], unchanged);
     assert!(stats.iter().any(|stats| stats.by_rank > 0), "{stats:?}");
+}
+
+/// Times at which forces jump are hit by the lanes that have them.
+#[test]
+fn known_times_are_hit() {
+    let mechanisms = AROUND.map(|s| Pulsed { from: 0.1 + 0.1 * s, until: 0.2 + 0.2 * s, ..Pulsed::new() });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.05, 0.1, 0.2, 0.1], unchanged);
+    assert!(stats.iter().all(|stats| stats.switches == 2), "{stats:?}");
+}
+
+#[test]
+fn what_ends_a_run_ends_its_lane() {
+    let mechanisms = AROUND.map(|s| {
+        let mut mechanism = parallelogram_in_loops::FourBars::new();
+        mechanism.start.crank.omega.value = 2.0 + s;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[1.0, 0.5, 0.5], |_, lane, sim| {
+        sim.stop_at_change_points(lane % 2 == 0);
+    });
+    let stopped = stats.map(|stats| stats.steps < 2000);
+    assert!(stopped.contains(&true) && stopped.contains(&false), "{stats:?}");
+
+    // Steps of a twentieth of a second lose some of the energy, and here and there more than is allowed.
+    let mechanisms = AROUND.map(|turn| {
+        let mut mechanism = s1::DoublePendulum::new();
+        mechanism.start.arm.angle.value += turn;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(0.05), &[2.0, 2.0], |_, lane, sim| {
+        sim.watch_energy((lane % 2 == 0).then_some(1e-3));
+    });
+    let refused = stats.map(|stats| stats.rejected > 0);
+    assert!(refused[0] && !refused[1], "{stats:?}");
 }
 
 /// A lane that stops is behind the others when it goes on.

@@ -18,6 +18,17 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// A mass that is pushed between two times of its own.
+    pub Pulsed {
+        param from: s = 0.1 s;
+        param until: s = 0.2 s;
+        ground { port o: (0, 0) m; }
+        body mass { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; }
+        force push(mass.o) { x: if t < from then 0 N else if t < until then 3 N else 0 N; }
+    }
+}
+
 /// Four bars without gravity; the crank starts at 60 deg with 1 rad/s.
 macro_rules! four_bars {
     ($module:ident, $rung:ident, $crank:literal, $coupler:literal, $rocker:literal) => {
@@ -66,3 +77,4 @@ four_bars!(triple_rocker, loops, 0.7, 0.6, 0.5);
 four_bars!(triple_rocker_absolute, absolute, 0.7, 0.6, 0.5);
 // It lies in one line twice a turn, where elimination without pivoting fails.
 four_bars!(parallelogram, absolute, 0.5, 1, 0.5);
+four_bars!(parallelogram_in_loops, loops, 0.5, 1, 0.5);

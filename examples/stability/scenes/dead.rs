@@ -1,9 +1,9 @@
 //! Linkages with dead points: poses where one bar cannot drive the others, or where the motion ends.
 
-use plm::{Fault, Method, Sim};
+use plm::{BodyState, Fault, Method, Sim};
 
 use super::run::{Trace, trace};
-use super::theory::{self, Pose};
+use super::theory;
 
 plm::mechanism! {
     /// Triple rocker: bars of 0.7, 0.6 and 0.5 m on a ground of 1 m, without gravity.
@@ -230,9 +230,9 @@ impl Quadrorhomb {
 }
 
 impl quadrorhomb::State {
-    /// Poses of all bars, in the order of the declaration.
-    pub fn poses(&self) -> [Pose; 13] {
-        let bodies = [
+    /// All bars, in the order of the declaration.
+    pub fn bodies(&self) -> [BodyState<f64>; 13] {
+        [
             self.crank(),
             self.oa(),
             self.ob(),
@@ -246,8 +246,7 @@ impl quadrorhomb::State {
             self.b3(),
             self.a4(),
             self.b4(),
-        ];
-        bodies.map(|body| [body.x, body.y, body.angle])
+        ]
     }
 
     /// Kinetic energy, gravity, and the spring of the crank, J.
@@ -308,8 +307,9 @@ pub fn falling<I: Method<Quadrorhomb>>(sim: &mut Sim<Quadrorhomb, I>) -> Trace<2
 pub fn swinging<I: Method<Quadrorhomb>>(sim: &mut Sim<Quadrorhomb, I>, until: f64, every: f64) -> Trace<2> {
     let energy = sim.energy();
     trace(sim, until, every, |s| {
-        let poses = s.poses().into_iter().zip(theory::quadrorhomb(s.crank().angle));
-        let off = poses.map(|([x, y, _], [u, v, _])| (x - u).abs().max((y - v).abs())).fold(0.0, f64::max);
+        let poses = s.bodies().into_iter().zip(theory::quadrorhomb(s.crank().angle));
+        let off =
+            poses.map(|(body, [u, v, _])| (body.x - u).abs().max((body.y - v).abs())).fold(0.0, f64::max);
         [s.energy() / energy - 1.0, off]
     })
 }

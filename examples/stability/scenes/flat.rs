@@ -39,12 +39,13 @@ pub fn turning<M: Mechanism<S = f64, State: Ladder>, I: Method<M>>(
 /// The uprights start upright with the tops at 1 m/s. At the flat pose the mobility rises from 1 to N + 1.
 macro_rules! ladder {
     (
-        $(#[$doc:meta])* $name:ident, $module:ident, $windows:literal, $last_up:ident, $last_top:ident,
+        $(#[$doc:meta])* $name:ident, $module:ident { $($item:tt)* }, $windows:literal, $last_up:ident, $last_top:ident,
         $($index:literal $foot:ident)*
     ) => {
         plm::mechanism! {
             $(#[$doc])*
             pub $name {
+                $($item)*
                 gravity: 9.81 m/s^2;
                 ground { $(port $foot: ($index, 0) m;)* }
                 repeat i in 0..=$windows {
@@ -104,15 +105,19 @@ macro_rules! ladder {
 
 ladder!(
     /// One window: the parallelogram of the benchmark.
-    Ladder1, ladder1, 1, up_1, top_1, 0 f0 1 f1
+    Ladder1, ladder1 {}, 1, up_1, top_1, 0 f0 1 f1
 );
 ladder!(
     /// Two windows.
-    Ladder2, ladder2, 2, up_2, top_2, 0 f0 1 f1 2 f2
+    Ladder2, ladder2 {}, 2, up_2, top_2, 0 f0 1 f1 2 f2
+);
+ladder!(
+    /// Two windows in absolute coordinates, with Baumgarte's stabilisation so slow that there is none.
+    Adrift, adrift { rung: absolute; stabilisation: baumgarte(1e9 s); }, 2, up_2, top_2, 0 f0 1 f1 2 f2
 );
 ladder!(
     /// Forty windows.
-    Ladder40, ladder40, 40, up_40, top_40,
+    Ladder40, ladder40 {}, 40, up_40, top_40,
     0 f0 1 f1 2 f2 3 f3 4 f4 5 f5 6 f6 7 f7 8 f8 9 f9 10 f10 11 f11 12 f12 13 f13 14 f14 15 f15 16 f16 17 f17 18 f18
     19 f19 20 f20 21 f21 22 f22 23 f23 24 f24 25 f25 26 f26 27 f27 28 f28 29 f29 30 f30 31 f31 32 f32 33 f33 34 f34
     35 f35 36 f36 37 f37 38 f38 39 f39 40 f40

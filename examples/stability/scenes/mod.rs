@@ -5,6 +5,7 @@ pub mod dead;
 pub mod declared;
 pub mod flat;
 pub mod loops;
+pub mod pins;
 pub mod run;
 pub mod stiff;
 pub mod theory;

@@ -50,7 +50,7 @@ pub fn pendulum_angle(w: f64, amplitude: f64, t: f64) -> f64 {
 /// Its speed is W = sqrt(1 + 4 w^2) at the bottom and 1 at the top, and a turn takes 2 pi / AGM(W, 1).
 pub fn ladder_period(windows: u32) -> f64 {
     let n = f64::from(windows);
-    let w2 = G * ((n + 1.0) / 2.0 + n) / ((n + 1.0) / 3.0 + n);
+    let w2 = G * (f64::midpoint(n, 1.0) + n) / ((n + 1.0) / 3.0 + n);
     TAU / agm((1.0 + 4.0 * w2).sqrt(), 1.0)
 }
 

@@ -3,7 +3,7 @@
 use plm_cas::Graph;
 
 use crate::check;
-use crate::derive::{Equations, derive};
+use crate::derive::{Equations, derive, hold};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
@@ -97,6 +97,7 @@ struct Lowered {
 
 fn lower(mut model: Model) -> Lowered {
     let mut graph = std::mem::take(&mut model.graph);
+    hold(&mut model, &mut graph);
     let equations = derive(&model, &mut graph);
     let program = formulate(&model, &equations, &mut graph);
     let reduced = match (model.rung, model.stabilisation) {

@@ -48,6 +48,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// First-order states.
     pub states: Vec<State>,
+    /// Conditions whose side is held over a step: of the state first, then of the time; derivation finds them.
+    pub sides: Vec<Side>,
     /// What the user asked to see.
     pub outputs: Vec<Output>,
     /// Warning codes that the declaration allows, e.g. `W0002`.
@@ -260,6 +262,26 @@ pub struct State {
     pub start: Expr,
     /// Unit that it was declared in.
     pub unit: DisplayUnit,
+}
+
+/// A condition `difference < 0` whose side is held over a step.
+#[derive(Clone, Debug)]
+pub struct Side {
+    /// Stands for the side: -1 where the condition holds, else 1.
+    pub symbol: Expr,
+    /// What changes its sign.
+    pub difference: Expr,
+    /// The time at which it does, s, and the slope of the difference there, if it depends on the time alone.
+    pub instant: Option<[Expr; 2]>,
+    /// The part or state that jumps.
+    pub name: String,
+}
+
+impl Model {
+    /// Number of sides that depend on the state.
+    pub fn guards(&self) -> usize {
+        self.sides.iter().filter(|side| side.instant.is_none()).count()
+    }
 }
 
 /// A named output with one component, or two for a vector.

@@ -68,6 +68,7 @@ impl Oracle {
         values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
         values.push((self.model.time, time));
         values.extend(symbols.iter().copied().zip(x.iter().copied()));
+        crate::check::add_sides(&self.model, &self.graph, &mut values);
         let results: Vec<Expr> = function.roots();
         let tape = Tape::new(&self.graph, &results);
         let mut all = crate::check::run(&tape, &values);

@@ -105,7 +105,7 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     }
     let passed = remember::<M>(t, since, held, memory)?;
     let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
-    Ok(Accepted { moved, passed: passed && !moved })
+    Ok(Accepted { moved, passed: if moved { None } else { passed } })
 }
 
 /// Whether [`accept`] has nothing to look at yet.
@@ -114,10 +114,16 @@ pub fn is_calm<M: Charted>(t: M::S, held: &M::U) -> bool {
     t < held.memory.at(NEXT)
 }
 
-/// Writes the memory of a state, with what two states tell together; true if a loop went through a flat pose.
-fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<bool, Fault> {
+/// Writes the memory of a state, with what two states tell together; the part that closes a loop which went through a
+/// flat pose.
+fn remember<M: Charted>(
+    t: M::S,
+    since: M::S,
+    held: &mut M::U,
+    mut memory: M::Memory,
+) -> Result<Option<&'static str>, Fault> {
     let (old, zero) = (held.memory, M::S::lit(0.0));
-    let (mut passed, mut turned) = (false, zero);
+    let (mut passed, mut turned) = (None, zero);
     for (body, k) in M::TURNING.iter().zip((NEXT + 1..M::BEFORE_AREAS).step_by(3)) {
         turned = turned.max((memory.at(k) - old.at(k)).abs());
         if turned > M::S::lit(FARTHEST) {
@@ -126,9 +132,11 @@ fn remember<M: Charted>(t: M::S, since: M::S, held: &mut M::U, mut memory: M::Me
     }
     // What has moved by so little since the last look does not move far in a like time.
     let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
-    for k in areas::<M>() {
+    for (dyad, k) in areas::<M>().enumerate() {
         let (area, change) = (memory.at(k), memory.at(k) - old.at(k));
-        passed |= old.at(k) * area < zero;
+        if old.at(k) * area < zero {
+            passed = M::CLOSING.get(held.chart).and_then(|parts| parts.get(dyad)).copied();
+        }
         calm = calm.min(M::S::lit(CALM) * area.abs() / change.abs());
         if since > zero {
             memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);

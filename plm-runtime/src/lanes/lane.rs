@@ -5,7 +5,7 @@ use crate::events::Watch;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, FixedStep, Formula, Method, Plan};
-use crate::sim::{Sim, look};
+use crate::sim::{Limits, Sim, look};
 use crate::vector::Vector;
 
 /// A simulation on its way through an interval.
@@ -13,6 +13,7 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
     pub(super) course: Course<'a, M>,
     method: &'a mut FixedStep<f64, F>,
     watch: &'a mut Watch<f64, M::G>,
+    limits: Limits<f64>,
     /// It goes with the others: it started with them and has not stopped.
     pub(super) runs: bool,
     pub(super) outcome: Result<(), Fault>,
@@ -23,11 +24,11 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
 impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     /// The simulation, on its way to `end`; it goes with the others if it `joins` them.
     pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
-        let Sim { state, method, stats, watch } = sim;
+        let Sim { state, method, stats, watch, limits } = sim;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course { system, held, time: state.time(), x, end, stats };
         let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
-        Self { course, method, watch, runs: joins && outcome.is_ok(), outcome, coasted: 0 }
+        Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, coasted: 0 }
     }
 
     /// The division of the interval into steps.
@@ -43,7 +44,8 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     /// Makes the next step with the others and without a look at it, if none is due.
     #[inline]
     pub(super) fn coast(&mut self, plan: &Plan<f64>) -> bool {
-        let coasts = M::is_calm(plan.next_time, &self.course.held) && self.method.coast();
+        let calm = !self.limits.audit() && M::is_calm(plan.next_time, &self.course.held);
+        let coasts = calm && self.method.coast();
         self.coasted += u64::from(coasts);
         coasts
     }
@@ -56,7 +58,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     }
 
     fn land(&mut self, next: Option<M::X>) -> Result<(), Fault> {
-        let Self { course, method, watch, .. } = self;
+        let Self { course, method, watch, limits, .. } = self;
         let before = (course.time, course.x);
         let mut x = course.x;
         match next {
@@ -67,7 +69,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
             None => method.step(course, &mut x)?,
         }
         method.land(course, x)?;
-        if let Some(next) = look(*method, course, watch, before)? {
+        if let Some(next) = look(*method, course, (&mut **watch, *limits), before)? {
             next.hold(*method, course);
         }
         Ok(())

@@ -65,6 +65,14 @@ pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
     values
 }
 
+/// Adds the sides of the conditions at a state whose other symbols have values.
+pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f64)>) {
+    for side in &model.sides {
+        let difference = value(graph, side.difference, values);
+        values.push((side.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
+    }
+}
+
 /// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
 fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
     for body in &model.bodies {

@@ -33,7 +33,8 @@ pub(crate) fn check_start(
     found: &Assembly,
     diagnostics: &mut Diagnostics,
 ) {
-    let values = found.values(equations, values);
+    let mut values = found.values(equations, values);
+    super::add_sides(model, graph, &mut values);
     let loads = model.loads.iter().flat_map(|load| {
         let name = &model.parts[load.part].name;
         load.force.map(|force| (name.text.as_str(), name.span, force))

@@ -11,10 +11,12 @@
 //! because the coordinates stand at G.
 
 mod branch;
+mod sides;
 
 use plm_cas::{Expr, Graph};
 
 pub(crate) use branch::Branch;
+pub(crate) use sides::hold;
 
 use crate::model::Model;
 

@@ -1,7 +1,7 @@
 //! The straight-line functions: dynamics and constraints.
 
 use super::lines::{self, Lines};
-use super::{Emission, Origin, blocks, push};
+use super::{Emission, Origin, blocks, push, reduced};
 use crate::formulate::Function;
 
 pub(crate) fn emit(emission: &Emission) -> String {
@@ -49,6 +49,10 @@ fn equations_of_motion(text: &mut String, emission: &Emission) {
     );
     if nx > 0 {
         first_order(text, emission);
+    }
+    if emission.reduced.is_none() {
+        let of = (&program.guards, Origin::Arguments);
+        reduced::guards(text, emission, of, &format!("fn switching(&self, {state}"), &["t", "u", "x", "g"]);
     }
     text.push_str("    }\n\n");
 }

@@ -47,6 +47,13 @@ fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: u
             arguments: &["t", "u", "m", "x", "q", "v"],
         },
     );
+    reduced::guards(
+        text,
+        emission,
+        (&chart.guards, Origin::Chart(index)),
+        &format!("fn switching_{index}(&self, {state}"),
+        &["t", "u", "m", "x", "g"],
+    );
     reduced::projection(text, emission, chart, &format!("project_{index}"));
     if let Some(look) = &chart.look {
         write(
@@ -175,7 +182,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
 }
 
 /// A call that depends on the chart; none to choose from costs nothing.
-fn chosen(reduced: &Reduced, chart: &str, call: impl Fn(usize) -> String) -> String {
+pub(crate) fn chosen(reduced: &Reduced, chart: &str, call: impl Fn(usize) -> String) -> String {
     let count = reduced.charts.len();
     if count == 1 {
         return call(0);

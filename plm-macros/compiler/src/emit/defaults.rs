@@ -142,5 +142,8 @@ fn start_input(text: &mut String, emission: &Emission) {
     if entries.is_empty() {
         entries.push("none: core::marker::PhantomData".to_owned());
     }
+    if !model.sides.is_empty() {
+        entries.push(format!("side: [S::lit(1.0); {}]", model.sides.len()));
+    }
     push(text, format_args!("            Input {{ {} }}\n        }}\n    }}\n\n", entries.join(", ")));
 }

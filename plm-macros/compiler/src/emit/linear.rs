@@ -33,6 +33,13 @@ fn pack(text: &mut String, emission: &Emission) {
             format!("                {field}: number(all.map(|held| {from}.{field})),\n")
         })
     };
+    let inputs = if emission.model.sides.is_empty() {
+        inputs
+    } else {
+        format!(
+            "{inputs}                side: core::array::from_fn(|k| number(all.map(|held| {from}.side[k]))),\n"
+        )
+    };
     let (first, wrapped, calm) = if emission.loops().is_some() {
         (
             "first",

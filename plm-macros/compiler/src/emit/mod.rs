@@ -14,6 +14,7 @@ mod names;
 mod outputs;
 mod piece;
 mod reduced;
+mod sides;
 mod system;
 mod types;
 
@@ -131,6 +132,7 @@ pub(crate) fn emit(
     implementation.push_str(&linear::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
+    sides::instants(&mut implementation, &emission);
     Code {
         before: before(model),
         module: docs::module(&emission),
@@ -185,6 +187,11 @@ impl Emission<'_> {
         self.reduced.filter(|reduced| reduced.has_loops())
     }
 
+    /// The inputs, where `u` is what is held over a step.
+    pub(crate) fn input(&self) -> &'static str {
+        if self.loops().is_some() { "u.input" } else { "u" }
+    }
+
     /// The type of what is held over a step, of numbers `scalar`.
     pub(crate) fn held(&self, scalar: &str) -> String {
         match self.loops() {
@@ -219,6 +226,9 @@ impl Emission<'_> {
         }
         for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
             bindings.insert(declared.symbol, format!("{input}.{field}"));
+        }
+        for (k, side) in model.sides.iter().enumerate() {
+            bindings.insert(side.symbol, format!("{input}.side[{k}]"));
         }
         bindings.insert(model.time, time.to_owned());
         let nq = equations.q.len();

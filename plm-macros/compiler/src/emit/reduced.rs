@@ -1,8 +1,8 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, charts, push, system};
-use crate::formulate::Chart;
+use super::{Emission, Origin, charts, push, sides, system};
+use crate::formulate::{Chart, Function};
 
 /// The straight-line functions.
 pub(crate) fn emit(emission: &Emission) -> String {
@@ -48,6 +48,42 @@ fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
         },
     );
     projection(text, emission, chart, "project");
+    let state = format!("t: S, u: &Input<S>, x: &[S; {length}]");
+    guards(
+        text,
+        emission,
+        (&chart.guards, Origin::Chart(0)),
+        &format!("fn switching(&self, {state}"),
+        &["t", "u", "x", "g"],
+    );
+}
+
+/// How far the conditions are from switching.
+pub(crate) fn guards(
+    text: &mut String,
+    emission: &Emission,
+    (function, origin): (&Function, Origin),
+    signature: &str,
+    arguments: &[&str],
+) {
+    let count = emission.model.guards();
+    if count == 0 {
+        return;
+    }
+    write(
+        text,
+        emission,
+        function,
+        origin,
+        &Shape {
+            docs: &[
+                "How far every condition is from switching: positive while the side that is held applies.",
+            ],
+            attribute: "",
+            signature: &format!("{signature}, g: &mut [S; {count}])"),
+            arguments,
+        },
+    );
 }
 
 /// The coordinates of a chart at a pose.
@@ -70,7 +106,7 @@ pub(crate) fn projection(text: &mut String, emission: &Emission, chart: &Chart, 
 }
 
 /// `System` for the joint coordinates, and the pose of a state.
-pub(crate) fn system(text: &mut String, emission: &Emission) {
+pub(crate) fn contract(text: &mut String, emission: &Emission) {
     let Some((reduced, chart)) = emission.reduced.and_then(|reduced| Some((reduced, reduced.first()?)))
     else {
         return;
@@ -92,6 +128,15 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
         );
         system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
+    let switching = charts::chosen(reduced, "u.chart", |k| {
+        if reduced.has_loops() {
+            format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
+        } else {
+            "self.switching(t, u, x, g)".to_owned()
+        }
+    });
+    sides::contract(text, emission, &switching);
+    system::energy(text, emission);
     push(
         text,
         format_args!(

@@ -1,6 +1,8 @@
 //! The contracts of the runtime, implemented for the mechanism.
 
-use super::{Emission, defaults, push, reduced};
+use plm_cas::Expr;
+
+use super::{Emission, defaults, push, reduced, sides};
 use crate::formulate::coordinate_name;
 use crate::model::Stabilisation;
 
@@ -20,7 +22,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
         ),
     );
     if emission.reduced.is_some() {
-        reduced::system(&mut text, emission);
+        reduced::contract(&mut text, emission);
     } else {
         system(&mut text, emission);
     }
@@ -97,13 +99,38 @@ fn system(text: &mut String, emission: &Emission) {
             );
         }
     }
+    sides::contract(text, emission, "self.switching(t, u, x, g)");
+    energy(text, emission);
     typical(text, emission);
     text.push_str("    }\n\n");
+}
+
+/// `energy`, where no constraint knows the time.
+pub(super) fn energy(text: &mut String, emission: &Emission) {
+    let Emission { model, graph, .. } = emission;
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    if graph.symbols(&rows).contains(&model.time) {
+        return;
+    }
+    let (length, _) = emission.state_length();
+    push(
+        text,
+        format_args!(
+            "        fn energy(&self, t: S, u: &Self::U, x: &[S; {length}]) -> Option<rt::Energy<S>> {{
+            let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+            let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+            Some(rt::Energy {{ kinetic, gravity, power: state.load_power() }})
+        }}
+
+"
+        ),
+    );
 }
 
 /// `Rate` for any scalar, and the beginning of `System`: its types and its rate.
 pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, statements: &str) {
     let (name, held, (length, _)) = (&emission.name, emission.held("S"), emission.state_length());
+    let guards = emission.model.guards();
     push(
         text,
         format_args!(
@@ -123,7 +150,7 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type S = S;
         type X = [S; {length}];
         type U = {held};
-        type G = [S; 0];
+        type G = [S; {guards}];
         const NQ: usize = {coordinates};
 
         #[inline]
@@ -230,12 +257,13 @@ fn mechanism(text: &mut String, emission: &Emission) {
 
 /// From the assembled pose to the state.
 fn begin(emission: &Emission) -> String {
+    let sides = sides::begin(emission);
     if let Some(reduced) = emission.loops() {
         return format!(
             "            let memory = [S::lit(0.0); {}];
             let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
             rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
-            Ok((held, x))
+{sides}            Ok((held, x))
 ",
             reduced.memory.len()
         );
@@ -245,7 +273,10 @@ fn begin(emission: &Emission) -> String {
     } else {
         "absolute::join(&assembly.q, &assembly.v, &mut x)"
     };
-    format!("            {call};\n            Ok((self.declared_input(), x))\n")
+    let mutable = if sides.is_empty() { "" } else { "mut " };
+    format!(
+        "            {call};\n            let {mutable}held = self.declared_input();\n{sides}            Ok((held, x))\n"
+    )
 }
 
 /// `Absolute`: the constraints, for assembly, projection and the fallback.

@@ -65,6 +65,9 @@ fn inputs(text: &mut String, emission: &Emission) {
     if model.inputs.is_empty() {
         text.push_str("        none: core::marker::PhantomData<S>,\n");
     }
+    if !model.sides.is_empty() {
+        push(text, format_args!("        side: [S; {}],\n", model.sides.len()));
+    }
     text.push_str("    }\n\n");
 }
 

@@ -51,6 +51,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         loads: Vec::new(),
         states,
         outputs,
+        sides: Vec::new(),
         allowed: Vec::new(),
         graph,
     })

@@ -10,6 +10,7 @@ use plm_cas::{Expr, Graph};
 use super::function::{Function, Place, Section};
 use super::ldl::{Factor, Symmetric, factorise};
 use super::outputs::{self, Outputs};
+use super::sides;
 use crate::derive::{Equations, SparseRow};
 use crate::model::{Model, Stabilisation};
 
@@ -32,6 +33,10 @@ pub(crate) struct Absolute {
     pub(crate) free: Function,
     /// Rates of the first-order states alone, for the fallback.
     pub(crate) x_dot: Function,
+    /// `g`, the guards of conditions.
+    pub(crate) guards: Function,
+    /// `at` and `slope` of conditions that depend on the time alone.
+    pub(crate) instants: Function,
     /// What the user reads.
     pub(crate) outputs: Outputs,
     /// Symbols of the weights of [`Absolute::min_norm`].
@@ -65,6 +70,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
         inverse_mass: Function::of_results(stored("inverse_mass", &inverse_mass)),
         free: Function::of_results(free),
         x_dot: Function::of_results(stored("x_dot", &equations.x_dot)),
+        guards: sides::guards(model, &[], graph),
+        instants: sides::instants(model, graph),
         outputs: outputs::formulate(model, equations, graph),
         weights,
         residual,

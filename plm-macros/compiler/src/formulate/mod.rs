@@ -11,6 +11,7 @@ mod ldl;
 mod order;
 mod outputs;
 mod reduced;
+mod sides;
 
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};

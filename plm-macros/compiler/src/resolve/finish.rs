@@ -47,6 +47,7 @@ impl<'a> Resolver<'a> {
             loads,
             states,
             outputs,
+            sides: Vec::new(),
             allowed: self.allowed,
         })
     }

@@ -22,8 +22,8 @@ const AREA: [&str; 3] = ["area", "area_rate", "area_bend"];
 /// runtime.
 pub(crate) struct Memorable<'a> {
     pub(crate) time: Expr,
-    /// By unknown: value, and axis if it is an angle.
-    pub(crate) angle: &'a dyn Fn(usize) -> [Expr; 3],
+    /// By unknown that is an angle: value, cosine and sine.
+    pub(crate) angle: &'a dyn Fn(usize, &mut Graph) -> [Expr; 3],
     /// Determinants and their rates.
     pub(crate) areas: Vec<[Expr; 2]>,
 }
@@ -57,11 +57,11 @@ impl Memory {
     }
 
     /// The values of [`Memory::symbols`] at a state.
-    pub(crate) fn values(&self, of: &Memorable, graph: &Graph) -> Vec<Expr> {
+    pub(crate) fn values(&self, of: &Memorable, graph: &mut Graph) -> Vec<Expr> {
         let mut values: Vec<Expr> = self.times.iter().flatten().map(|_| of.time).collect();
         for (unknown, angle) in self.angles.iter().enumerate() {
             if angle.is_some() {
-                values.extend((of.angle)(unknown));
+                values.extend((of.angle)(unknown, graph));
             }
         }
         // A chart with fewer dyads than another leaves the last places alone.

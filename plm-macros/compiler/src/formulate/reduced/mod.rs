@@ -28,6 +28,7 @@ use self::memory::{Memorable, Memory};
 use self::motion::Motion;
 use super::function::{Function, Place, Section};
 use super::ldl::factorise;
+use super::sides;
 use crate::derive::Equations;
 use crate::model::Model;
 
@@ -82,6 +83,8 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
+    /// `g`, the guards of conditions.
+    pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
     /// `x` of a state in absolute coordinates.
@@ -105,14 +108,17 @@ pub(crate) struct Assembled {
     pub(crate) values: Vec<(Expr, f64)>,
 }
 
-/// Lays out rung 1, 2 or 3; `length` is the size of the scene, m, and `assembled` gives the start if the joints close.
+/// The size of the scene, m, and what gives the start if the joints close.
+pub(crate) type Known<'a> = (f64, &'a dyn Fn(&Graph) -> Option<Assembled>);
+
+/// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
 /// Why the mechanism has neither: words that go on "rung 5 because …".
 pub(crate) fn formulate(
     model: &Model,
     equations: &Equations,
-    (length, assembled): (f64, &dyn Fn(&Graph) -> Option<Assembled>),
+    (length, assembled): Known,
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
@@ -181,6 +187,7 @@ impl Layout<'_> {
             y_dot: of_drivers(&motion.rate),
             method,
             rate,
+            guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
             look,
@@ -265,13 +272,10 @@ impl Layout<'_> {
         solutions: &[dyad::Solution],
     ) -> Function {
         let graph = &mut *self.graph;
-        let angle = |unknown: usize| {
-            let class = match self.coordinates.unknowns[unknown] {
-                Unknown::Angle { class, .. } => class,
-                _ => 0,
-            };
-            let [cos, sin] = motion.axis[class];
-            [motion.value[unknown], cos, sin]
+        // The direction of the angle itself, not the axis that it was found from: rounding would add up from look to look.
+        let angle = |unknown: usize, graph: &mut Graph| {
+            let value = motion.value[unknown];
+            [value, graph.cos(value), graph.sin(value)]
         };
         let values = self.memory.values(&Memorable { time: self.model.time, angle: &angle, areas }, graph);
         let mut results = stored("memory", values.iter());

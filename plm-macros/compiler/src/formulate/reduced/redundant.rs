@@ -9,7 +9,7 @@ use super::charts::{self, Scheme};
 use super::coordinates::{Coordinates, Unknown};
 use super::memory::Memory;
 use super::motion::{self, Motion};
-use super::{Assembled, Layout};
+use super::{Assembled, Known, Layout};
 use crate::check;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -26,7 +26,7 @@ pub(crate) fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    (length, assembled): (f64, &dyn Fn(&Graph) -> Option<Assembled>),
+    (length, assembled): Known,
     graph: &mut Graph,
 ) -> Option<Vec<Scheme>> {
     let all = charts::equations(coordinates);

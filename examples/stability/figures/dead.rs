@@ -1,0 +1,105 @@
+//! Dead points, branches, lock-up.
+
+use plm::Fault;
+use plm_view::{Axis, Chart, Rule, Series};
+
+use super::{Figure, Row, so_far};
+use crate::scenes::dead::{CrankRocker, Quadrorhomb, TripleRocker, assembling, cranking, falling, rocking};
+use crate::scenes::theory::{QUADRORHOMB_FALL, dead_angle, quadrorhomb_limit};
+
+pub fn triple_rocker() -> Result<Figure, Fault> {
+    let mut sim = TripleRocker::new().start()?;
+    let trace = rocking(&mut sim, 60.0);
+    let dead = trace.rows.windows(2).filter(|pair| pair[0].1[3] * pair[1].1[3] < 0.0).count();
+    let known = dead_angle(0.7, 1.0, 1.1).to_degrees();
+    let reached = trace.largest(1).to_degrees();
+    let rows = vec![
+        Row::end(format!("triple rocker, 60 s, {dead} dead points"), &trace.end),
+        Row::new(
+            "triple rocker: where the crank turns back",
+            format!("{known:.4} deg"),
+            format!("{reached:.4} deg"),
+            (known - reached).abs() < 6e-3,
+        ),
+        Row::below("triple rocker: energy over 60 s", 1e-5, "", trace.largest(0)),
+        Row::new(
+            "triple rocker: changes of the driving bar",
+            "some",
+            sim.stats().charts.to_string(),
+            sim.stats().charts > 0,
+        ),
+    ];
+    let degrees = |column| {
+        let turns = trace.over_time(column).into_iter().take_while(|(time, _)| *time <= 20.0);
+        turns.map(|(time, angle)| (time, angle.to_degrees())).collect::<Vec<_>>()
+    };
+    let sines = trace.over_time(3).into_iter().take_while(|(time, _)| *time <= 20.0);
+    let chart = Chart::new(Axis::linear("time", "s"), Axis::linear("angle", "deg"))
+        .titled("Triple rocker 0.7 / 0.6 / 0.5 / 1.0 m")
+        .noted("Where coupler and rocker stretch, the crank cannot drive them: another bar does.")
+        .with(Series::new("crank", degrees(1)))
+        .with(Series::new("rocker", degrees(2)))
+        .with_rule(Rule::horizontal(known, "dead point of the crank"))
+        .below(Axis::linear("sin(rocker - coupler)", ""))
+        .with(Series::new("0: dead point", sines));
+    Ok(Figure { slug: "triple-rocker", chart, rows })
+}
+
+pub fn crank_rocker() -> Result<Figure, Fault> {
+    let trace = cranking(&mut CrankRocker::new().start()?, 1);
+    let assembled = assembling()?;
+    let worst = assembled.iter().map(|(_, off)| *off).fold(0.0, f64::max);
+    let rows = vec![
+        Row::end("crank-rocker, a driven turn of the crank", &trace.end),
+        Row::below("crank-rocker: angles against the closed form, in motion", 1e-9, " rad", trace.largest(0)),
+        Row::below("crank-rocker: the same by 361 assemblies", 1e-12, " rad", worst),
+    ];
+    let degrees = |(time, off): (f64, f64)| (time.to_degrees(), off);
+    let driven = so_far(trace.over_time(0)).into_iter().map(degrees);
+    // A difference of zero has no place on the axis.
+    let assembled = assembled.into_iter().map(|(degree, off)| (degree, off.max(1e-17)));
+    let chart =
+        Chart::new(Axis::linear("angle of the crank", "deg"), Axis::log("largest error of an angle", "rad"))
+            .titled("Crank-rocker 0.5 / 1.2 / 0.8 / 1.0 m over all angles of its crank")
+            .noted("The mirror branch is off by radians.")
+            .with(Series::new("driven, default method, so far", driven))
+            .with(Series::new("assembled degree by degree", assembled));
+    Ok(Figure { slug: "crank-rocker", chart, rows })
+}
+
+pub fn quadrorhomb() -> Result<Figure, Fault> {
+    let mut sim = Quadrorhomb::from_crank(0.0).start()?;
+    let trace = falling(&mut sim);
+    let limit = quadrorhomb_limit().to_degrees();
+    let reached = sim.crank().angle.abs().to_degrees();
+    let (time, cause) = match &trace.end {
+        Ok(()) => (f64::INFINITY, "runs on".to_owned()),
+        Err(fault) => (fault.time, fault.to_string()),
+    };
+    let lost = sim.energy().abs() / sim.kinetic_energy();
+    let rows = vec![
+        Row::new(
+            "Quadrorhomb in free fall: end",
+            format!("locks up at {QUADRORHOMB_FALL:.5} s"),
+            format!("stops: {cause}"),
+            (time - QUADRORHOMB_FALL).abs() < 5e-4,
+        ),
+        Row::new(
+            "Quadrorhomb in free fall: angle of the crank there",
+            format!("{limit:.4} deg"),
+            format!("{reached:.4} deg"),
+            (limit - reached).abs() < 0.01,
+        ),
+        Row::below("Quadrorhomb in free fall: energy over kinetic energy there", 1e-4, "", lost),
+    ];
+    let degrees = trace.over_time(1).into_iter().map(|(time, angle)| (time, angle.to_degrees()));
+    let chart = Chart::new(Axis::linear("time", "s"), Axis::linear("angle of the crank", "deg"))
+        .titled("Quadrorhomb in free fall")
+        .noted(format!("It ends with: {cause}"))
+        .with(Series::new("default method", degrees))
+        .with_rule(Rule::horizontal(-limit, "limit of the crank"))
+        .with_rule(Rule::vertical(QUADRORHOMB_FALL, "lock-up by quadrature"))
+        .below(Axis::log("largest energy so far", "J"))
+        .with(Series::new("default method", so_far(trace.over_time(0))));
+    Ok(Figure { slug: "quadrorhomb", chart, rows })
+}

@@ -1,0 +1,75 @@
+//! Where methods fail: a picture and lines of a table for each scene, the known value beside what `plm` does by default.
+//!
+//! ```sh
+//! cargo run --release --example stability                       # to target/plm/stability
+//! cargo run --release --example stability -- --out DIR          # to DIR; the book has docs/src/images/stability
+//! cargo run --release --example stability -- --quick            # long runs a hundred times shorter
+//! ```
+//!
+//! The program fails if a value is not as near to the known one as it has to be.
+#![allow(missing_docs, reason = "the scenes declare public modules")]
+#![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(dead_code, reason = "the tests show more of the scenes")]
+#![allow(clippy::excessive_precision, reason = "references keep the digits that they were computed with")]
+
+mod figures;
+mod scenes;
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use figures::{Figure, dead, extremes, flat, long, stiff, theory};
+use plm::Fault;
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let out = arguments.iter().position(|word| word == "--out").and_then(|at| arguments.get(at + 1));
+    let folder = PathBuf::from(out.map_or("target/plm/stability", String::as_str));
+    let shorter = if arguments.iter().any(|word| word == "--quick") { 100 } else { 1 };
+
+    let (mut page, mut all_hold) = (String::new(), true);
+    for make in all(shorter) {
+        let Figure { slug, chart, rows } = make()?;
+        chart.write_svg(folder.join(format!("{slug}.svg")))?;
+        let mut table = "| | known | found |\n|---|---|---|\n".to_owned();
+        for row in rows {
+            let mark = if row.holds { "" } else { " **missed**" };
+            writeln!(table, "| {} | {} | {}{mark} |", row.quantity, row.known, row.found)?;
+            all_hold &= row.holds;
+        }
+        println!("{slug}\n{table}");
+        write!(page, "<!-- ANCHOR: {slug} -->\n{table}<!-- ANCHOR_END: {slug} -->\n\n")?;
+    }
+    fs::write(folder.join("tables.txt"), page)?;
+    println!("written: {}", folder.display());
+    Ok(if all_hold { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Every picture; the long runs are so many times shorter.
+fn all(shorter: u32) -> Vec<Box<dyn Fn() -> Result<Figure, Fault>>> {
+    let steps = 1_000_000 / shorter;
+    let seconds = 2000.0 / f64::from(shorter);
+    vec![
+        Box::new(flat::ladders),
+        Box::new(flat::folded),
+        Box::new(flat::parallelogram),
+        Box::new(dead::triple_rocker),
+        Box::new(dead::crank_rocker),
+        Box::new(dead::quadrorhomb),
+        Box::new(move || long::drift_of_the_four_bar(steps)),
+        Box::new(move || long::drift_of_the_quadrorhomb(steps)),
+        Box::new(move || long::a01(seconds)),
+        Box::new(long::chaos),
+        Box::new(|| Ok(stiff::baumgarte())),
+        Box::new(|| Ok(stiff::end_stop())),
+        Box::new(stiff::stiff_spring),
+        Box::new(theory::kapitza),
+        Box::new(theory::laguerre),
+        Box::new(extremes::fast_crank),
+        Box::new(extremes::masses),
+        Box::new(extremes::precision),
+    ]
+}

@@ -1,0 +1,106 @@
+//! Accuracy against speed: every benchmark scene on every rung with every method, against its reference.
+//!
+//! ```sh
+//! cargo run --release --example work_precision                            # plm alone
+//! cargo run --release --example work_precision --features plm-peers/peers # beside diffsol and rapier2d
+//! cargo run --release --example work_precision -- --quick --out DIR       # few settings, written to DIR
+//! ```
+//!
+//! It prints, for each scene, the least time and its evaluations of the right-hand side to some errors, and writes to
+//! `target/plm/work-precision` or to DIR: `runs.csv` (all runs), `tables.txt`, and a picture per scene. What stands in the
+//! book is the second command's with `-- --out docs/src/images/work-precision`.
+//!
+//! Time is that of one thread by the wall clock, the least of several runs, from the first step to the last: assembly and
+//! allocation come before. Look at ratios rather than times, and at evaluations, which are the same on every machine.
+//! The program fails if a line does not come near its reference.
+#![allow(missing_docs, reason = "the macros of the scenes declare public modules")]
+#![allow(unreachable_pub, reason = "the modules are private to an example")]
+
+mod andrews;
+mod list;
+mod measure;
+mod methods;
+mod references;
+mod report;
+mod scenes;
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use plm_peers::peers;
+
+use list::SCENES;
+use measure::{Bench, Scene};
+use report::Result as Measured;
+
+/// How many runs are made.
+pub struct Effort {
+    /// Tolerances and steps for each factor of ten.
+    pub per_decade: i32,
+    pub fewest_runs: u32,
+    pub most_runs: u32,
+    /// Time for the runs of one setting, s.
+    pub spent: f64,
+    /// No finer settings after a run as long as this, s.
+    pub longest_run: f64,
+}
+
+const FULL: Effort =
+    Effort { per_decade: 4, fewest_runs: 7, most_runs: 1000, spent: 0.01, longest_run: 0.03 };
+const QUICK: Effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spent: 0.0, longest_run: 0.02 };
+
+/// Every line has to come that near to its reference, as a fraction of what is hopeless.
+const NEAR: f64 = 1e-4;
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let effort = if arguments.iter().any(|word| word == "--quick") { &QUICK } else { &FULL };
+    let out = arguments.iter().position(|word| word == "--out").and_then(|at| arguments.get(at + 1));
+    let folder = PathBuf::from(out.map_or("target/plm/work-precision", String::as_str));
+    fs::create_dir_all(&folder)?;
+
+    let mut csv = "scene,rung,method,setting,error,seconds,evaluations,fault\n".to_owned();
+    let mut page = String::new();
+    let mut all_near = true;
+    for scene in SCENES {
+        let measured = run(scene, effort);
+        let (mark, table) = (slug(scene), measured.table());
+        println!("{table}");
+        all_near &= is_near(&measured, effort);
+        csv += &measured.csv();
+        write!(page, "<!-- ANCHOR: {mark} -->\n{table}<!-- ANCHOR_END: {mark} -->\n\n")?;
+        measured.chart().write_svg(folder.join(format!("{mark}.svg")))?;
+    }
+    fs::write(folder.join("runs.csv"), csv)?;
+    fs::write(folder.join("tables.txt"), page)?;
+    println!("written: {}", folder.display());
+    Ok(if all_near { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// All lines of a scene, plm's first.
+fn run(scene: &'static Scene, effort: &Effort) -> Measured {
+    let reference = references::of(scene.id).into_iter().map(|(_, value)| value).collect();
+    let bench = Bench { scene, reference, effort };
+    let mut lines = (scene.run)(&bench);
+    let others = peers().into_iter().filter(|peer| peer.scene == scene.id);
+    lines.extend(others.enumerate().map(|(number, peer)| bench.peer(number, &peer)));
+    Measured { scene, lines }
+}
+
+/// Tells which of plm's lines stay away from the reference, although their finest settings were run.
+fn is_near(measured: &Measured, effort: &Effort) -> bool {
+    let ours =
+        measured.lines.iter().filter(|line| !line.rung.is_empty() && line.slowest() <= effort.longest_run);
+    let far = ours.filter(|line| line.smallest_error() > NEAR * measured.scene.hopeless);
+    far.map(|line| println!("{}: {} on {} never comes near", measured.scene.id, line.method, line.rung))
+        .count()
+        == 0
+}
+
+/// `S1` as part of a file's name.
+fn slug(scene: &Scene) -> String {
+    scene.id.to_lowercase().replace(' ', "-")
+}

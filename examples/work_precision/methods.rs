@@ -1,0 +1,19 @@
+//! The methods of the charts: one line each.
+
+use plm::runtime::{Linear, Ports};
+use plm::{Dop853, Dopri5, Gauss, Mechanism, RadauIia5, Rk4};
+use plm_peers::Setting::{Step, Tolerance};
+
+use crate::measure::{Line, Rung};
+
+/// Every method on one rung.
+pub fn every<M: Mechanism<S = f64> + Linear + Ports>(rung: &Rung<M>) -> Vec<Line> {
+    vec![
+        rung.line(0, "DOP853", Tolerance, Dop853::new),
+        rung.line(1, "DOPRI5", Tolerance, Dopri5::new),
+        rung.line(2, "RK4", Step, Rk4::new),
+        rung.line(3, "Gauss 4", Step, Gauss::<M, 2>::new),
+        rung.line(4, "Gauss 6", Step, Gauss::<M, 3>::new),
+        rung.line(5, "Radau IIA 5", Tolerance, RadauIia5::new),
+    ]
+}

@@ -1,0 +1,273 @@
+//! The scenes. Each is a macro, so that it can be declared once for every rung: what is handed over behind the name of
+//! the module stands among the items of the mechanism.
+//!
+//! SI units; uniform bars have J = m L^2 / 12. The outputs are what is measured, in the order of the references.
+
+/// S1: two bars, released at 45 and 0 deg.
+macro_rules! double_pendulum {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Double pendulum without damping.
+                pub DoublePendulum {
+                    $($rung)*
+                    gravity: 9.81 m/s^2;
+                    ground { port o: (0, 0) m; }
+                    body arm {
+                        mass: 10 kg;
+                        inertia: 0.01 kg*m^2;
+                        port o: (-0.5, 0) m;
+                        port p: (0.5, 0) m;
+                        start angle: 45 deg, locked;
+                    }
+                    body forearm {
+                        mass: 10 kg;
+                        inertia: 0.01 kg*m^2;
+                        port p: (-1, 0) m;
+                        start angle: 0 deg, locked;
+                    }
+                    revolute shoulder(ground.o, arm.o);
+                    revolute elbow(arm.p, forearm.p);
+                    output arm.position, forearm.position;
+                }
+            }
+        }
+    };
+}
+double_pendulum!(s1_tree: rung: tree;);
+double_pendulum!(s1_absolute: rung: absolute;);
+
+/// S2: crank at 60 deg, elbow up, at rest.
+macro_rules! four_bar {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Four-bar linkage: ground 1 m, crank 0.3 m, coupler 0.9 m, rocker 0.7 m; 1 kg/m.
+                pub FourBar {
+                    $($rung)*
+                    gravity: 9.81 m/s^2;
+                    ground { port a: (0, 0) m; port d: (1, 0) m; }
+                    body crank {
+                        mass: 0.3 kg;
+                        inertia: 0.00225 kg*m^2;
+                        port a: (-0.15, 0) m;
+                        port b: (0.15, 0) m;
+                        start angle: 60 deg, locked;
+                    }
+                    body coupler {
+                        mass: 0.9 kg;
+                        inertia: 0.06075 kg*m^2;
+                        port b: (-0.45, 0) m;
+                        port c: (0.45, 0) m;
+                        start angle: 30 deg;
+                    }
+                    body rocker {
+                        mass: 0.7 kg;
+                        inertia: 0.7 kg * (0.7 m)^2 / 12;
+                        port d: (-0.35, 0) m;
+                        port c: (0.35, 0) m;
+                        start x: 1 m;
+                        start angle: 95 deg;
+                    }
+                    revolute drive(ground.a, crank.a);
+                    revolute crank_coupler(crank.b, coupler.b);
+                    revolute coupler_rocker(coupler.c, rocker.c);
+                    revolute pivot(ground.d, rocker.d);
+                    output crank.position, coupler.position, rocker.position;
+                }
+            }
+        }
+    };
+}
+four_bar!(s2_loops: rung: loops;);
+four_bar!(s2_absolute: rung: absolute;);
+
+/// S3: sixteen bars of 1/16 m and 1/16 kg in a row, horizontal at rest.
+macro_rules! chain {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Chain of sixteen uniform bars.
+                pub Chain {
+                    $($rung)*
+                    gravity: 9.81 m/s^2;
+                    ground { port o: (0, 0) m; }
+                    repeat i in 0..16 {
+                        body bar[i] {
+                            mass: 1 kg / 16;
+                            inertia: 1 kg*m^2 / (12 * 16^3);
+                            port a: (-0.5 / 16, 0) m;
+                            port b: (0.5 / 16, 0) m;
+                            start x: (i + 0.5) / 16 * 1 m;
+                        }
+                        output bar[i].position;
+                    }
+                    revolute pin[0](ground.o, bar[0].a);
+                    repeat i in 1..16 {
+                        revolute pin[i](bar[i-1].b, bar[i].a);
+                    }
+                }
+            }
+        }
+    };
+}
+chain!(s3_tree: rung: tree;);
+chain!(s3_absolute: rung: absolute;);
+
+/// S4: two windows of uprights and tops of 1 m and 1 kg; the tops start at 1 m/s (problem A02 of the IFToMM benchmarks).
+macro_rules! ladder {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Ladder of two four-bars.
+                pub Ladder {
+                    $($rung)*
+                    gravity: 9.81 m/s^2;
+                    ground { port f0: (0, 0) m; port f1: (1, 0) m; port f2: (2, 0) m; }
+                    repeat i in 0..=2 {
+                        body up[i] {
+                            mass: 1 kg;
+                            inertia: 1 kg*m^2/12;
+                            port low: (-0.5, 0) m;
+                            port high: (0.5, 0) m;
+                            start x: i*1 m;
+                            start angle: 90 deg;
+                            start vx: 0.5 m/s;
+                            start omega: -1 rad/s;
+                        }
+                        output up[i].position;
+                    }
+                    repeat i in 1..=2 {
+                        body top[i] {
+                            mass: 1 kg;
+                            inertia: 1 kg*m^2/12;
+                            port a: (-0.5, 0) m;
+                            port b: (0.5, 0) m;
+                            start x: (i - 0.5)*1 m;
+                            start y: 1 m;
+                            start vx: 1 m/s;
+                        }
+                        revolute left[i](up[i - 1].high, top[i].a);
+                        revolute right[i](top[i].b, up[i].high);
+                        output top[i].position;
+                    }
+                    revolute foot[0](ground.f0, up[0].low);
+                    revolute foot[1](ground.f1, up[1].low);
+                    revolute foot[2](ground.f2, up[2].low);
+                }
+            }
+        }
+    };
+}
+ladder!(s4_loops: rung: loops;);
+ladder!(s4_absolute: rung: absolute;);
+
+/// S6: crank at 60 deg at rest, 1 N m on it.
+macro_rules! slider_crank {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Slider-crank: crank 0.2 m, rod 0.6 m, slider on y = 0.
+                pub SliderCrank {
+                    $($rung)*
+                    gravity: 9.81 m/s^2;
+                    ground { port o: (0, 0) m; }
+                    body crank {
+                        mass: 0.2 kg;
+                        inertia: 0.2 kg * (0.2 m)^2 / 12;
+                        port o: (-0.1, 0) m;
+                        port pin: (0.1, 0) m;
+                        start angle: 60 deg, locked;
+                    }
+                    body rod {
+                        mass: 0.6 kg;
+                        inertia: 0.018 kg*m^2;
+                        port pin: (-0.3, 0) m;
+                        port wrist: (0.3, 0) m;
+                        start angle: -17 deg;
+                    }
+                    body slider {
+                        mass: 0.5 kg;
+                        inertia: 0.001 kg*m^2;
+                        port wrist: (0, 0) m;
+                        start x: 0.67 m;
+                    }
+                    revolute drive(ground.o, crank.o) { drive: 1 N*m; }
+                    revolute crank_pin(crank.pin, rod.pin);
+                    revolute wrist_pin(rod.wrist, slider.wrist);
+                    prismatic guide(ground.o, slider.wrist);
+                    output crank.position, rod.position, slider.position;
+                }
+            }
+        }
+    };
+}
+slider_crank!(s6_loops: rung: loops;);
+slider_crank!(s6_absolute: rung: absolute;);
+
+/// A01 of the IFToMM benchmarks: 1 kg at 1 m, released horizontally on the left. An equal mass at the pivot, which does not
+/// move, makes it a body with an inertia.
+macro_rules! pendulum {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Simple pendulum of 1 m.
+                pub Pendulum {
+                    $($rung)*
+                    gravity: 9.81 m/s^2;
+                    ground { port o: (0, 0) m; }
+                    body bob {
+                        mass: 2 kg;
+                        inertia: 0.5 kg*m^2;
+                        port pivot: (0, 0.5) m;
+                        port tip: (0, -0.5) m;
+                        start angle: -90 deg, locked;
+                    }
+                    revolute hinge(ground.o, bob.pivot);
+                    output tip = bob.tip.position;
+                }
+            }
+        }
+    };
+}
+pendulum!(a01_tree: rung: tree;);
+pendulum!(a01_absolute: rung: absolute;);
+
+/// The car axis of the IVP test set, with K = M eps^2 / 2 = 5e-4 kg at both ends of a rod of 1 m, springs of 1 N/m and
+/// gravity 1 m/s^2. The left wheel stands at the origin, the right one moves on a circle of 1 m about it, and the left end
+/// of the rod keeps to the normal of the line through the wheels.
+macro_rules! car_axis {
+    ($module:ident: $($rung:tt)*) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Car axis on a bumpy road.
+                pub CarAxis {
+                    $($rung)*
+                    gravity: 1 m/s^2;
+                    let bump = 0.1*sin(10 rad/s * t);
+                    ground {
+                        port left: (0, 0) m, axis: asin(bump) + 90 deg;
+                        port right: (sqrt(1 - bump^2)*1 m, bump*1 m);
+                    }
+                    body rod {
+                        mass: 1e-3 kg;
+                        inertia: 2.5e-4 kg*m^2;
+                        port left: (-0.5, 0) m;
+                        port right: (0.5, 0) m;
+                        start x: 0.5 m;
+                        start y: 0.5 m, locked;
+                        start angle: 0, locked;
+                        start vx: -0.5 m/s;
+                        start vy: 0, locked;
+                        start omega: 0, locked;
+                    }
+                    pin_slot upright(ground.left, rod.left);
+                    spring left(ground.left, rod.left) { stiffness: 1 N/m; free_length: 0.5 m; }
+                    spring right(ground.right, rod.right) { stiffness: 1 N/m; free_length: 0.5 m; }
+                    output rod.left.position, rod.right.position;
+                }
+            }
+        }
+    };
+}
+car_axis!(car_axis_absolute: rung: absolute;);

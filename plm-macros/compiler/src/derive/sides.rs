@@ -1,0 +1,107 @@
+//! Conditions at which forces and rates jump: each gets a side that is held over a step, so that within it everything is
+//! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is, for the error control to see.
+
+use plm_cas::{Expr, Graph, Node};
+
+use crate::model::{Model, Side};
+
+/// Puts the side of every condition at which a force or a rate jumps, or that asks for the time alone, in its place.
+pub(crate) fn hold(model: &mut Model, graph: &mut Graph) {
+    let mut conditions: Vec<(Expr, String)> = Vec::new();
+    for (name, root) in causes(model) {
+        for expr in graph.reachable(&[root]) {
+            let seen = conditions.iter().any(|(condition, _)| *condition == expr);
+            if matches!(graph.node(expr), Node::Less(..)) && !seen {
+                conditions.push((expr, name.clone()));
+            }
+        }
+    }
+    let roots: Vec<Expr> = causes(model).into_iter().map(|(_, root)| root).collect();
+    let mut pairs = Vec::new();
+    for (condition, name) in conditions {
+        let Node::Less(a, b) = *graph.node(condition) else { continue };
+        let difference = graph.sub(a, b);
+        let instant = instant(model, difference, graph);
+        if instant.is_none() && !jumps(&roots, condition, difference, graph) {
+            continue;
+        }
+        let symbol = graph.symbol(&format!("side_{}", model.sides.len()));
+        let zero = graph.zero();
+        pairs.push((condition, graph.less(symbol, zero)));
+        model.sides.push(Side { symbol, difference, instant, name });
+    }
+    if pairs.is_empty() {
+        return;
+    }
+    // Conditions of the state stand before those of the time, as the guards do.
+    model.sides.sort_by_key(|side| side.instant.is_some());
+    for load in &mut model.loads {
+        load.force = std::array::from_fn(|k| graph.substitute(&[load.force[k]], &pairs)[0]);
+    }
+    for state in &mut model.states {
+        state.rate = graph.substitute(&[state.rate], &pairs)[0];
+    }
+    for output in &mut model.outputs {
+        output.components = graph.substitute(&output.components, &pairs);
+    }
+}
+
+/// What may jump, and whose it is.
+fn causes(model: &Model) -> Vec<(String, Expr)> {
+    let loads = model.loads.iter().flat_map(|load| {
+        let name = &model.parts[load.part].name.text;
+        load.force.map(|force| (name.clone(), force))
+    });
+    let rates = model.states.iter().map(|state| (state.name.text.clone(), state.rate));
+    loads.chain(rates).collect()
+}
+
+/// The one time at which a difference vanishes that is linear in the time and reads nothing but parameters and inputs,
+/// and its slope.
+fn instant(model: &Model, difference: Expr, graph: &mut Graph) -> Option<[Expr; 2]> {
+    let held = graph.symbols(&[difference]);
+    let constant = |symbol: &Expr| {
+        model.params.iter().any(|param| param.symbol == *symbol)
+            || model.inputs.iter().any(|input| input.symbol == *symbol)
+    };
+    if !held.contains(&model.time) || !held.iter().all(|symbol| *symbol == model.time || constant(symbol)) {
+        return None;
+    }
+    let slope = graph.diff(difference, model.time);
+    if graph.symbols(&[slope]).contains(&model.time) {
+        return None;
+    }
+    Some([root(difference, model.time, slope, graph), slope])
+}
+
+/// `s - d / d'`, where `d` is linear in the symbol `s`.
+fn root(difference: Expr, symbol: Expr, slope: Expr, graph: &mut Graph) -> Expr {
+    let step = graph.div(difference, slope);
+    graph.sub(symbol, step)
+}
+
+/// Do the two values between which a condition chooses differ where it changes?
+fn jumps(roots: &[Expr], condition: Expr, difference: Expr, graph: &mut Graph) -> bool {
+    let choices: Vec<Expr> = graph
+        .reachable(roots)
+        .into_iter()
+        .filter_map(|expr| match *graph.node(expr) {
+            Node::Select(by, yes, no) if by == condition => Some((yes, no)),
+            _ => None,
+        })
+        .collect::<Vec<_>>()
+        .into_iter()
+        .map(|(yes, no)| graph.sub(yes, no))
+        .collect();
+    // The boundary, solved for a symbol in which it is linear.
+    let boundary = graph.symbols(&[difference]).into_iter().find_map(|symbol| {
+        let slope = graph.diff(difference, symbol);
+        let linear = !graph.is_zero(slope) && !graph.symbols(&[slope]).contains(&symbol);
+        linear.then(|| (symbol, root(difference, symbol, slope, graph)))
+    });
+    let Some(boundary) = boundary else { return true };
+    choices.iter().any(|&choice| {
+        let there = graph.substitute(&[choice], &[boundary])[0];
+        !graph.is_zero(there)
+    })
+}

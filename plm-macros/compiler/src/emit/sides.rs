@@ -1,0 +1,101 @@
+//! Conditions whose sides are held over a step: guards, switches, known times.
+
+use super::bodies::{Shape, write};
+use super::{Emission, Origin, push};
+
+/// The straight-line functions that do not depend on the chart.
+pub(crate) fn instants(text: &mut String, emission: &Emission) {
+    let count = emission.model.sides.len() - emission.model.guards();
+    if count == 0 {
+        return;
+    }
+    push(text, format_args!("\n    impl<S: Scalar> {}<S> {{\n", emission.name));
+    write(
+        text,
+        emission,
+        &emission.program.instants,
+        Origin::Arguments,
+        &Shape {
+            docs: &["Times at which conditions change, s, and the slope of what they compare."],
+            attribute: "#[cold]",
+            signature: &format!(
+                "fn instants(&self, u: &Input<S>, at: &mut [S; {count}], slope: &mut [S; {count}])"
+            ),
+            arguments: &["u", "at", "slope"],
+        },
+    );
+    text.push_str("    }\n");
+}
+
+/// What `System` says of them; `call` is the call of the guards' function with `g` as its last argument.
+pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
+    let (length, _) = emission.state_length();
+    let guards = emission.model.guards();
+    let input = emission.input();
+    if guards > 0 {
+        let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
+        push(
+            text,
+            format_args!(
+                "        fn guards(&self, t: S, u: &Self::U, x: &[S; {length}], g: &mut [S; {guards}]) {{
+            {call};
+        }}
+
+        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
+            if let Some(side) = {input}.side.get_mut(index) {{
+                *side = -*side;
+            }}
+        }}
+
+        fn guard_name(&self, index: usize) -> &'static str {{
+            const NAMES: [&str; {guards}] = [{}];
+            NAMES.get(index).copied().unwrap_or_default()
+        }}
+
+",
+                names.collect::<Vec<_>>().join(", ")
+            ),
+        );
+    }
+    known_times(text, emission, input);
+}
+
+fn known_times(text: &mut String, emission: &Emission, input: &str) {
+    let guards = emission.model.guards();
+    let count = emission.model.sides.len() - guards;
+    if count == 0 {
+        return;
+    }
+    push(
+        text,
+        format_args!(
+            "        fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {{
+            let (mut at, mut slope) = ([S::lit(0.0); {count}], [S::lit(0.0); {count}]);
+            self.instants(&{input}, &mut at, &mut slope);
+            at.into_iter().filter(|at| *at > t).reduce(S::min)
+        }}
+
+        fn pass(&self, t: S, u: &mut Self::U) {{
+            let (mut at, mut slope) = ([S::lit(0.0); {count}], [S::lit(0.0); {count}]);
+            self.instants(&{input}, &mut at, &mut slope);
+            for ((side, at), slope) in {input}.side.iter_mut().skip({guards}).zip(at).zip(slope) {{
+                *side = if (at <= t) == (slope > S::lit(0.0)) {{ S::lit(1.0) }} else {{ S::lit(-1.0) }};
+            }}
+        }}
+
+"
+        ),
+    );
+}
+
+/// Holds the sides that apply at the start, in `start_state`.
+pub(crate) fn begin(emission: &Emission) -> &'static str {
+    match (emission.model.guards(), emission.model.sides.len()) {
+        (_, 0) => "",
+        (0, _) => "            rt::System::pass(self, t, &mut held);\n",
+        _ => {
+            "            rt::System::pass(self, t, &mut held);
+            rt::events::switch_where_due(self, t, &mut held, &x);\n"
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! How far conditions are from switching, and when those of the time do.
+
+use plm_cas::{Expr, Graph};
+
+use super::function::{Function, Place};
+use crate::model::Model;
+
+/// `g`: positive as long as the side that is held applies; symbols are replaced by `substitution`.
+pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)], graph: &mut Graph) -> Function {
+    let of_state = model.sides.iter().filter(|side| side.instant.is_none());
+    let differences: Vec<Expr> = of_state.clone().map(|side| side.difference).collect();
+    let differences = graph.substitute(&differences, substitution);
+    let results = of_state
+        .zip(differences)
+        .enumerate()
+        .map(|(k, (side, difference))| (Place::Element("g", k), graph.mul(side.symbol, difference)));
+    let results = results.collect();
+    Function::of_results(results).optimise(graph)
+}
+
+/// `at` and `slope` of the conditions of the time.
+pub(crate) fn instants(model: &Model, graph: &mut Graph) -> Function {
+    let instants: Vec<[Expr; 2]> = model.sides.iter().filter_map(|side| side.instant).collect();
+    let times = instants.iter().enumerate().map(|(k, instant)| (Place::Element("at", k), instant[0]));
+    let slopes = instants.iter().enumerate().map(|(k, instant)| (Place::Element("slope", k), instant[1]));
+    Function::of_results(times.chain(slopes).collect()).optimise(graph)
+}

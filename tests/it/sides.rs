@@ -1,0 +1,105 @@
+//! Conditions of a declaration: where forces jump, and times that are known.
+
+use plm::{Dop853, Rk4};
+
+/// A block that a constant force pushes back to the middle from either side: parabolas.
+mod bang {
+    plm::mechanism! {
+        pub Bang {
+            param from: s = 0.3 s;
+            param until: s = 0.7 s;
+            ground { port o: (0, 0) m; }
+            body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 1 m; }
+            body clock { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 0 m; }
+            prismatic rail(ground.o, block.o);
+            prismatic other(ground.o, clock.o);
+            force back(block.o) { x: if block.x < 0 m then 4 N else -2 N; }
+            force pulse(clock.o) { x: if t < from then 0 N else if t < until then 3 N else 0 N; }
+            // A spring that does not pull: a kink, which is left to the error control.
+            force stop(clock.o) { x: if clock.x < 100 m then 0 N else -10 N/m*(clock.x - 100 m); }
+        }
+    }
+}
+
+/// From 1 at rest under -1: 0 at sqrt(2) with the speed -sqrt(2); then under 2 it comes back after sqrt(2).
+fn block(time: f64) -> f64 {
+    let fall = 2.0_f64.sqrt();
+    let period = 3.0 * fall;
+    let t = time - (time / period).floor() * period;
+    if t < fall {
+        return 1.0 - 0.5 * t * t;
+    }
+    if t < 2.0 * fall {
+        let since = t - fall;
+        return -fall * since + since * since;
+    }
+    let since = t - 2.0 * fall;
+    fall * since - 0.5 * since * since
+}
+
+#[test]
+fn a_force_that_jumps_is_switched_where_it_jumps() {
+    let mut sim = bang::Bang::new().start_with(Dop853::new(1e-12)).unwrap();
+    let mut worst = 0.0_f64;
+    sim.run(20.0, 0.01, |state| worst = worst.max((state.block().x - block(state.time())).abs())).unwrap();
+    assert!(worst < 1e-10, "{worst:e}");
+    // Up to 20 s it passes the middle at 1, 2, 4, 5, 7, 8, 10, 11, 13 and 14 times sqrt(2); and two instants.
+    assert_eq!(sim.stats().switches, 10 + 2, "{:?}", sim.stats());
+    assert!(sim.stats().evaluations < 2000, "{:?}", sim.stats());
+}
+
+#[test]
+fn known_times_are_hit() {
+    // 3 m/s^2 for 0.4 s: 1.2 m/s and 0.24 m, then on.
+    let expected = 0.24 + 1.2 * (2.0 - 0.7);
+    let mut sim = bang::Bang::new().start_with(Dop853::new(1e-9)).unwrap();
+    sim.step(2.0).unwrap();
+    assert!((sim.clock().x - expected).abs() < 1e-13, "{}", sim.clock().x - expected);
+    // Parameters move them; steps of fixed length hit them as well.
+    let mechanism = bang::Bang { from: 0.111, until: 0.511, ..bang::Bang::new() };
+    let mut sim = mechanism.start_with(Rk4::new(0.04)).unwrap();
+    sim.step(2.0).unwrap();
+    let expected = 0.24 + 1.2 * (2.0 - 0.511);
+    assert!((sim.clock().x - expected).abs() < 1e-13, "{}", sim.clock().x - expected);
+}
+
+/// On every rung: a crank that is braked in one direction of its speed only, a jump in the torque.
+macro_rules! braked {
+    ($rung:ident) => {
+        mod $rung {
+            plm::mechanism! {
+                pub Braked {
+                    rung: $rung;
+                    gravity: 9.81 m/s^2;
+                    ground { port a: (0, 0) m; port d: (1, 0) m; }
+                    body crank { mass: 0.3 kg; inertia: 0.00225 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; }
+                    body coupler { mass: 0.9 kg; inertia: 0.06075 kg*m^2; port b: (-0.45, 0) m; port c: (0.45, 0) m; start angle: 30 deg; }
+                    body rocker { mass: 0.7 kg; inertia: 0.02858 kg*m^2; port d: (-0.35, 0) m; port c: (0.35, 0) m; start x: 1 m; start angle: 95 deg; }
+                    state heat: J = 0 J;
+                    rate heat = if rocker.angle < 80 deg then 2 W else 0 W;
+                    revolute drive(ground.a, crank.a) { drive: if coupler.angle < 35 deg then 0.3 N*m else -0.2 N*m; }
+                    revolute crank_coupler(crank.b, coupler.b);
+                    revolute coupler_rocker(coupler.c, rocker.c);
+                    revolute pivot(ground.d, rocker.d);
+                    output heat;
+                }
+            }
+        }
+    };
+}
+braked!(loops);
+braked!(absolute);
+
+#[test]
+fn both_rungs_switch_at_the_same_times() {
+    let mut least = loops::Braked::new().start_with(Dop853::new(1e-12)).unwrap();
+    let mut other = absolute::Braked::new().start_with(Dop853::new(1e-12)).unwrap();
+    for _ in 0..10 {
+        least.step(0.1).unwrap();
+        other.step(0.1).unwrap();
+        assert!((least.crank().angle - other.crank().angle).abs() < 1e-9);
+        assert!((least.heat() - other.heat()).abs() < 1e-9, "{} {}", least.heat(), other.heat());
+    }
+    assert!(least.stats().switches >= 2);
+    assert_eq!(least.stats().switches, other.stats().switches);
+}
