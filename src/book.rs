@@ -20,3 +20,8 @@ pages! {
     Scalars = "running/scalars.md";
     Equations = "theory/equations.md";
 }
+
+#[cfg(feature = "lanes")]
+pages! {
+    Lanes = "running/lanes.md";
+}

@@ -118,7 +118,7 @@ impl Scalar for F64x8 {
     one_by_one!(tan, asin, acos, exp, ln);
     fn atan2(self, x: Self) -> Self {
         let (y, x) = (self.values(), x.values());
-        Self::of(core::array::from_fn(|i| y[i].atan2(x[i])))
+        Self::of(core::array::from_fn(|i| Scalar::atan2(y[i], x[i])))
     }
     #[inline]
     fn abs(self) -> Self {

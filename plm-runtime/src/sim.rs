@@ -260,6 +260,14 @@ pub(crate) struct Limits<S> {
     change_points: bool,
 }
 
+impl<S> Limits<S> {
+    /// Every step is compared with the one before.
+    #[inline]
+    pub(crate) fn audit(&self) -> bool {
+        self.energy_jump.is_some()
+    }
+}
+
 /// Guards and limits of a run.
 type Guarded<'w, M> = (&'w mut Watch<<M as System>::S, <M as System>::G>, Limits<<M as System>::S>);
 

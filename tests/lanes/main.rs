@@ -1,76 +1,191 @@
-//! Eight simulations side by side end with the bits of eight that run alone.
+//! Eight simulations side by side have the bits of eight that run alone: times, states, memories, counts and faults.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(clippy::excessive_precision, reason = "the scenes' numbers are written as they were published")]
 
+mod numbers;
+mod scenes;
 #[path = "../it/scenes.rs"]
 #[allow(dead_code, unused_imports)] // Other tests use more of it.
-mod scenes;
+mod standard;
 
 use plm::runtime::lanes::Pack;
-use plm::{Batch, Fault, Moment, Rk4, Sim, System};
-use scenes::{s1, s2, s5, s6};
+use plm::runtime::method::{FixedStep, Formula, Rk4Formula};
+use plm::{Batch, Cause, Moment, Rk4, SemiImplicitEuler, Sim, Stats};
+use scenes::{Driven, Pulsed, parallelogram, parallelogram_in_loops, triple_rocker, triple_rocker_absolute};
+use standard::{s1, s2, s5, s6};
 
-/// Eight angles in rad around zero.
-const TURNS: [f64; 8] = [0.0, 0.3, -0.2, 0.45, -0.4, 0.1, -0.05, 0.22];
+/// Eight numbers around zero.
+const AROUND: [f64; 8] = [0.0, 0.3, -0.2, 0.45, -0.4, 0.1, -0.05, 0.22];
 
-/// Runs eight mechanisms in a batch and alone, for `intervals` of `dt` with steps of `h`; what the last interval gave.
-fn agree<M>(
+/// One of eight simulations.
+type Lane<M, F = Rk4Formula> = Sim<M, FixedStep<f64, F>>;
+
+/// Runs eight mechanisms in a batch and alone; `before` may change each before each interval. What the lanes have done.
+fn agree<M, F: Formula>(
     mechanisms: [M; 8],
-    h: f64,
-    dt: f64,
-    intervals: usize,
-) -> ([Sim<M, Rk4<f64>>; 8], [Result<(), Fault>; 8])
+    method: FixedStep<f64, F>,
+    intervals: &[f64],
+    before: impl Fn(usize, usize, &mut Lane<M, F>),
+) -> [Stats; 8]
 where
-    M: Pack<S = f64, G = [f64; 0]> + System<S = f64>,
+    M: Pack<S = f64, G = [f64; 0]>,
     M::U: std::fmt::Debug + PartialEq,
     M::X: PartialEq,
 {
-    let mut batch = Batch::start(&mechanisms, Rk4::new(h)).unwrap();
-    let mut alone = mechanisms.map(|mechanism| mechanism.start_with(Rk4::new(h)).unwrap());
-    let mut last = [Ok(()); 8];
-    for interval in 0..intervals {
-        let expected = alone.each_mut().map(|sim| sim.step(dt));
-        last = batch.step(dt);
-        assert_eq!(last, expected, "interval {interval}");
+    let mut batch: Batch<M, F> = Batch::start(&mechanisms, method).unwrap();
+    let mut alone = mechanisms.map(|mechanism| mechanism.start_with(method).unwrap());
+    for (interval, dt) in intervals.iter().enumerate() {
+        for lane in 0..8 {
+            before(interval, lane, &mut batch[lane]);
+            before(interval, lane, &mut alone[lane]);
+        }
+        let expected = alone.each_mut().map(|sim| sim.step(*dt));
+        assert_eq!(batch.step(*dt), expected, "interval {interval}");
         for (lane, (one, other)) in batch.iter().zip(&alone).enumerate() {
-            let moment = |sim: &Sim<M, Rk4<f64>>| (sim.state().time(), *sim.state().x(), sim.state().held());
+            let moment = |sim: &Lane<M, F>| (sim.state().time(), *sim.state().x(), sim.state().held());
             assert_eq!(moment(one), moment(other), "lane {lane}, interval {interval}");
             assert_eq!(one.stats(), other.stats(), "lane {lane}, interval {interval}");
         }
     }
-    (alone, last)
+    batch.each_ref().map(Sim::stats)
 }
 
+fn unchanged<M: Pack<S = f64>, F>(_interval: usize, _lane: usize, _sim: &mut Lane<M, F>) {}
+
 #[test]
-fn double_pendulums() {
-    let mechanisms = TURNS.map(|turn| {
+fn trees_from_eight_starts() {
+    let mechanisms = AROUND.map(|turn| {
         let mut mechanism = s1::DoublePendulum::new();
         mechanism.start.arm.angle.value += turn;
         mechanism.start.forearm.angle.value -= 0.5 * turn;
         mechanism
     });
-    agree(mechanisms, 1e-3, 0.25, 4);
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.4, 0.35, 0.25], unchanged);
+    assert!(stats.iter().all(|stats| stats.steps == 1000 && stats.evaluations == 4000));
 }
 
 #[test]
-fn four_bars() {
-    let mechanisms = TURNS.map(|turn| {
+fn trees_with_eight_parameters_and_inputs() {
+    let mechanisms = AROUND.map(|s| Driven { mass: 1.0 + s, damping: 0.5 * s * s, ..Driven::new() });
+    agree(mechanisms, Rk4::new(1e-3), &[0.3, 0.3, 0.4], |interval, lane, sim| {
+        sim.input.torque = AROUND[lane] * interval as f64;
+    });
+    agree(mechanisms, SemiImplicitEuler::new(1e-3), &[0.3, 0.3], unchanged);
+}
+
+#[test]
+fn loops_from_eight_starts() {
+    let mechanisms = AROUND.map(|turn| {
         let mut mechanism = s2::FourBar::new();
         mechanism.start.crank.angle.value += turn;
         mechanism
     });
-    agree(mechanisms, 1e-3, 0.25, 4);
-}
-#[test]
-fn slider_cranks() {
-    let mechanisms = TURNS.map(|turn| {
+    agree(mechanisms, Rk4::new(1e-3), &[0.5, 0.5], unchanged);
+    let mechanisms = AROUND.map(|turn| {
         let mut mechanism = s6::SliderCrank::new();
         mechanism.start.crank.angle.value += turn;
         mechanism
     });
-    agree(mechanisms, 1e-3, 0.25, 4);
+    agree(mechanisms, Rk4::new(1e-3), &[0.5, 0.5], unchanged);
+    let mechanisms = AROUND.map(|turn| {
+        let mut mechanism = s5::Andrews::new();
+        mechanism.start.k1.angle.value += 0.1 * turn;
+        mechanism
+    });
+    agree(mechanisms, Rk4::new(1e-5), &[0.01], unchanged);
 }
+
+/// Every lane changes its chart at times of its own; one is too fast for its steps and stops.
 #[test]
-fn andrews() {
-    let mechanisms = TURNS.map(|_| s5::Andrews::new());
-    agree(mechanisms, 1e-5, 0.01, 1);
+fn loops_in_several_charts() {
+    let mechanisms = AROUND.map(|s| {
+        let mut mechanism = triple_rocker::FourBars::new();
+        mechanism.start.crank.omega.value = if s == 0.1 { 3000.0 } else { 3.0 + 4.0 * s };
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[1.0, 1.0], unchanged);
+    for (stats, s) in stats.iter().zip(AROUND) {
+        assert_eq!(stats.steps < 2000, s == 0.1, "{stats:?}");
+        assert!(stats.charts >= 2 || s == 0.1, "{stats:?}");
+    }
+}
+
+#[test]
+fn absolute_coordinates_are_settled_lane_by_lane() {
+    let mechanisms = AROUND.map(|s| {
+        let mut mechanism = triple_rocker_absolute::FourBars::new();
+        mechanism.start.crank.omega.value = 10.0 + 10.0 * s;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-2), &[0.5, 0.5], unchanged);
+    assert!(stats.iter().all(|stats| stats.settled > 0), "{stats:?}");
+}
+
+#[test]
+fn unhealthy_lanes_go_by_rank() {
+    let mechanisms = AROUND.map(|s| {
+        let mut mechanism = parallelogram::FourBars::new();
+        mechanism.start.crank.omega.value = 2.0 + s;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.7, 1.3], unchanged);
+    assert!(stats.iter().any(|stats| stats.by_rank > 0), "{stats:?}");
+}
+
+/// Times at which forces jump are hit by the lanes that have them.
+#[test]
+fn known_times_are_hit() {
+    let mechanisms = AROUND.map(|s| Pulsed { from: 0.1 + 0.1 * s, until: 0.2 + 0.2 * s, ..Pulsed::new() });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.05, 0.1, 0.2, 0.1], unchanged);
+    assert!(stats.iter().all(|stats| stats.switches == 2), "{stats:?}");
+}
+
+#[test]
+fn what_ends_a_run_ends_its_lane() {
+    let mechanisms = AROUND.map(|s| {
+        let mut mechanism = parallelogram_in_loops::FourBars::new();
+        mechanism.start.crank.omega.value = 2.0 + s;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[1.0, 0.5, 0.5], |_, lane, sim| {
+        sim.stop_at_change_points(lane % 2 == 0);
+    });
+    let stopped = stats.map(|stats| stats.steps < 2000);
+    assert!(stopped.contains(&true) && stopped.contains(&false), "{stats:?}");
+
+    // Steps of a twentieth of a second lose some of the energy, and here and there more than is allowed.
+    let mechanisms = AROUND.map(|turn| {
+        let mut mechanism = s1::DoublePendulum::new();
+        mechanism.start.arm.angle.value += turn;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(0.05), &[2.0, 2.0], |_, lane, sim| {
+        sim.watch_energy((lane % 2 == 0).then_some(1e-3));
+    });
+    let refused = stats.map(|stats| stats.rejected > 0);
+    assert!(refused[0] && !refused[1], "{stats:?}");
+}
+
+/// A lane that stops is behind the others when it goes on.
+#[test]
+fn a_fault_stops_its_lane_alone() {
+    let mechanisms = AROUND.map(|s| Driven { mass: 1.0 + s, ..Driven::new() });
+    let torque = |interval, lane| if (interval, lane) == (1, 3) { f64::INFINITY } else { 0.1 };
+    agree(mechanisms, Rk4::new(1e-3), &[0.1, 0.1, 0.1], |interval, lane, sim| {
+        sim.input.torque = torque(interval, lane);
+    });
+
+    let mut batch = Batch::start(&mechanisms, Rk4::new(1e-3)).unwrap();
+    batch[3].input.torque = f64::INFINITY;
+    let outcomes = batch.step(0.1);
+    assert_eq!(outcomes[3].unwrap_err().cause, Cause::NotFinite);
+    assert!(outcomes.iter().enumerate().all(|(lane, outcome)| outcome.is_ok() == (lane != 3)));
+    assert!(batch.iter().enumerate().all(|(lane, sim)| (sim.time() == 0.1) == (lane != 3)));
+}
+
+#[test]
+fn intervals_that_cannot_be_run() {
+    let mechanisms = AROUND.map(|_| Driven::new());
+    agree(mechanisms, Rk4::new(1e-3), &[0.01, 0.0, -1.0, 1e-30, f64::INFINITY, 0.01], unchanged);
+    agree(mechanisms, Rk4::new(0.0), &[0.01], unchanged);
 }
