@@ -69,8 +69,8 @@ fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
             .help("leave `rung` out: the least formulation is taken, and the report says which and why");
     }
     let mut report = lowered.report();
-    let Lowered { model, graph, equations, program, .. } = &lowered;
-    check::check_assembly(model, equations, program, graph, &mut report, sink);
+    let Lowered { model, graph, equations, program, reduced } = &lowered;
+    check::check_assembly(model, equations, (program, reduced.as_ref().ok()), graph, &mut report, sink);
     sink.allow(&model.allowed);
     let code = lowered.emit(&report);
     let Lowered { model, graph, equations, program, reduced } = lowered;

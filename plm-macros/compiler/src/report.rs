@@ -128,6 +128,15 @@ impl Report {
         }
     }
 
+    /// Adds how far the charts are from flat at the start.
+    pub(crate) fn add_measures(&mut self, measures: &[f64]) {
+        if !measures.is_empty() {
+            let each: Vec<String> =
+                measures.iter().enumerate().map(|(k, measure)| format!("{k}: {measure:.3}")).collect();
+            self.assembly.push(format!("measures of the charts at the start: {}", each.join(", ")));
+        }
+    }
+
     /// Lines for the documentation of the generated module.
     pub(crate) fn summary(&self) -> Vec<String> {
         let mut lines = vec![format!(

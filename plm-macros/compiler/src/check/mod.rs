@@ -12,7 +12,7 @@ pub(crate) use assembly::{Assembly, assemble, run, value};
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
-use crate::formulate::Absolute;
+use crate::formulate::{Absolute, Reduced};
 use crate::model::{Model, Port};
 use crate::report::Report;
 use verdict::{Locks, contradiction, not_closed, redundant_joints, too_many_locks};
@@ -100,7 +100,7 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
 pub(crate) fn check_assembly(
     model: &Model,
     equations: &Equations,
-    program: &Absolute,
+    (program, reduced): (&Absolute, Option<&Reduced>),
     graph: &Graph,
     report: &mut Report,
     diagnostics: &mut Diagnostics,
@@ -111,6 +111,7 @@ pub(crate) fn check_assembly(
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
     report.add_assembly(model, equations, &found, &turns);
+    report.add_measures(&measures(reduced, graph, &found.values(equations, &values)));
     if has_parameters(model, graph) {
         return;
     }
@@ -128,6 +129,14 @@ pub(crate) fn check_assembly(
         check_velocities(model, &found, diagnostics);
         start::check_start(model, equations, graph, &values, &found, diagnostics);
     }
+}
+
+/// How far each chart is from flat at the start: 1 at best, 0 where a loop lies in one line.
+fn measures(reduced: Option<&Reduced>, graph: &Graph, values: &[(Expr, f64)]) -> Vec<f64> {
+    let surveys =
+        reduced.into_iter().flat_map(|reduced| &reduced.charts).filter_map(|chart| chart.survey.as_ref());
+    let squares = surveys.filter_map(|survey| survey.results.last());
+    squares.map(|&(_, square)| value(graph, square, values).max(0.0).sqrt()).collect()
 }
 
 /// Do constraints or starts depend on parameters?
