@@ -6,6 +6,7 @@
 mod assembly;
 mod derivatives;
 mod language;
+mod linkages;
 mod manual;
 mod newton;
 mod operations;

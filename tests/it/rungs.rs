@@ -1,7 +1,8 @@
 //! Every scene on every rung that holds it: the same accelerations, the same motion, the same reactions.
 
-use plm::runtime::Absolute;
-use plm::{BodyState, Dop853, Moment, System};
+use plm::runtime::charts::Charted;
+use plm::runtime::{Absolute, Vector};
+use plm::{BodyState, Dop853, Mechanism, Moment, System};
 
 /// A mechanism on the rung that is taken, and on rung 5.
 macro_rules! on_both {
@@ -260,7 +261,6 @@ mod driven {
 
 #[test]
 fn what_is_driven_altogether_has_no_state() {
-    use plm::runtime::Vector;
     type Driven = driven::CrankRocker<f64>;
     assert_eq!(<<Driven as System>::X as Vector<f64>>::LEN, 0);
     let mut sim = Driven::new().start().unwrap();
@@ -280,4 +280,59 @@ fn what_is_driven_altogether_has_no_state() {
     let mut fixed = Driven::new().start_with(plm::Rk4::new(0.01)).unwrap();
     fixed.step(20.0).unwrap();
     close("rocker", values(fixed.rocker()), values(sim.rocker()), 1e-14);
+}
+
+/// The largest difference of the second derivatives of a chart's coordinates on rung 3 from those that follow from rung 5 at
+/// the same pose, over the largest of them; along a run.
+///
+/// With `y' = P(q) v` of the chart, `y'' = P a + P' v`; the second term, which angles do not have, by a difference quotient.
+fn accelerations_apart<L, A, const N: usize>(least: L, absolute: A) -> f64
+where
+    L: Mechanism<S = f64> + Charted,
+    A: Mechanism<S = f64, X = [f64; N]>,
+{
+    let mut sim = least.start().unwrap();
+    let (held_5, _) = absolute.start_state(0.0).unwrap();
+    let mut worst = 0.0_f64;
+    for _ in 0..20 {
+        sim.step(0.05).unwrap();
+        let (state, n) = (*sim.state(), L::NQ);
+        let (t, held) = (state.time(), state.held());
+        let (q, v, _) = least.place(t, &held, state.x());
+        let half = N / 2;
+        let x: [f64; N] = std::array::from_fn(|k| if k < half { q.at(k) } else { v.at(k - half) });
+        let (mut of_5, mut own) = (x, *state.x());
+        assert!(absolute.rate(t, &held_5, &x, &mut of_5).is_good());
+        assert!(least.rate(t, &held, state.x(), &mut own).is_good());
+        let rates = |t: f64, q: &L::Q, v: &L::Q| {
+            let mut y = *state.x();
+            least.project(held.chart, t, q, v, &mut y);
+            y
+        };
+        let a = L::Q::from_fn(|k| of_5[half + k]);
+        let h = 1e-4;
+        let beside = |h: f64| rates(t + h, &q.map2(&v, |q, v| q + h * v), &v);
+        let (straight, after, before) = (rates(t, &q, &a), beside(h), beside(-h));
+        let size = (0..n).fold(1.0_f64, |size, k| size.max(own.at(n + k).abs()));
+        for k in n..2 * n {
+            let bent = (after.at(k) - before.at(k)) / (2.0 * h);
+            let apart = (own.at(k) - straight.at(k) - bent).abs() / size;
+            // The quotient is worth so much.
+            worst = worst.max(if bent == 0.0 { apart } else { apart - 1e-6 });
+        }
+    }
+    worst
+}
+
+#[test]
+fn accelerations_at_one_state_are_the_same_to_rounding() {
+    let scenes = [
+        accelerations_apart(four_bar::least::Scene::new(), four_bar::absolute::Scene::new()),
+        accelerations_apart(slider_crank::least::Scene::new(), slider_crank::absolute::Scene::new()),
+        accelerations_apart(quick_return::least::Scene::new(), quick_return::absolute::Scene::new()),
+        accelerations_apart(trammel::least::Scene::new(), trammel::absolute::Scene::new()),
+    ];
+    println!("{scenes:?}");
+    // Some hundred operations, and pivots down to some hundredths.
+    assert!(scenes.iter().all(|apart| *apart < 1e-12), "{scenes:?}");
 }
