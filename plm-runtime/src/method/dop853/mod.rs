@@ -62,7 +62,8 @@ impl Pair for DormandPrince853 {
         Stages { k1: x, k6: x, k7: x, k8: x, k9: x, k10: x, k11: x, k12: x }
     }
 
-    // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.
+    // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the
+    // rate becomes part of the formula only if it is called in one place, hence the loop.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn step<M: System>(
@@ -73,21 +74,26 @@ impl Pair for DormandPrince853 {
         k: &mut Stages<M::X>,
         mut rate: impl FnMut(M::S, &M::X, &mut M::X),
     ) -> M::X {
-        let at = |c: f64| M::S::lit(c).mul_add(h, t);
-        let (k1, [mut k2, mut k3, mut k4, mut k5]) = (first, [*first; 4]);
-        k.k1 = *first;
-        rate(at(C2), &x.moved(h, A2, [k1]), &mut k2);
-        rate(at(C3), &x.moved(h, A3, [k1, &k2]), &mut k3);
-        rate(at(C4), &x.moved(h, A4, [k1, &k3]), &mut k4);
-        rate(at(C5), &x.moved(h, A5, [k1, &k3, &k4]), &mut k5);
-        rate(at(C6), &x.moved(h, A6, [k1, &k4, &k5]), &mut k.k6);
-        rate(at(C7), &x.moved(h, A7, [k1, &k4, &k5, &k.k6]), &mut k.k7);
-        rate(at(C8), &x.moved(h, A8, [k1, &k4, &k5, &k.k6, &k.k7]), &mut k.k8);
-        rate(at(C9), &x.moved(h, A9, [k1, &k4, &k5, &k.k6, &k.k7, &k.k8]), &mut k.k9);
-        rate(at(C10), &x.moved(h, A10, [k1, &k4, &k5, &k.k6, &k.k7, &k.k8, &k.k9]), &mut k.k10);
-        rate(at(C11), &x.moved(h, A11, [k1, &k4, &k5, &k.k6, &k.k7, &k.k8, &k.k9, &k.k10]), &mut k.k11);
-        let all = [k1, &k4, &k5, &k.k6, &k.k7, &k.k8, &k.k9, &k.k10, &k.k11];
-        rate(t + h, &x.moved(h, A12, all), &mut k.k12);
+        let mut all = [*first; 12];
+        for stage in 1..12 {
+            let [k1, _, k3, k4, k5, k6, k7, k8, k9, k10, k11, _] = &all;
+            let (node, at) = match stage {
+                1 => (C2, x.moved(h, A2, [k1])),
+                2 => (C3, x.moved(h, A3, [k1, &all[1]])),
+                3 => (C4, x.moved(h, A4, [k1, k3])),
+                4 => (C5, x.moved(h, A5, [k1, k3, k4])),
+                5 => (C6, x.moved(h, A6, [k1, k4, k5])),
+                6 => (C7, x.moved(h, A7, [k1, k4, k5, k6])),
+                7 => (C8, x.moved(h, A8, [k1, k4, k5, k6, k7])),
+                8 => (C9, x.moved(h, A9, [k1, k4, k5, k6, k7, k8])),
+                9 => (C10, x.moved(h, A10, [k1, k4, k5, k6, k7, k8, k9])),
+                10 => (C11, x.moved(h, A11, [k1, k4, k5, k6, k7, k8, k9, k10])),
+                _ => (1.0, x.moved(h, A12, [k1, k4, k5, k6, k7, k8, k9, k10, k11])),
+            };
+            rate(M::S::lit(node).mul_add(h, t), &at, &mut all[stage]);
+        }
+        let [k1, _, _, _, _, k6, k7, k8, k9, k10, k11, k12] = all;
+        *k = Stages { k1, k6, k7, k8, k9, k10, k11, k12 };
         x.moved(h, B, k.all())
     }
 
