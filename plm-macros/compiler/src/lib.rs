@@ -18,8 +18,6 @@ mod resolve;
 pub mod span;
 pub mod syntax;
 pub mod token;
-// The loops of rung 3 come next.
-#[allow(dead_code, unused_imports)]
 mod topology;
 pub mod units;
 

@@ -13,6 +13,7 @@
 //! A method owns what it remembers from step to step (its proposal for the next one, the last rate), so that a saved
 //! copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
 
+mod adaptive;
 mod dop853;
 mod dopri5;
 mod embedded;

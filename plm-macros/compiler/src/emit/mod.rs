@@ -10,6 +10,7 @@ mod defaults;
 mod docs;
 mod linear;
 mod lines;
+mod mechanism;
 mod names;
 mod outputs;
 mod piece;

@@ -1,6 +1,7 @@
 //! Chooses the unknowns and lays out what is computed, function by function.
 //!
-//! The least formulation that a mechanism allows is taken: rung 2, joint coordinates, for trees; else rung 5.
+//! The least formulation that a mechanism allows is taken: joint coordinates (rungs 1 to 4) where its joints are pairs and
+//! its loops can be solved; else rung 5.
 //!
 //! Rung 5 of the ladder: absolute coordinates and multipliers. It holds every mechanism, whatever its loops and
 //! redundancies, so it is also the independent check of the rungs above it.

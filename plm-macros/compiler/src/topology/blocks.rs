@@ -33,6 +33,7 @@ pub(crate) struct Block {
 }
 
 /// Why equations cannot be solved; one of the two is not empty.
+#[cfg(test)]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Unsolved {
     /// Unknowns that stay undetermined, ascending.
@@ -47,6 +48,7 @@ pub(crate) struct Unsolved {
 ///
 /// # Errors
 /// Unknowns that stay free, or equations that are too many.
+#[cfg(test)]
 pub(crate) fn blocks(n: usize, equations: &[Equation], known: &[usize]) -> Result<Vec<Block>, Unsolved> {
     let split = System::new(n, equations).split(known);
     if split.free.is_empty() && split.excess.is_empty() {

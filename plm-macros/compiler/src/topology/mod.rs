@@ -12,6 +12,6 @@ mod matching;
 mod scenes;
 mod strong;
 
-pub(crate) use blocks::{Block, Equation, Unsolved, blocks};
-pub(crate) use cycles::{Cycle, Forest, Step, shortest_cycle_basis, spanning_forest};
+pub(crate) use blocks::{Block, Equation};
+pub(crate) use cycles::{Forest, shortest_cycle_basis, spanning_forest};
 pub(crate) use drivers::{Choice, drivers};

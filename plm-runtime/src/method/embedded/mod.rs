@@ -10,6 +10,7 @@ pub use self::pair::{Limits, Pair};
 use self::control::Control;
 use self::dense::Span;
 use self::start::first_step;
+use super::adaptive::{next_step, rate_here, shortest};
 use super::{Course, Method, drift_of_size, excess, larger, not_finite};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -97,38 +98,6 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     /// The tolerance in use: at least some units in the last place.
     fn tolerance(&self) -> M::S {
         self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
-    }
-
-    /// Rate at the current state, kept from the last step or evaluated.
-    fn rate_here(&mut self, course: &mut Course<'_, M>) -> Result<M::X, Fault> {
-        if let Some(rate) = self.rate {
-            return Ok(rate);
-        }
-        let x = course.x;
-        let mut rate = x;
-        course.rate(course.time, &x, &mut rate)?;
-        if !(x.is_finite() && rate.is_finite()) {
-            return Err(not_finite(course.system, course.time, &rate));
-        }
-        self.rate = Some(rate);
-        Ok(rate)
-    }
-
-    /// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather
-    /// than be followed by a tiny one.
-    fn next_step(&mut self, course: &Course<'_, M>, proposal: M::S) -> Result<(M::S, bool), Fault> {
-        if self.steps_left == 0 {
-            return Err(course.fault(Cause::TooManySteps { steps: self.most_steps }));
-        }
-        self.steps_left -= 1;
-        let left = course.end - course.time;
-        if M::S::lit(1.01) * proposal >= left {
-            Ok((left, true))
-        } else if course.time + proposal > course.time {
-            Ok((proposal, false))
-        } else {
-            Err(course.fault(Cause::StepTooSmall { step: proposal.to_f64() }))
-        }
     }
 
     /// One step without a decision; by rank where that is needed.
@@ -232,7 +201,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     }
 
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let rate = self.rate_here(course)?;
+        let rate = rate_here(&mut self.rate, course)?;
         let mut proposal = match self.proposal {
             Some(proposal) => proposal,
             None => first_step(course, &rate, self.tolerance(), P::ORDER)?,
@@ -241,7 +210,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = self.next_step(course, proposal)?;
+            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)?;
             let mut attempt = self.trial(course, &rate, h, &mut k);
             let (error, drift) = match &attempt {
                 Ok(trial) => self.judge(course, h, &k, &trial.x),
@@ -315,8 +284,7 @@ fn ensure_moves<M: System<S: Real>>(
     h: M::S,
     attempt: Result<Trial<M::X>, Fault>,
 ) -> Result<(), Fault> {
-    let scale = course.time.abs().max(course.end.abs());
-    if h > M::S::lit(16.0) * M::S::EPSILON * scale {
+    if h > shortest(course) {
         return Ok(());
     }
     let trial = attempt?;

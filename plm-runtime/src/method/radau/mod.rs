@@ -9,9 +9,10 @@ use self::control::Control;
 use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
 use self::tableau::{C, ERROR};
+use super::adaptive::{next_step, rate_here};
 use super::jacobian::Matrix;
-use super::{Course, Method, drift_of_size, excess, larger, not_finite};
-use crate::fault::{Cause, Fault};
+use super::{Course, Method, drift_of_size, excess, larger};
+use crate::fault::Fault;
 use crate::linalg::Dense as _;
 use crate::linear::Linear;
 use crate::scalar::{Real, Scalar};
@@ -124,39 +125,6 @@ impl<M: Linear> RadauIia5<M> {
     fn weights(&self, course: &Course<'_, M>) -> M::X {
         let (rtol, one) = (self.inner_tolerance(), M::S::lit(1.0));
         course.system.typical().map2(&course.x, |typical, x| one / (rtol * (typical + x.abs())))
-    }
-
-    /// Rate at the current state, kept from the last step or evaluated.
-    fn rate_here(&mut self, course: &mut Course<'_, M>) -> Result<M::X, Fault> {
-        if let Some(rate) = self.rate {
-            return Ok(rate);
-        }
-        let x = course.x;
-        let mut rate = x;
-        course.rate(course.time, &x, &mut rate)?;
-        if !(x.is_finite() && rate.is_finite()) {
-            return Err(not_finite(course.system, course.time, &rate));
-        }
-        self.rate = Some(rate);
-        Ok(rate)
-    }
-
-    /// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather
-    /// than be followed by a tiny one.
-    fn next_step(&mut self, course: &Course<'_, M>, proposal: M::S) -> Result<(M::S, bool), Fault> {
-        if self.steps_left == 0 {
-            return Err(course.fault(Cause::TooManySteps { steps: self.most_steps }));
-        }
-        self.steps_left -= 1;
-        let left = course.end - course.time;
-        let least = M::S::lit(16.0) * M::S::EPSILON * course.time.abs().max(course.end.abs());
-        if M::S::lit(1.01) * proposal >= left {
-            Ok((left, true))
-        } else if proposal > least {
-            Ok((proposal, false))
-        } else {
-            Err(course.fault(Cause::StepTooSmall { step: proposal.to_f64() }))
-        }
     }
 
     /// Solves the stages of a step of `h`; or the factor of a shorter one.
@@ -276,12 +244,12 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     }
 
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let rate = self.rate_here(course)?;
+        let rate = rate_here(&mut self.rate, course)?;
         let weights = self.weights(course);
         let mut proposal = self.proposal.unwrap_or_else(|| first_step(course, &rate, &weights));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = self.next_step(course, proposal)?;
+            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)?;
             let time = if last { course.end } else { course.time + h };
             let by_rank = course.stats.by_rank;
             match self.trial(course, h, &weights)? {

@@ -1,0 +1,86 @@
+//! The mechanism that can be started, and its state at a moment.
+
+use super::{Emission, push, sides};
+
+/// `Moment` for the state and `Mechanism` for the mechanism.
+pub(crate) fn emit(text: &mut String, emission: &Emission) {
+    let Emission { name, fields, .. } = emission;
+    let (length, second_order) = emission.state_length();
+    let loops = emission.loops().is_some();
+    let (new, held, set) = if loops {
+        (
+            "State { mechanism, input: held.input, time, x, chart: held.chart, memory: held.memory }",
+            "rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }",
+            "(self.input, self.chart, self.memory) = (held.input, held.chart, held.memory)",
+        )
+    } else {
+        ("State { mechanism, input: held, time, x }", "self.input", "self.input = *held")
+    };
+    let held_type = emission.held("S");
+    push(
+        text,
+        format_args!(
+            "    impl<S: Real> rt::Moment for State<S> {{
+        type M = {name}<S>;
+
+        fn new(mechanism: {name}<S>, held: {held_type}, time: S, x: [S; {length}]) -> Self {{
+            {new}
+        }}
+        fn mechanism(&self) -> &{name}<S> {{
+            &self.mechanism
+        }}
+        fn held(&self) -> {held_type} {{
+            {held}
+        }}
+        fn time(&self) -> S {{
+            self.time
+        }}
+        fn x(&self) -> &[S; {length}] {{
+            &self.x
+        }}
+        fn set(&mut self, time: S, held: &{held_type}, x: &[S; {length}]) {{
+            self.time = time;
+            {set};
+            self.x = *x;
+        }}
+    }}
+
+    impl<S: Real> rt::Mechanism for {name}<S> {{
+        type State = State<S>;
+
+        fn start_state(&self, t: S) -> Result<({held_type}, [S; {length}]), Fault> {{
+            let assembly = absolute::assemble(self, t)?;
+            let mut x = [S::lit(0.0); {length}];
+"
+        ),
+    );
+    for (k, field) in fields.states.iter().enumerate() {
+        push(text, format_args!("            x[{}] = self.start.{field};\n", second_order + k));
+    }
+    text.push_str(&begin(emission));
+    text.push_str("        }\n    }\n\n");
+}
+
+/// From the assembled pose to the state.
+fn begin(emission: &Emission) -> String {
+    let sides = sides::begin(emission);
+    if let Some(reduced) = emission.loops() {
+        return format!(
+            "            let memory = [S::lit(0.0); {}];
+            let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
+            rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
+{sides}            Ok((held, x))
+",
+            reduced.memory.len()
+        );
+    }
+    let call = if emission.reduced.is_some() {
+        "self.project(t, &assembly.q, &assembly.v, &mut x)"
+    } else {
+        "absolute::join(&assembly.q, &assembly.v, &mut x)"
+    };
+    let mutable = if sides.is_empty() { "" } else { "mut " };
+    format!(
+        "            {call};\n            let {mutable}held = self.declared_input();\n{sides}            Ok((held, x))\n"
+    )
+}
