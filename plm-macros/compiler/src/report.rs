@@ -182,7 +182,7 @@ fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
 /// The charts of the rungs above 5.
 fn joint_coordinates(reduced: &Reduced) -> Vec<String> {
     let title = match (reduced.has_loops(), reduced.freedom()) {
-        (_, 0) => "Rung 1: everything is driven; the motion follows from the time alone.",
+        (_, 0) => "Rung 1: no freedom is left; the motion follows from the time alone.",
         (false, _) => "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.",
         (true, _) if reduced.iterates() => {
             "Rung 4: joint coordinates; loops that do not split are solved by Newton's iteration from the last state, in a fixed number of steps, so that no constraint is left."

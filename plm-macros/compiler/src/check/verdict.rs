@@ -136,9 +136,7 @@ pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics
         if !others.is_empty() {
             diagnostic.note(format!("the same is held by {} already", listed(&others)));
         }
-        diagnostic.note(
-            "it runs all the same, by the rank-revealing solution; reactions that are left open get their minimum norm",
-        );
+        diagnostic.note("it runs all the same; reactions that are left open get their minimum norm");
     }
 }
 
