@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Code, Diagnostics};
-use crate::syntax::ast::{Declaration, Definition, Item, ItemKind};
+use crate::syntax::ast::{Argument, Declaration, Definition, Domain, Ident, Item, ItemKind, Shared};
 use crate::syntax::parse_parts;
 use crate::token::Sources;
 
@@ -17,65 +17,91 @@ pub(crate) const PARTS: &[(&str, &str)] = &[
     ("pin_slot", include_str!("../parts/pin_slot.plm")),
     ("prismatic", include_str!("../parts/prismatic.plm")),
     ("revolute", include_str!("../parts/revolute.plm")),
+    ("sliding_mass", include_str!("../parts/sliding_mass.plm")),
     ("spring", include_str!("../parts/spring.plm")),
     ("weld", include_str!("../parts/weld.plm")),
+];
+
+/// Name of each domain of the library and the file that defines it.
+pub(crate) const DOMAINS: &[(&str, &str)] = &[
+    ("oil", include_str!("../parts/oil.plm")),
+    ("shaft", include_str!("../parts/shaft.plm")),
+    ("slider", include_str!("../parts/slider.plm")),
 ];
 
 /// The definitions that a declaration can use: its own, and those of the library that it names.
 #[derive(Debug)]
 pub(crate) struct Library {
     definitions: BTreeMap<String, Definition>,
+    domains: BTreeMap<String, Domain>,
 }
 
 impl Library {
     /// Collects the definitions of a declaration and loads what it names from the library. A part of the user's own
     /// takes the place of one of the library.
     pub(crate) fn load(declaration: &Declaration, sources: &mut Sources, sink: &mut Diagnostics) -> Library {
-        let mut library = Library { definitions: BTreeMap::new() };
+        let mut library = Library { definitions: BTreeMap::new(), domains: BTreeMap::new() };
         let mut open = BTreeSet::new();
-        for part in &declaration.parts {
+        let Shared { parts, domains } = &declaration.shared;
+        for domain in domains {
+            library.add_domain(domain, sink);
+        }
+        for part in parts {
             library.add(part, sink);
         }
         let items = declaration.mechanism.as_ref().map_or(&[][..], |mechanism| &mechanism.items);
         library.collect(items, &mut open, sink);
-        for part in &declaration.parts {
-            library.collect(&part.items, &mut open, sink);
+        for part in parts {
+            library.look_into(part, &mut open, sink);
         }
         while let Some(kind) = open.pop_first() {
-            library.load_part(&kind, &mut open, sources, sink);
+            library.load_file(&kind, &mut open, sources, sink);
         }
         library
     }
 
-    fn load_part(
+    fn load_file(
         &mut self,
         kind: &str,
         open: &mut BTreeSet<String>,
         sources: &mut Sources,
         sink: &mut Diagnostics,
     ) {
-        let text = PARTS.iter().find(|(name, _)| *name == kind).map(|(_, text)| *text);
-        let Some(text) = text.filter(|_| !self.definitions.contains_key(kind)) else { return };
+        let text = PARTS.iter().chain(DOMAINS).find(|(name, _)| *name == kind).map(|(_, text)| *text);
+        let is_known = self.definitions.contains_key(kind) || self.domains.contains_key(kind);
+        let Some(text) = text.filter(|_| !is_known) else { return };
         let source = sources.add_text(&format!("{kind}.plm"), text);
         let Some(source) = sources.get(source) else { return };
-        for part in parse_parts(source, sink) {
-            self.collect(&part.items, open, sink);
+        let Shared { parts, domains } = parse_parts(source, sink);
+        for part in parts {
+            self.look_into(&part, open, sink);
             self.definitions.entry(part.name.text.clone()).or_insert(part);
+        }
+        for domain in domains {
+            self.domains.entry(domain.name.text.clone()).or_insert(domain);
+        }
+    }
+
+    fn add_domain(&mut self, domain: &Domain, sink: &mut Diagnostics) {
+        if let Some(first) = self.domains.get(&domain.name.text) {
+            defined_twice("domain", &domain.name, &first.name, sink);
+        } else {
+            self.domains.insert(domain.name.text.clone(), domain.clone());
         }
     }
 
     fn add(&mut self, part: &Definition, sink: &mut Diagnostics) {
-        let name = &part.name;
-        match self.definitions.get(&name.text) {
-            Some(first) => {
-                let message = format!("the part `{}` is defined twice", name.text);
-                sink.error(Code::DuplicateName, name.span, message)
-                    .note_at(first.name.span, "it is defined first here");
-            }
-            None => {
-                self.definitions.insert(name.text.clone(), part.clone());
-            }
+        if let Some(first) = self.definitions.get(&part.name.text) {
+            defined_twice("part", &part.name, &first.name, sink);
+        } else {
+            self.definitions.insert(part.name.text.clone(), part.clone());
         }
+    }
+
+    /// Notes what a part names: the domains of its ports, and the parts that it contains.
+    fn look_into(&mut self, part: &Definition, open: &mut BTreeSet<String>, sink: &mut Diagnostics) {
+        open.extend(part.arguments.iter().map(|Argument { kind, .. }| kind.text.clone()));
+        self.collect(&part.items, open, sink);
     }
 
     /// Takes the definitions among items, and notes the names of the parts that they use.
@@ -84,7 +110,11 @@ impl Library {
             match &item.kind {
                 ItemKind::Definition(part) => {
                     self.add(part, sink);
-                    self.collect(&part.items, open, sink);
+                    self.look_into(part, open, sink);
+                }
+                ItemKind::Domain(domain) => self.add_domain(domain, sink),
+                ItemKind::Node(node) => {
+                    open.insert(node.kind.text.clone());
                 }
                 ItemKind::Repeat(repeat) => self.collect(&repeat.items, open, sink),
                 ItemKind::Instance(instance) => {
@@ -100,6 +130,16 @@ impl Library {
         self.definitions.get(kind)
     }
 
+    /// The domain of a name.
+    pub(crate) fn domain(&self, name: &str) -> Option<&Domain> {
+        self.domains.get(name)
+    }
+
+    /// Names of the domains that the declaration can use.
+    pub(crate) fn domains(&self) -> impl Iterator<Item = &str> {
+        self.domains.keys().map(String::as_str)
+    }
+
     /// Names of all parts, also of those that are not loaded.
     pub(crate) fn kinds(&self) -> impl Iterator<Item = &str> {
         let own = self.definitions.keys().map(String::as_str);
@@ -107,23 +147,31 @@ impl Library {
     }
 }
 
+fn defined_twice(what: &str, name: &Ident, first: &Ident, sink: &mut Diagnostics) {
+    sink.error(Code::DuplicateName, name.span, format!("the {what} `{}` is defined twice", name.text))
+        .note_at(first.span, "it is defined first here");
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::PARTS;
+    use super::{DOMAINS, PARTS};
     use crate::diag::Diagnostics;
     use crate::syntax::parse_parts;
     use crate::token::Sources;
 
     #[test]
     fn every_file_defines_the_part_of_its_name_and_documents_it() {
-        for (name, text) in PARTS {
+        for (name, text) in PARTS.iter().chain(DOMAINS) {
             let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
             let source = sources.add_text(name, text);
-            let parts = parse_parts(sources.get(source).unwrap(), &mut sink);
+            let shared = parse_parts(sources.get(source).unwrap(), &mut sink);
             assert!(!sink.has_errors(), "{name}");
-            assert_eq!(parts.iter().map(|part| part.name.text.as_str()).collect::<Vec<_>>(), [*name]);
-            assert!(!parts[0].docs.is_empty(), "{name}");
+            let parts = shared.parts.iter().map(|part| (part.name.text.as_str(), &part.docs));
+            let domains = shared.domains.iter().map(|domain| (domain.name.text.as_str(), &domain.docs));
+            let found: Vec<_> = parts.chain(domains).collect();
+            assert_eq!(found.iter().map(|(of, _)| *of).collect::<Vec<_>>(), [*name]);
+            assert!(found.iter().all(|(_, docs)| !docs.is_empty()), "{name}");
         }
     }
 }

@@ -260,6 +260,8 @@ pub struct State {
     pub rate: Expr,
     /// Its value at the start.
     pub start: Expr,
+    /// Must a search for an equilibrium leave it alone?
+    pub locked: bool,
     /// Unit that it was declared in.
     pub unit: DisplayUnit,
 }

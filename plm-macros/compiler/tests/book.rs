@@ -199,7 +199,10 @@ fn names(part: &Definition) -> Vec<&str> {
     let mut names = Vec::new();
     for item in &part.items {
         match &item.kind {
-            ItemKind::Param(value) | ItemKind::Input(value) => names.push(value.name.ident.text.as_str()),
+            ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
+                names.push(value.name.ident.text.as_str());
+            }
+            ItemKind::Node(node) => names.push(node.name.ident.text.as_str()),
             ItemKind::Choice(choice) => names.push(choice.name.text.as_str()),
             ItemKind::Output(outputs) => {
                 let of = outputs.iter().filter_map(|output| output.name.as_ref());
@@ -245,7 +248,7 @@ fn the_page_of_a_part_lists_what_it_has() {
     for entry in fs::read_dir(parts).unwrap().map(Result::unwrap) {
         let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
         let id = sources.add_text("part", &fs::read_to_string(entry.path()).unwrap());
-        for part in parse_parts(sources.get(id).unwrap(), &mut sink) {
+        for part in parse_parts(sources.get(id).unwrap(), &mut sink).parts {
             let page = book().join(format!("parts/{}.md", part.name.text));
             let text = fs::read_to_string(&page).unwrap_or_else(|_| panic!("no page {}", page.display()));
             let known: BTreeSet<&str> = names(&part).into_iter().collect();

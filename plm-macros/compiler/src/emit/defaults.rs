@@ -89,7 +89,9 @@ fn parameters(text: &mut String, emission: &Emission) {
         push(text, format_args!("                {field}: {},\n", body_start(emission, body, &bindings)));
     }
     for (state, field) in model.states.iter().zip(&fields.states) {
-        push(text, format_args!("                {field}: {},\n", inline(emission, state.start, &bindings)));
+        let kind = if state.locked { "locked" } else { "free" };
+        let value = inline(emission, state.start, &bindings);
+        push(text, format_args!("                {field}: Start::{kind}({value}),\n"));
     }
     text.push_str("            };\n");
     let mut list = fields.params.clone();

@@ -20,7 +20,7 @@ fn pack(text: &mut String, emission: &Emission) {
         format!("                {field}: self.start.{field}.map(|s| number([s; N])),\n")
     });
     let states = each(&fields.states, |_, field| {
-        format!("                {field}: number([self.start.{field}; N]),\n")
+        format!("                {field}: self.start.{field}.map(|s| number([s; N])),\n")
     });
     let params = each(&fields.params, |_, field| {
         format!("                {field}: number(all.map(|one| one.{field})),\n")

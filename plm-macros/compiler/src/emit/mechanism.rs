@@ -55,7 +55,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
         ),
     );
     for (k, field) in fields.states.iter().enumerate() {
-        push(text, format_args!("            x[{}] = self.start.{field};\n", second_order + k));
+        push(text, format_args!("            x[{}] = self.start.{field}.value;\n", second_order + k));
     }
     text.push_str(&begin(emission));
     text.push_str("        }\n    }\n\n");

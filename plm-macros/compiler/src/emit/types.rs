@@ -47,7 +47,7 @@ fn starts(text: &mut String, emission: &Emission) {
     }
     for (state, field) in model.states.iter().zip(&fields.states) {
         docs::field(text, &[], &format!("State `{}`", state.name.text), &state.unit);
-        push(text, format_args!("        pub {field}: S,\n"));
+        push(text, format_args!("        pub {field}: Start<S>,\n"));
     }
     text.push_str("    }\n\n");
 }

@@ -150,7 +150,7 @@ impl<'a> Names<'a> {
         let Some(name) = self.name(prefix, &value.name) else { return };
         let (symbol, zero) = (self.symbol(), self.found.graph.zero());
         let unit = value.unit.clone().unwrap_or_else(no_unit);
-        self.found.states.push(State { name, symbol, rate: zero, start: zero, unit });
+        self.found.states.push(State { name, symbol, rate: zero, start: zero, locked: false, unit });
     }
 
     fn output(&mut self, output: &'a ast::Output) {

@@ -43,12 +43,13 @@ const DIMENSIONS: [Dimension; 6] = [
 impl<'a> Resolver<'a> {
     pub(super) fn declare_ground(&mut self, scope: ScopeId, ports: &'a [ast::Port]) {
         for port in ports {
-            if let Some(first) = self.port_index(None, &port.name.text) {
+            let name = format!("{}{}", self.prefix(scope), port.name.text);
+            if let Some(first) = self.port_index(None, &name) {
                 let first = self.ground[first].ast.name.span;
                 self.duplicate(scope, &port.name.text, port.name.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                self.ground.push(PortState { ast: port, scope, used: false, frame: Lazy::Waiting });
+                self.ground.push(PortState { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }
     }
@@ -95,7 +96,8 @@ impl<'a> Resolver<'a> {
                 self.duplicate(scope, &port.name.text, port.name.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                ports.push(PortState { ast: port, scope, used: false, frame: Lazy::Waiting });
+                let name = port.name.text.clone();
+                ports.push(PortState { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }
         ports

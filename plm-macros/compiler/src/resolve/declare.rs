@@ -42,10 +42,11 @@ impl<'a> Resolver<'a> {
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),
                 ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, (left, right), part),
                 ItemKind::Load(load) => self.declare_load(scope, load, part),
+                ItemKind::Node(node) => self.declare_node(scope, node),
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs),
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.
-                ItemKind::Pair(_) | ItemKind::Definition(_) => {}
+                ItemKind::Pair(_) | ItemKind::Definition(_) | ItemKind::Domain(_) => {}
             }
         }
     }
@@ -110,6 +111,9 @@ impl<'a> Resolver<'a> {
             let name = Name { text: key.to_string(), span };
             let symbol = self.graph.symbol(&name.text);
             let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
+            if kind == Reads::INPUT {
+                self.input_symbols.push(symbol);
+            }
             let fields = if kind == Reads::PARAM { &mut self.params } else { &mut self.inputs };
             fields.push(ValueState { ast, docs: &item.docs, scope, name, symbol, unit });
             self.known_slot(span, value)
@@ -149,7 +153,12 @@ impl<'a> Resolver<'a> {
         let name = Name { text, span: ast.name.ident.span };
         let value = Value::Scalar(symbol, Nature::written(unit.dimension, Reads::STATE));
         self.state_of.insert(symbol, self.states.len());
-        self.states.push(StateState { ast, scope, name, symbol, unit, stand_in, rate: None });
+        let set = self.scopes[self.home(scope)].instance.and_then(|instance| self.field(instance, &key));
+        let (start, locked) = match set {
+            Some((outer, field)) => (Some((outer, &field.value)), field.locked.is_some()),
+            None => (ast.value.as_ref().map(|value| (scope, value)), ast.locked),
+        };
+        self.states.push(StateState { ast, scope, name, symbol, unit, start, locked, stand_in, rate: None });
         let slot = self.known_slot(ast.name.ident.span, value);
         self.bind(scope, &ast.name.ident, key, slot);
     }

@@ -18,6 +18,10 @@ pub(super) enum Wanted {
     Frame,
     /// A body.
     Body,
+    /// A node of a domain: index into the resolver's list.
+    Port(usize),
+    /// What a node is declared as: its across quantity, or another node of its domain.
+    Node(usize),
     /// A number of a dimension that reads no more than it may.
     Number(Dimension, Reads),
 }
@@ -65,6 +69,8 @@ impl<'a> Resolver<'a> {
             }
             (Wanted::Frame, _) => Err(self.wrong_kind(scope, expr, "a frame", &value)),
             (Wanted::Body, _) => Err(self.wrong_kind(scope, expr, "a body", &value)),
+            (Wanted::Port(domain), _) => self.port_of_domain(scope, expr, value, domain),
+            (Wanted::Node(node), _) => self.value_of_node(scope, expr, value, node),
             (Wanted::Number(dimension, reads), Value::Scalar(found, nature)) => {
                 self.fits(scope, expr, self.graph.is_zero(*found), *nature, dimension)?;
                 self.reads_only(scope, expr, nature.reads, reads)?;

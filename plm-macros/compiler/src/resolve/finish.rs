@@ -5,9 +5,7 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::value::{Eval, Failed, Reads, Value, all};
 use crate::diag::Code;
-use crate::model::{
-    Body, FrameRef, Input, Load, Model, Name, Output, Param, Port, Row, Rung, Stabilisation, State,
-};
+use crate::model::{Body, FrameRef, Input, Model, Name, Param, Port, Row, Rung, Stabilisation, State};
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -24,7 +22,9 @@ impl<'a> Resolver<'a> {
         let mut loads = self.evaluate_loads();
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
-        self.put_rates(&mut states, &mut loads, &mut outputs);
+        self.put_late(&mut states, &mut loads, &mut outputs);
+        let zero = self.graph.zero();
+        loads.retain(|load| load.force != [zero; 3]);
         if self.sink.has_errors() {
             return None;
         }
@@ -146,7 +146,7 @@ impl<'a> Resolver<'a> {
             let frame = FrameRef { body, port };
             let geometry = self.frame(frame)?;
             let state = self.port(frame);
-            let name = Name { text: state.ast.name.text.clone(), span: state.ast.name.span };
+            let name = Name { text: state.name.clone(), span: state.ast.name.span };
             Ok(Port { name, at: geometry.local, angle: geometry.turn, used: state.used })
         }))
     }
@@ -171,9 +171,9 @@ impl<'a> Resolver<'a> {
         let mut states = Vec::with_capacity(self.states.len());
         for k in 0..self.states.len() {
             let (ast, scope, unit) = (self.states[k].ast, self.states[k].scope, self.states[k].unit.clone());
-            let name = self.states[k].name.clone();
-            let start = match &ast.value {
-                Some(expr) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
+            let (name, locked) = (self.states[k].name.clone(), self.states[k].locked);
+            let start = match self.states[k].start {
+                Some((scope, expr)) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
                 None => Ok(self.graph.zero()),
             };
             let Some((scope, rate, _)) = self.states[k].rate else {
@@ -186,45 +186,10 @@ impl<'a> Resolver<'a> {
             let dimension = unit.dimension.over(Dimension::TIME);
             let rate = self.eval_number(scope, rate, dimension, Reads::CAUSES);
             if let (Ok(start), Ok(rate)) = (start, rate) {
-                states.push(State { name, symbol: self.states[k].symbol, rate, start, unit });
+                let symbol = self.states[k].symbol;
+                states.push(State { name, symbol, rate, start, locked, unit });
             }
         }
         states
-    }
-
-    /// Puts the rates of states where `rate(state)` stood for them.
-    fn put_rates(&mut self, states: &mut [State], loads: &mut [Load], outputs: &mut [Output]) {
-        if states.is_empty() || states.len() < self.states.len() {
-            return;
-        }
-        let stand_ins: Vec<Expr> = self.states.iter().map(|state| state.stand_in).collect();
-        // A rate may hold the rate of another state: as many rounds as there are states reach the last in a row.
-        let mut rates: Vec<Expr> = states.iter().map(|state| state.rate).collect();
-        for _ in 0..stand_ins.len() {
-            let pairs: Vec<(Expr, Expr)> = stand_ins.iter().copied().zip(rates.iter().copied()).collect();
-            let next = self.graph.substitute(&rates, &pairs);
-            if next == rates {
-                break;
-            }
-            rates = next;
-        }
-        if let Some(k) = (0..rates.len()).find(|k| self.holds_any(rates[*k], &stand_ins)) {
-            let message = format!("the rate of `{}` needs itself", states[k].name.text);
-            self.error(0, Code::Cycle, states[k].name.span, message);
-            return;
-        }
-        let pairs: Vec<(Expr, Expr)> = stand_ins.iter().copied().zip(rates.iter().copied()).collect();
-        let mut places: Vec<&mut Expr> = Vec::new();
-        places.extend(states.iter_mut().map(|state| &mut state.rate));
-        places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
-        places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
-        let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
-        for (place, root) in places.into_iter().zip(self.graph.substitute(&roots, &pairs)) {
-            *place = root;
-        }
-    }
-
-    fn holds_any(&self, expr: Expr, symbols: &[Expr]) -> bool {
-        self.graph.symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
     }
 }

@@ -19,6 +19,8 @@ use crate::units::Dimension;
 #[derive(Debug)]
 pub(super) struct PortState<'a> {
     pub(super) ast: &'a ast::Port,
+    /// Its name; of a ground port in a part, with the path of the part.
+    pub(super) name: String,
     pub(super) scope: ScopeId,
     pub(super) used: bool,
     pub(super) frame: Lazy<FrameGeometry>,
@@ -94,7 +96,7 @@ impl<'a> Resolver<'a> {
             Some(body) => &self.bodies[body].ports,
             None => &self.ground,
         };
-        ports.iter().position(|port| port.ast.name.text == name)
+        ports.iter().position(|port| port.name == name)
     }
 
     pub(super) fn port_names(&self, body: Option<usize>) -> Vec<String> {
@@ -102,7 +104,7 @@ impl<'a> Resolver<'a> {
             Some(body) => &self.bodies[body].ports,
             None => &self.ground,
         };
-        ports.iter().map(|port| port.ast.name.text.clone()).collect()
+        ports.iter().map(|port| port.name.clone()).collect()
     }
 
     /// Position and angle of a port as they were written.

@@ -6,10 +6,10 @@ use super::Resolver;
 use super::expect::Wanted;
 use super::scope::{ScopeId, SlotId, Thunk};
 use super::value::{Reads, Value};
-use crate::diag::{Code, help_similar};
+use crate::diag::{Code, nearest};
 use crate::model::{FrameRef, Name, Pair, Part};
 use crate::span::Span;
-use crate::syntax::ast::{self, Definition, Instance, ItemKind};
+use crate::syntax::ast::{self, Definition, Field, Instance, ItemKind};
 use crate::units::DisplayUnit;
 
 /// Parts may contain parts this deeply.
@@ -31,10 +31,14 @@ pub(super) struct InstanceState<'a> {
     pub(super) scope: ScopeId,
     /// The scope that uses it.
     pub(super) outer: ScopeId,
+    /// Its name in the scope that uses it.
+    pub(super) key: String,
+    /// What its use sets, by path.
+    pub(super) fields: Vec<(String, &'a Field)>,
     /// The part of the mechanism that it is, or belongs to.
     part: usize,
     /// Is it that part itself?
-    is_top: bool,
+    is_part: bool,
     arguments: Vec<SlotId>,
 }
 
@@ -57,8 +61,20 @@ impl<'a> Resolver<'a> {
         let name = format!("{}{key}", self.prefix(scope));
         let span = ast.name.ident.span;
         let id = self.instances.len();
-        let index = part.unwrap_or_else(|| self.new_part(&name, span, definition));
+        let pair = self.pair_of(definition);
+        // A joint inside a part is walked through like any other.
+        let is_part = part.is_none() || pair.is_some();
+        let index = match part {
+            Some(part) if !is_part => part,
+            _ => {
+                let span = part.map_or(span, |part| self.parts[part].name.span);
+                self.new_part(&name, span, definition, pair)
+            }
+        };
+        let fields = self.fields_of(scope, ast);
         let inside = self.new_scope(None, Some(id));
+        let ground = self.known_slot(span, Value::Body(None));
+        self.scopes[inside].names.insert("ground".into(), ground);
         self.instances.push(InstanceState {
             definition,
             ast,
@@ -66,8 +82,10 @@ impl<'a> Resolver<'a> {
             span,
             scope: inside,
             outer: scope,
+            key: key.to_string(),
+            fields,
             part: index,
-            is_top: part.is_none(),
+            is_part,
             arguments: Vec::new(),
         });
         let slot = self.known_slot(span, Value::Instance(id));
@@ -83,7 +101,11 @@ impl<'a> Resolver<'a> {
         let names: Vec<&str> = self.library.kinds().collect();
         let diagnostic =
             self.error(scope, Code::UnknownPart, ast.kind.span, format!("unknown part `{kind}`"));
-        help_similar(diagnostic, kind, "part", "parts", &names);
+        // The library is long: all of it is shown only to who is far off.
+        match nearest(kind, names.iter().copied()) {
+            Some(near) => diagnostic.help(format!("a part with a similar name exists: `{near}`")),
+            None => diagnostic.note(format!("parts: {}", names.join(", "))),
+        };
     }
 
     /// A part must not contain itself, nor nest without bound.
@@ -112,19 +134,21 @@ impl<'a> Resolver<'a> {
         depth < MAX_DEPTH && !too_many
     }
 
-    fn new_part(&mut self, name: &str, span: Span, definition: &'a Definition) -> usize {
+    /// The kinematic pair that a definition states.
+    fn pair_of(&mut self, definition: &'a Definition) -> Option<Pair> {
         let pair = definition.items.iter().find_map(|item| match &item.kind {
             ItemKind::Pair(pair) => Some(pair),
             _ => None,
-        });
-        let pair = pair.and_then(|pair| {
-            let known = pair_of(&pair.text);
-            if known.is_none() {
-                let names = ["revolute", "prismatic", "pin_slot", "weld"];
-                self.unknown_option(0, &pair.text, pair.span, &names);
-            }
-            known
-        });
+        })?;
+        let known = pair_named(&pair.text);
+        if known.is_none() {
+            let names = ["revolute", "prismatic", "pin_slot", "weld"];
+            self.unknown_option(0, &pair.text, pair.span, &names);
+        }
+        known
+    }
+
+    fn new_part(&mut self, name: &str, span: Span, definition: &Definition, pair: Option<Pair>) -> usize {
         let name = Name { text: name.to_string(), span };
         self.parts.push(Part { name, kind: definition.name.text.clone(), pair, frames: Vec::new() });
         self.parts.len() - 1
@@ -139,21 +163,12 @@ impl<'a> Resolver<'a> {
         let is_read = !ast.arguments.iter().any(|of| matches!(of.kind, ast::ExprKind::Unknown));
         if wanted != found && is_read {
             let names: Vec<&str> = definition.arguments.iter().map(|of| of.name.text.as_str()).collect();
-            let message = format!("`{}` joins {wanted} frames, found {found}", definition.name.text);
+            let message = format!("`{}` joins {wanted} ports, found {found}", definition.name.text);
             self.error(outer, Code::WrongCount, ast.name.ident.span, message)
-                .note(format!("its frames: {}", names.join(", ")));
+                .note(format!("its ports: {}", names.join(", ")));
         }
         for (k, argument) in definition.arguments.iter().enumerate() {
-            let wanted = match argument.kind.text.as_str() {
-                "frame" => Wanted::Frame,
-                "body" => Wanted::Body,
-                other => {
-                    let message = format!("unknown kind of port `{other}`");
-                    self.error(inside, Code::WrongKind, argument.kind.span, message)
-                        .note("kinds: frame, body");
-                    Wanted::Anything
-                }
-            };
+            let wanted = self.wanted_at(inside, &argument.kind).unwrap_or(Wanted::Anything);
             let slot = match ast.arguments.get(k) {
                 Some(expr) => self.waiting_slot(argument.name.span, Thunk { scope: outer, expr, wanted }),
                 None => self.failed_slot(argument.name.span),
@@ -161,37 +176,6 @@ impl<'a> Resolver<'a> {
             self.instances[id].arguments.push(slot);
             self.bind(inside, &argument.name, Cow::Borrowed(&argument.name.text), slot);
         }
-    }
-
-    /// Every field that is set must exist, and be set once.
-    fn check_fields(&mut self, id: usize) {
-        let (definition, ast, outer) = {
-            let instance = &self.instances[id];
-            (instance.definition, instance.ast, instance.outer)
-        };
-        if ast.fields.is_empty() {
-            return;
-        }
-        let known: Vec<&str> = definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
-        for (k, (name, _)) in ast.fields.iter().enumerate() {
-            let text = name.text.as_str();
-            if !known.contains(&text) {
-                let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
-                let diagnostic = self.error(outer, Code::UnknownField, name.span, message);
-                help_similar(diagnostic, text, "parameter", "parameters", &known);
-            }
-            if let Some((first, _)) = ast.fields[..k].iter().find(|(before, _)| before.text == text) {
-                let first = first.span;
-                self.error(outer, Code::RepeatedItem, name.span, format!("`{text}` is set twice"))
-                    .note_at(first, "it is set first here");
-            }
-        }
-    }
-
-    fn field(&self, id: usize, name: &str) -> Option<(ScopeId, &'a ast::Ident, &'a ast::Expr)> {
-        let instance = &self.instances[id];
-        let (ident, value) = instance.ast.fields.iter().find(|(ident, _)| ident.text == name)?;
-        Some((instance.outer, ident, value))
     }
 
     /// The value of a param or an input of a part: as the use sets it, else its default.
@@ -207,7 +191,7 @@ impl<'a> Resolver<'a> {
         let reads = if kind == Reads::PARAM { Reads::FIXED } else { Reads::CAUSES };
         let wanted = Wanted::Number(unit.dimension, reads);
         let thunk = match (self.field(id, &name.text), &ast.value) {
-            (Some((scope, _, expr)), _) => Thunk { scope, expr, wanted },
+            (Some((scope, field)), _) => Thunk { scope, expr: &field.value, wanted },
             (None, Some(expr)) => Thunk { scope: inside, expr, wanted },
             (None, None) => {
                 let (kind, outer) =
@@ -227,7 +211,7 @@ impl<'a> Resolver<'a> {
         let Some(id) = self.scopes[self.home(scope)].instance else { return };
         let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect();
         let chosen = match (self.field(id, &choice.name.text), &choice.default) {
-            (Some((outer, _, expr)), _) => {
+            (Some((outer, Field { value: expr, .. })), _) => {
                 if let ast::ExprKind::Name(name) = &expr.kind {
                     Some((outer, &name.ident))
                 } else {
@@ -289,22 +273,14 @@ impl<'a> Resolver<'a> {
             let message = format!("the {kind} joint `{name}` joins `{body}` with itself");
             self.error(outer, Code::SelfJoint, span, message);
         }
-        let (part, is_top) = (self.instances[id].part, self.instances[id].is_top);
-        if is_top {
+        let (part, is_part) = (self.instances[id].part, self.instances[id].is_part);
+        if is_part {
             self.parts[part].frames = frames;
         }
     }
 }
 
-fn field_name(item: &ItemKind) -> Option<&str> {
-    match item {
-        ItemKind::Param(value) | ItemKind::Input(value) => Some(&value.name.ident.text),
-        ItemKind::Choice(choice) => Some(&choice.name.text),
-        _ => None,
-    }
-}
-
-fn pair_of(name: &str) -> Option<Pair> {
+fn pair_named(name: &str) -> Option<Pair> {
     match name {
         "revolute" => Some(Pair::Revolute),
         "prismatic" => Some(Pair::Prismatic),

@@ -40,6 +40,11 @@ impl<'a> Resolver<'a> {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
             _ if !member.indices.is_empty() => None,
             Value::Frame(frame) => self.frame_member(*frame, name)?,
+            Value::Node(node) => self.node_member(*node, name),
+            Value::Body(None) => {
+                let name = format!("{}{name}", self.prefix(scope));
+                self.body_member(None, &name)?
+            }
             Value::Body(body) => self.body_member(*body, name)?,
             Value::Vector([x, y], nature) => match name {
                 "x" => Some(Value::Scalar(*x, *nature)),
@@ -138,6 +143,12 @@ impl<'a> Resolver<'a> {
                 let diagnostic =
                     self.error(scope, Code::UnknownMember, span, format!("a frame has no `{name}`"));
                 help_similar(diagnostic, name, "member", "members of a frame", OF_FRAME);
+            }
+            Value::Node(node) => {
+                let names = self.members_of_node(*node);
+                let message = format!("the node `{}` has no `{name}`", self.nodes[*node].name);
+                let diagnostic = self.error(scope, Code::UnknownMember, span, message);
+                help_similar(diagnostic, name, "member", "members of the node", &names);
             }
             Value::Instance(instance) => {
                 let inside = self.instances[*instance].scope;

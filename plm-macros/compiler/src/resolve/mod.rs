@@ -10,11 +10,14 @@ mod condition;
 mod declare;
 mod expect;
 mod expr;
+mod field;
 mod finish;
 mod frame;
 mod function;
 mod instance;
+mod late;
 mod member;
+mod node;
 mod output;
 mod rate;
 mod row;
@@ -34,6 +37,7 @@ use crate::units::DisplayUnit;
 use body::BodyState;
 use frame::PortState;
 use instance::InstanceState;
+use node::NodeState;
 use row::{LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use value::Value;
@@ -77,7 +81,11 @@ struct Resolver<'a> {
     states: Vec<StateState<'a>>,
     /// Index of the state of each symbol.
     state_of: BTreeMap<Expr, usize>,
+    /// Symbols of the inputs of the mechanism.
+    input_symbols: Vec<Expr>,
     ground: Vec<PortState<'a>>,
+    domains: Vec<&'a ast::Domain>,
+    nodes: Vec<NodeState<'a>>,
     bodies: Vec<BodyState<'a>>,
     instances: Vec<InstanceState<'a>>,
     parts: Vec<model::Part>,
@@ -116,6 +124,9 @@ struct StateState<'a> {
     name: model::Name,
     symbol: Expr,
     unit: DisplayUnit,
+    /// Where it starts: as the use of its part says, else as it is declared.
+    start: Option<(ScopeId, &'a ast::Expr)>,
+    locked: bool,
     /// Its rate: where it is used before it is known.
     stand_in: Expr,
     rate: Option<(ScopeId, &'a ast::Expr, Span)>,
@@ -145,7 +156,10 @@ impl<'a> Resolver<'a> {
             inputs: Vec::new(),
             states: Vec::new(),
             state_of: BTreeMap::new(),
+            input_symbols: Vec::new(),
             ground: Vec::new(),
+            domains: Vec::new(),
+            nodes: Vec::new(),
             bodies: Vec::new(),
             instances: Vec::new(),
             parts: Vec::new(),

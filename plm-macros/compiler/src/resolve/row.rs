@@ -6,7 +6,7 @@ use super::Resolver;
 use super::function::cross;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Lazy, Reads, Value};
-use crate::diag::Code;
+use crate::diag::{Code, help_similar};
 use crate::model::{FrameRef, Load, Name, Part};
 use crate::span::Span;
 use crate::syntax::ast;
@@ -127,13 +127,34 @@ impl<'a> Resolver<'a> {
     }
 
     fn load(&mut self, scope: ScopeId, ast: &'a ast::Load, part: usize, loads: &mut Vec<Load>) -> Eval<()> {
-        let on = self.loaded_frame(scope, &ast.on);
-        let from = ast.from.as_ref().map(|from| self.loaded_frame(scope, from));
-        let value = if ast.is_torque {
-            self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::CAUSES).map(Applied::Torque)
-        } else {
-            self.eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES)
-                .map(|(force, _)| Applied::Force(force))
+        let on = self.eval(scope, &ast.on);
+        let from = ast.from.as_ref().map(|from| self.eval(scope, from)).transpose();
+        let (on, from) = (on?, from?);
+        if let Value::Node(node) = on {
+            let from = match (&ast.from, from) {
+                (Some(expr), Some(value)) => Some(self.other_node(scope, expr, value, node)?),
+                _ => None,
+            };
+            return self.act(scope, ast, node, from);
+        }
+        let on = self.loaded_frame(scope, &ast.on, on);
+        let from = match (&ast.from, from) {
+            (Some(expr), Some(value)) => Some(self.loaded_frame(scope, expr, value)),
+            _ => None,
+        };
+        let value = match ast.quantity.text.as_str() {
+            "torque" => {
+                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::CAUSES).map(Applied::Torque)
+            }
+            "force" => self
+                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES)
+                .map(|(force, _)| Applied::Force(force)),
+            other => {
+                let message = format!("`{other}` does not act on a frame");
+                let diagnostic = self.error(scope, Code::UnknownMember, ast.quantity.span, message);
+                help_similar(diagnostic, other, "quantity", "what acts on it", &["force", "torque"]);
+                Err(Failed)
+            }
         };
         let (on, value) = (on?, value?);
         self.apply(on, value, part, loads)?;
@@ -148,8 +169,8 @@ impl<'a> Resolver<'a> {
     }
 
     /// The frame that a load acts on; for a body alone its centre of gravity.
-    fn loaded_frame(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Target> {
-        match self.eval(scope, expr)? {
+    fn loaded_frame(&mut self, scope: ScopeId, expr: &'a ast::Expr, value: Value) -> Eval<Target> {
+        match value {
             Value::Frame(frame) => Ok(Target::Frame(frame)),
             Value::Body(body) => Ok(Target::Centre(body)),
             other => Err(self.wrong_kind(scope, expr, "a frame", &other)),

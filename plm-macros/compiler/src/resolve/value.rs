@@ -133,6 +133,8 @@ pub(super) enum Value {
     Frame(FrameRef),
     /// A body; `None` is the ground.
     Body(Option<usize>),
+    /// A node: index into the resolver's list.
+    Node(usize),
     /// A part in use.
     Instance(usize),
     /// A choice made at compile time: index into the resolver's list.
@@ -149,6 +151,7 @@ impl Value {
             Value::Frame(_) => "a frame",
             Value::Body(Some(_)) => "a body",
             Value::Body(None) => "the ground",
+            Value::Node(_) => "a node",
             Value::Instance(_) => "a part",
             Value::Choice(_) => "a choice",
         }

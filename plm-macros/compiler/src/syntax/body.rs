@@ -116,10 +116,7 @@ impl Cursor<'_> {
             return Err(Reported);
         }
         let value = self.value_expr();
-        let locked = self.eat_punct(',');
-        if locked {
-            self.word("locked")?;
-        }
+        let locked = self.locked()?.is_some();
         self.end_of(&value)?;
         Ok(Start { coordinate, value, locked })
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::ast::{Declaration, Definition, Mechanism};
+use super::ast::{Declaration, Mechanism, Shared};
 use super::cursor::{Cursor, Parse, Reported};
 use super::item::Context;
 use crate::diag::Code;
@@ -50,7 +50,7 @@ impl Cursor<'_> {
         } else if self.is_word("parts") {
             self.advance();
             self.group(Delimiter::Brace, "`{`", |cursor| {
-                cursor.definitions(&mut declaration.parts);
+                cursor.definitions(&mut declaration.shared);
                 Ok(())
             })?;
         } else if self.is_word("use") {
@@ -58,7 +58,9 @@ impl Cursor<'_> {
             self.error(Code::MisplacedItem, span, "`use` must be the first word of the declaration");
             return Err(Reported);
         } else if self.is_definition() {
-            declaration.parts.push(self.definition(docs)?);
+            declaration.shared.parts.push(self.definition(docs)?);
+        } else if self.is_domain() {
+            declaration.shared.domains.push(self.domain(docs)?);
         } else {
             declaration.mechanism = Some(self.mechanism(docs)?);
         }
@@ -66,18 +68,19 @@ impl Cursor<'_> {
     }
 
     /// Definitions up to the end.
-    pub(super) fn definitions(&mut self, parts: &mut Vec<Definition>) {
+    pub(super) fn definitions(&mut self, shared: &mut Shared) {
         while self.peek().is_some() {
             let start = self.position();
             let docs = self.docs();
             let found = if self.is_definition() {
-                self.definition(docs)
+                self.definition(docs).map(|part| shared.parts.push(part))
+            } else if self.is_domain() {
+                self.domain(docs).map(|domain| shared.domains.push(domain))
             } else {
-                Err(self.expected("`joint` or `part`"))
+                Err(self.expected("`joint`, `part` or `domain`"))
             };
-            match found {
-                Ok(part) => parts.push(part),
-                Err(Reported) => self.recover(start),
+            if let Err(Reported) = found {
+                self.recover(start);
             }
         }
     }

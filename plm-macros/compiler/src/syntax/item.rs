@@ -3,6 +3,7 @@
 use super::ast::{Expr, ExprKind, Ident, Item, ItemKind, Output, Repeat, Value};
 use super::cursor::{Cursor, Parse, Reported};
 use crate::diag::{Code, nearest};
+use crate::span::Span;
 use crate::token::{Delimiter, Token, TokenKind};
 
 /// Where items stand.
@@ -18,9 +19,9 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("stabilisation", Some(Context::Mechanism)),
     ("rung", Some(Context::Mechanism)),
     ("allow", Some(Context::Mechanism)),
-    ("ground", Some(Context::Mechanism)),
     ("joint", Some(Context::Mechanism)),
     ("part", Some(Context::Mechanism)),
+    ("domain", Some(Context::Mechanism)),
     ("choice", Some(Context::Part)),
     ("pair", Some(Context::Part)),
     ("param", None),
@@ -28,7 +29,9 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("state", None),
     ("let", None),
     ("rate", None),
+    ("ground", None),
     ("body", None),
+    ("node", None),
     ("constraint", None),
     ("output", None),
     ("repeat", None),
@@ -56,7 +59,7 @@ impl Cursor<'_> {
 
     fn item(&mut self, docs: &[String], context: Context) -> Parse<ItemKind> {
         if self.is_load() {
-            self.only_in(Context::Part, context, "a force or a torque")?;
+            self.only_in(Context::Part, context, "what acts on a port")?;
             return self.load().map(ItemKind::Load);
         }
         let word =
@@ -72,7 +75,7 @@ impl Cursor<'_> {
             "allow" => self.allow(),
             "param" => self.value().map(ItemKind::Param),
             "input" => self.value().map(ItemKind::Input),
-            "state" => self.value().map(ItemKind::State),
+            "state" => self.state().map(ItemKind::State),
             "let" => self.definition_of_name(ItemKind::Let),
             "rate" => self.definition_of_name(ItemKind::Rate),
             "choice" => self.choice().map(ItemKind::Choice),
@@ -82,7 +85,9 @@ impl Cursor<'_> {
             "constraint" => self.constraint(),
             "output" => self.outputs().map(ItemKind::Output),
             "repeat" => self.repeat(context).map(ItemKind::Repeat),
+            "node" => self.node().map(ItemKind::Node),
             "joint" | "part" => self.definition(docs.to_vec()).map(ItemKind::Definition),
+            "domain" => self.domain(docs.to_vec()).map(ItemKind::Domain),
             word => self.instance_or_unknown(word),
         }
     }
@@ -189,6 +194,25 @@ impl Cursor<'_> {
 
     /// `param name: unit = expr;`
     fn value(&mut self) -> Parse<Value> {
+        self.value_with(|_| Ok(false))
+    }
+
+    /// `state name: unit = expr, locked;`
+    fn state(&mut self) -> Parse<Value> {
+        self.value_with(|cursor| cursor.locked().map(|locked| locked.is_some()))
+    }
+
+    /// `, locked`, if it stands here.
+    pub(super) fn locked(&mut self) -> Parse<Option<Span>> {
+        if !self.eat_punct(',') {
+            return Ok(None);
+        }
+        let span = self.here();
+        self.word("locked")?;
+        Ok(Some(span))
+    }
+
+    fn value_with(&mut self, locked: impl FnOnce(&mut Self) -> Parse<bool>) -> Parse<Value> {
         self.advance();
         let name = self.indexed_name("a name")?;
         let start = self.position();
@@ -197,16 +221,17 @@ impl Cursor<'_> {
             let Ok(found) = self.declared_unit() else {
                 let value = self.unknown_expr(start);
                 self.end_of(&value)?;
-                return Ok(Value { name, unit, value: Some(value) });
+                return Ok(Value { name, unit, value: Some(value), locked: false });
             };
             unit = Some(found);
         }
         let value = self.eat_punct('=').then(|| self.value_expr());
+        let locked = locked(self)?;
         match &value {
             Some(value) => self.end_of(value)?,
             None => self.semicolon()?,
         }
-        Ok(Value { name, unit, value })
+        Ok(Value { name, unit, value, locked })
     }
 
     fn definition_of_name(

@@ -4,20 +4,22 @@
 //! declaration := { header } docs [visibility] NAME "{" { item } "}"
 //! header      := "crate" "=" path ";" | "parts" "{" { definition } "}" | definition
 //! definition  := docs ("joint" | "part") NAME "(" [ NAME ":" NAME { "," … } ] ")" "{" { item } "}"
+//!              | docs "domain" NAME "{" "across" NAME ":" unit ";" { "through" NAME ":" unit ";" } "}"
 //!
 //! item := "gravity" ":" expr ";"                                    in a mechanism
 //!       | "rung" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
 //!       | "allow" "(" CODE { "," CODE } ")" ";"
-//!       | "ground" "{" { port } "}"
 //!       | definition
 //!       | "choice" NAME ":" NAME { "|" NAME } ["=" NAME] ";"        in a part
 //!       | "pair" ":" NAME ";"
-//!       | ("force" | "torque") "on" path ["from" path] ":" expr ";"
-//!       | ("param" | "input" | "state") name [":" unit] ["=" expr] ";"    in both
+//!       | NAME "on" path ["from" path] ":" expr ";"
+//!       | ("param" | "input" | "state") name [":" unit] ["=" expr] ["," "locked"] ";"    in both
+//!       | "ground" "{" { port } "}"
+//!       | "node" name ":" NAME "=" expr ";"
 //!       | ("let" | "rate") name "=" expr ";"
 //!       | "body" name "{" { field | port | start } "}"
-//!       | NAME name "(" exprs ")" (";" | "{" { NAME ":" expr ";" } "}")
+//!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
 //!       | "constraint" NAME ":" expr "=" expr ";"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
@@ -45,7 +47,7 @@ pub use header::leading_use;
 
 use crate::diag::Diagnostics;
 use crate::token::Source;
-use ast::{Declaration, Definition};
+use ast::{Declaration, Shared};
 use cursor::Cursor;
 
 /// Reads a declaration. Mistakes go to the sink; what could be read comes back.
@@ -54,8 +56,8 @@ pub fn parse(source: &Source, sink: &mut Diagnostics) -> Declaration {
 }
 
 /// Reads a file of the parts library: definitions and nothing else.
-pub fn parse_parts(source: &Source, sink: &mut Diagnostics) -> Vec<Definition> {
-    let mut parts = Vec::new();
-    Cursor::new(source, sink).definitions(&mut parts);
-    parts
+pub fn parse_parts(source: &Source, sink: &mut Diagnostics) -> Shared {
+    let mut shared = Shared::default();
+    Cursor::new(source, sink).definitions(&mut shared);
+    shared
 }

@@ -1,6 +1,9 @@
 //! Parts: their definitions and uses, and the items that only they hold.
 
-use super::ast::{Argument, Choice, Definition, Expr, ExprKind, Ident, Instance, ItemKind, Load};
+use super::ast::{
+    Argument, Choice, Definition, Domain, Expr, ExprKind, Field, Ident, Instance, ItemKind, Load, Node,
+    Quantity,
+};
 use super::cursor::{Cursor, Parse, Reported};
 use super::item::Context;
 use crate::token::{Delimiter, TokenKind};
@@ -27,7 +30,7 @@ impl Cursor<'_> {
         while self.peek().is_some() {
             let name = self.ident("the name of an argument")?;
             self.punct(':', "`:`")?;
-            let kind = self.ident("`frame` or `body`")?;
+            let kind = self.ident("`frame`, `body` or a domain")?;
             arguments.push(Argument { name, kind });
             if !self.eat_punct(',') {
                 break;
@@ -57,7 +60,7 @@ impl Cursor<'_> {
         Ok(Instance { kind, name, arguments, fields })
     }
 
-    fn fields(&mut self, fields: &mut Vec<(Ident, Expr)>) {
+    fn fields(&mut self, fields: &mut Vec<Field>) {
         while self.peek().is_some() {
             let start = self.position();
             match self.field() {
@@ -67,12 +70,58 @@ impl Cursor<'_> {
         }
     }
 
-    fn field(&mut self) -> Parse<(Ident, Expr)> {
-        let name = self.ident("the name of a parameter")?;
+    fn field(&mut self) -> Parse<Field> {
+        let mut path = vec![self.indexed_name("the name of a parameter")?];
+        while self.eat_punct('.') {
+            path.push(self.indexed_name("the name of a parameter")?);
+        }
         self.punct(':', "`:`")?;
         let value = self.value_expr();
+        let locked = self.locked()?;
         self.end_of(&value)?;
-        Ok((name, value))
+        Ok(Field { path, value, locked })
+    }
+
+    /// Does the definition of a domain begin here?
+    pub(super) fn is_domain(&self) -> bool {
+        self.is_word("domain") && self.peek_at(1).is_some_and(|token| token.kind == TokenKind::Ident)
+    }
+
+    /// `domain name { across name: unit; through name: unit; … }`
+    pub(super) fn domain(&mut self, docs: Vec<String>) -> Parse<Domain> {
+        self.advance();
+        let name = self.ident("the name of the domain")?;
+        self.group(Delimiter::Brace, "`{`", |cursor| {
+            let across = cursor.quantity_of("across")?;
+            let mut through = vec![cursor.quantity_of("through")?];
+            while cursor.peek().is_some() {
+                through.push(cursor.quantity_of("through")?);
+            }
+            Ok(Domain { docs, name, across, through })
+        })
+    }
+
+    /// `across name: unit;`
+    fn quantity_of(&mut self, word: &str) -> Parse<Quantity> {
+        self.docs();
+        self.word(word)?;
+        let name = self.ident("the name of a quantity")?;
+        self.punct(':', "`:`")?;
+        let unit = self.declared_unit()?;
+        self.semicolon()?;
+        Ok(Quantity { name, unit })
+    }
+
+    /// `node name: kind = expr;`
+    pub(super) fn node(&mut self) -> Parse<Node> {
+        self.advance();
+        let name = self.indexed_name("the name of the node")?;
+        self.punct(':', "`:`")?;
+        let kind = self.ident("`frame`, `body` or a domain")?;
+        self.punct('=', "`=`")?;
+        let value = self.value_expr();
+        self.end_of(&value)?;
+        Ok(Node { name, kind, value })
     }
 
     /// `choice name: option | option = option;`
@@ -110,9 +159,9 @@ impl Cursor<'_> {
         Ok(ItemKind::Constraint(name, left, right))
     }
 
-    /// Does `force on name` or `torque on name` stand here, and not a part of that name?
+    /// Does `force on name` stand here, and not a part of that name?
     pub(super) fn is_load(&self) -> bool {
-        (self.is_word("force") || self.is_word("torque"))
+        self.peek().is_some_and(|token| token.kind == TokenKind::Ident)
             && self.peek_at(1).is_some_and(|token| token.is_word("on"))
             && self.peek_at(2).is_some_and(|token| token.kind == TokenKind::Ident)
     }
@@ -120,8 +169,7 @@ impl Cursor<'_> {
     /// `force on b from a: expr;`
     pub(super) fn load(&mut self) -> Parse<Load> {
         let start = self.position();
-        let is_torque = self.is_word("torque");
-        self.advance();
+        let quantity = self.ident("what acts")?;
         self.word("on")?;
         let on = self.expr()?;
         let from = if self.eat_word("from") { Some(self.expr()?) } else { None };
@@ -129,6 +177,6 @@ impl Cursor<'_> {
         self.punct(':', "`:`")?;
         let value = self.expr()?;
         self.semicolon()?;
-        Ok(Load { is_torque, on, from, value, span })
+        Ok(Load { quantity, on, from, value, span })
     }
 }

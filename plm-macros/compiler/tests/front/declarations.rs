@@ -178,11 +178,11 @@ fn parts_stand_in_parts() {
     );
     assert_eq!(
         model.parts.iter().map(|part| part.name.text.as_str()).collect::<Vec<_>>(),
-        ["legs[0]", "legs[1]"]
+        ["legs[0]", "legs[0].hip", "legs[1]", "legs[1].hip"]
     );
-    assert_eq!(model.parts[1].kind, "leg");
+    assert_eq!(model.parts[2].kind, "leg");
     assert_eq!(model.rows[2].name, "legs[1].hip.x");
-    assert_eq!(model.rows.iter().map(|row| row.part).collect::<Vec<_>>(), [0, 0, 1, 1]);
+    assert_eq!(model.rows.iter().map(|row| row.part).collect::<Vec<_>>(), [1, 1, 3, 3]);
     let mut values = Values::of(&model);
     values.pose(&model, "bar[1]", [2.0, 4.0, 0.0]);
     assert_near(output(&model, &values, "legs[1].length")[0], 5.0, "length");
@@ -217,7 +217,9 @@ fn parts_bring_bodies_and_constraints_stand_alone() {
     assert_eq!(model.bodies[0].name.text, "upper.link");
     let rows: Vec<&str> = model.rows.iter().map(|row| row.name.as_str()).collect();
     assert_eq!(rows, ["upper.pin.x", "upper.pin.y", "drive"]);
-    assert_eq!((model.parts[1].kind.as_str(), model.parts[1].name.text.as_str()), ("constraint", "drive"));
+    let parts: Vec<_> =
+        model.parts.iter().map(|part| (part.kind.as_str(), part.name.text.as_str())).collect();
+    assert_eq!(parts, [("arm", "upper"), ("revolute", "upper.pin"), ("constraint", "drive")]);
     let mut values = Values::of(&model);
     values.pose(&model, "upper.link", [0.0, 1.0, std::f64::consts::FRAC_PI_2]);
     values.set(model.time, 0.25);

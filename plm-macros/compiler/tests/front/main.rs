@@ -5,6 +5,7 @@
 mod bodies;
 mod declarations;
 mod expressions;
+mod nodes;
 mod parts;
 mod soup;
 mod states;

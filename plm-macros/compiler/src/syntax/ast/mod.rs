@@ -1,6 +1,8 @@
 //! The tree of a declaration, as written: names are not bound, but units are known (their table is closed).
 
-use plm_cas::Number;
+mod expr;
+
+pub use expr::{Expr, ExprKind, Link, Operator};
 
 use crate::span::Span;
 use crate::units::DisplayUnit;
@@ -19,10 +21,41 @@ pub struct Ident {
 pub struct Declaration {
     /// `crate = path;`: the path of the runtime crate in emitted code.
     pub crate_path: Option<String>,
-    /// Parts that were declared before the mechanism: its own, or carried here by `plm::parts!`.
-    pub parts: Vec<Definition>,
+    /// Parts and domains that were declared before the mechanism: its own, or carried here by `plm::parts!`.
+    pub shared: Shared,
     /// The mechanism; `None` if its head could not be read.
     pub mechanism: Option<Mechanism>,
+}
+
+/// Definitions: parts and domains.
+#[derive(Clone, Debug, Default)]
+pub struct Shared {
+    /// Parts.
+    pub parts: Vec<Definition>,
+    /// Domains.
+    pub domains: Vec<Domain>,
+}
+
+/// `domain name { across name: unit; through name: unit; … }`
+#[derive(Clone, Debug)]
+pub struct Domain {
+    /// Documentation lines.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Ident,
+    /// What all that meets at a node has in common.
+    pub across: Quantity,
+    /// What adds up at a node.
+    pub through: Vec<Quantity>,
+}
+
+/// `name: unit` of a domain.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// Its name.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: DisplayUnit,
 }
 
 /// `pub Name { … }`
@@ -58,7 +91,7 @@ pub struct Definition {
 pub struct Argument {
     /// Its name inside.
     pub name: Ident,
-    /// Kind of port: `frame` or `body`.
+    /// Kind of port: `frame`, `body` or the name of a domain.
     pub kind: Ident,
 }
 
@@ -106,14 +139,18 @@ pub enum ItemKind {
     Instance(Instance),
     /// `constraint name: expr = expr;`
     Constraint(IndexedName, Expr, Expr),
-    /// `force on b from a: expr;`, `torque on b: expr;`
+    /// `force on b from a: expr;`, `torque on b: expr;`, `flow on b from a: expr;`
     Load(Load),
+    /// `node name: kind = expr;`
+    Node(Node),
     /// `output path, name = expr in unit;`
     Output(Vec<Output>),
     /// `repeat i in 0..n { … }`
     Repeat(Repeat),
     /// A part of the user's own.
     Definition(Definition),
+    /// A domain of the user's own.
+    Domain(Domain),
 }
 
 /// A name with its indices: `bar`, `bar[i]`.
@@ -134,6 +171,19 @@ pub struct Value {
     pub unit: Option<DisplayUnit>,
     /// Its default or start, if it is written.
     pub value: Option<Expr>,
+    /// A state that a search for an equilibrium must leave alone?
+    pub locked: bool,
+}
+
+/// `node name: kind = expr;`
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Its name.
+    pub name: IndexedName,
+    /// Kind of port: `frame`, `body` or the name of a domain.
+    pub kind: Ident,
+    /// Its across quantity, or the port that it is another name of.
+    pub value: Expr,
 }
 
 /// A choice that is made at compile time.
@@ -193,15 +243,35 @@ pub struct Instance {
     pub name: IndexedName,
     /// What it is connected to.
     pub arguments: Vec<Expr>,
-    /// Its parameters.
-    pub fields: Vec<(Ident, Expr)>,
+    /// Its parameters, and starts of its states.
+    pub fields: Vec<Field>,
 }
 
-/// `force` or `torque` on a port.
+/// `name: expr, locked;` in the use of a part; `part.name: expr;` reaches into the parts that it contains.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// What is set, segment by segment.
+    pub path: Vec<IndexedName>,
+    /// To what.
+    pub value: Expr,
+    /// Is it the start of a state that is locked?
+    pub locked: Option<Span>,
+}
+
+impl Field {
+    /// All of its path.
+    pub fn span(&self) -> Span {
+        let first = self.path.first().map(|name| name.ident.span);
+        let last = self.path.last().map(|name| name.ident.span);
+        first.zip(last).map_or(self.value.span, |(first, last)| first.to(last))
+    }
+}
+
+/// What flows into a port: `force` or `torque` on a frame, a through quantity of its domain on a node.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// A torque, not a force?
-    pub is_torque: bool,
+    /// What it is: `force`, `torque`, `flow`.
+    pub quantity: Ident,
     /// On what.
     pub on: Expr,
     /// From what: it feels the opposite.
@@ -236,117 +306,4 @@ pub struct Repeat {
     pub inclusive: bool,
     /// What to repeat.
     pub items: Vec<Item>,
-}
-
-/// An expression.
-#[derive(Clone, Debug)]
-pub struct Expr {
-    /// What it is.
-    pub kind: ExprKind,
-    /// Its place.
-    pub span: Span,
-}
-
-/// Forms of expressions.
-#[derive(Clone, Debug)]
-pub enum ExprKind {
-    /// What could not be read. The mistake is reported; the item keeps its name, so that its uses are no mistakes.
-    Unknown,
-    /// A bare number.
-    Number(Number),
-    /// A number or a pair with a unit.
-    Quantity(Box<Expr>, DisplayUnit),
-    /// `(x, y)`
-    Pair(Box<Expr>, Box<Expr>),
-    /// `name`, `name[i]`
-    Name(IndexedName),
-    /// `expr.name.name[i]`
-    Path(Box<Expr>, Vec<IndexedName>),
-    /// `f(args)`
-    Call(Ident, Vec<Expr>),
-    /// `-expr`
-    Neg(Box<Expr>),
-    /// `not expr`
-    Not(Box<Expr>),
-    /// `base ^ exponent`
-    Power(Box<Expr>, Box<Expr>),
-    /// `expr op expr op expr …`, operators of one precedence, from left to right. A list and not a tree, so that a
-    /// long sum is not deep.
-    Chain(Box<Expr>, Vec<Link>),
-    /// `if expr then expr else expr`
-    If(Box<Expr>, Box<Expr>, Box<Expr>),
-}
-
-/// An operator with its right operand.
-#[derive(Clone, Debug)]
-pub struct Link {
-    /// The operator.
-    pub operator: Operator,
-    /// Its right operand.
-    pub operand: Expr,
-}
-
-/// Binary operators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operator {
-    /// `or`
-    Or,
-    /// `and`
-    And,
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterEqual,
-    /// `==`
-    Equal,
-    /// `!=`
-    NotEqual,
-    /// `+`
-    Add,
-    /// `-`
-    Sub,
-    /// `*`
-    Mul,
-    /// `/`
-    Div,
-}
-
-impl Operator {
-    /// How tightly it binds, from 0.
-    pub fn precedence(self) -> u8 {
-        match self {
-            Operator::Or => 0,
-            Operator::And => 1,
-            Operator::Less
-            | Operator::LessEqual
-            | Operator::Greater
-            | Operator::GreaterEqual
-            | Operator::Equal
-            | Operator::NotEqual => 2,
-            Operator::Add | Operator::Sub => 3,
-            Operator::Mul | Operator::Div => 4,
-        }
-    }
-
-    /// As it is written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Operator::Or => "or",
-            Operator::And => "and",
-            Operator::Less => "<",
-            Operator::LessEqual => "<=",
-            Operator::Greater => ">",
-            Operator::GreaterEqual => ">=",
-            Operator::Equal => "==",
-            Operator::NotEqual => "!=",
-            Operator::Add => "+",
-            Operator::Sub => "-",
-            Operator::Mul => "*",
-            Operator::Div => "/",
-        }
-    }
 }

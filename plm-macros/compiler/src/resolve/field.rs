@@ -1,0 +1,101 @@
+//! What the use of a part sets: parameters, inputs, choices and starts of states, also of the parts that it contains.
+
+use super::Resolver;
+use super::scope::ScopeId;
+use crate::diag::{Code, help_similar};
+use crate::syntax::ast::{Definition, Field, Instance, Item, ItemKind};
+
+impl<'a> Resolver<'a> {
+    /// The fields of a use with their paths as text.
+    pub(super) fn fields_of(&mut self, scope: ScopeId, ast: &'a Instance) -> Vec<(String, &'a Field)> {
+        let mut fields = Vec::with_capacity(ast.fields.len());
+        for field in &ast.fields {
+            let keys: Vec<_> = field.path.iter().map(|name| self.key(scope, name)).collect();
+            if let Ok(keys) = keys.into_iter().collect::<Result<Vec<_>, _>>() {
+                fields.push((keys.join("."), field));
+            }
+        }
+        fields
+    }
+
+    /// What the uses around a part set for a name inside it. The outermost has the last word.
+    pub(super) fn field(&self, id: usize, name: &str) -> Option<(ScopeId, &'a Field)> {
+        let mut path = name.to_string();
+        let mut found = None;
+        let mut next = Some(id);
+        while let Some(id) = next {
+            let instance = &self.instances[id];
+            let here = instance.fields.iter().find(|(of, _)| *of == path);
+            found = here.map(|(_, field)| (instance.outer, *field)).or(found);
+            path = format!("{}.{path}", instance.key);
+            next = self.scopes[self.home(instance.outer)].instance;
+        }
+        found
+    }
+
+    /// Every field that is set must exist, and be set once.
+    pub(super) fn check_fields(&mut self, id: usize) {
+        let (definition, outer) = (self.instances[id].definition, self.instances[id].outer);
+        let fields = self.instances[id].fields.clone();
+        for (k, (path, field)) in fields.iter().enumerate() {
+            self.check_field(outer, definition, field);
+            if let Some((_, first)) = fields[..k].iter().find(|(before, _)| before == path) {
+                let first = first.span();
+                self.error(outer, Code::RepeatedItem, field.span(), format!("`{path}` is set twice"))
+                    .note_at(first, "it is set first here");
+            }
+        }
+    }
+
+    fn check_field(&mut self, outer: ScopeId, definition: &'a Definition, field: &'a Field) {
+        let Some((last, parts)) = field.path.split_last() else { return };
+        let mut definition = definition;
+        for part in parts {
+            let inner = part_named(&definition.items, &part.ident.text);
+            let Some(inner) = inner.and_then(|kind| self.library.get(kind)) else {
+                let (name, text) = (&definition.name.text, &part.ident.text);
+                let message = format!("the part `{name}` contains no `{text}`");
+                self.error(outer, Code::UnknownField, part.ident.span, message);
+                return;
+            };
+            definition = inner;
+        }
+        let text = last.ident.text.as_str();
+        let known: Vec<&str> = definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+        if !known.contains(&text) {
+            let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
+            let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
+            help_similar(diagnostic, text, "parameter", "parameters", &known);
+        } else if let Some(span) = field.locked.filter(|_| !is_state(&definition.items, text)) {
+            self.error(
+                outer,
+                Code::MisplacedItem,
+                span,
+                format!("`{text}` is no state, and cannot be locked"),
+            );
+        }
+    }
+}
+
+/// The kind of the part of a name among items.
+fn part_named<'a>(items: &'a [Item], name: &str) -> Option<&'a str> {
+    items.iter().find_map(|item| match &item.kind {
+        ItemKind::Instance(instance) if instance.name.ident.text == name => Some(instance.kind.text.as_str()),
+        ItemKind::Repeat(repeat) => part_named(&repeat.items, name),
+        _ => None,
+    })
+}
+
+fn field_name(item: &ItemKind) -> Option<&str> {
+    match item {
+        ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
+            Some(&value.name.ident.text)
+        }
+        ItemKind::Choice(choice) => Some(&choice.name.text),
+        _ => None,
+    }
+}
+
+fn is_state(items: &[Item], name: &str) -> bool {
+    items.iter().any(|item| matches!(&item.kind, ItemKind::State(value) if value.name.ident.text == name))
+}

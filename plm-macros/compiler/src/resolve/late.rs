@@ -1,0 +1,131 @@
+//! What is known last: rates of states, and sums at nodes. Symbols stood for them; here they take their places.
+
+use std::collections::BTreeSet;
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::node::NodeState;
+use crate::diag::Code;
+use crate::model::{Load, Output, State};
+use crate::span::Span;
+
+/// A value that a symbol stood for.
+struct Late {
+    symbol: Expr,
+    value: Expr,
+    /// What it is, for messages.
+    what: String,
+    span: Span,
+}
+
+impl Resolver<'_> {
+    /// Puts rates and sums where symbols stood for them.
+    pub(super) fn put_late(&mut self, states: &mut [State], loads: &mut [Load], outputs: &mut [Output]) {
+        if states.len() < self.states.len() || self.sink.has_errors() {
+            return;
+        }
+        let mut late = self.late(states);
+        let mut places: Vec<&mut Expr> = Vec::new();
+        places.extend(states.iter_mut().map(|state| &mut state.rate));
+        places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
+        places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
+        let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
+        self.add_rates_of_sums(&roots, &mut late);
+        if late.is_empty() || !self.close(&mut late) {
+            return;
+        }
+        let pairs: Vec<(Expr, Expr)> = late.iter().map(|of| (of.symbol, of.value)).collect();
+        for (place, root) in places.into_iter().zip(self.graph.substitute(&roots, &pairs)) {
+            *place = root;
+        }
+    }
+
+    fn late(&mut self, states: &[State]) -> Vec<Late> {
+        let rates = self.states.iter().zip(states).map(|(state, found)| Late {
+            symbol: state.stand_in,
+            value: found.rate,
+            what: format!("the rate of `{}`", found.name.text),
+            span: found.name.span,
+        });
+        let mut late: Vec<Late> = rates.collect();
+        for node in &self.nodes {
+            for through in &node.through {
+                let value = self.graph.sum(&through.terms);
+                let what = format!("what acts on `{}`", node.name);
+                late.push(Late { symbol: through.symbol, value, what, span: node.span });
+            }
+        }
+        late
+    }
+
+    /// Rates of sums, of those sums whose rate is read. What is read by one may be read by it alone.
+    fn add_rates_of_sums(&mut self, roots: &[Expr], late: &mut Vec<Late>) {
+        let mut open: Vec<(usize, usize)> = Vec::new();
+        for (node, state) in self.nodes.iter().enumerate() {
+            open.extend((0..state.through.len()).map(|k| (node, k)));
+        }
+        loop {
+            let mut read: Vec<Expr> = roots.to_vec();
+            read.extend(late.iter().map(|of| of.value));
+            let read: BTreeSet<Expr> = self.graph.symbols(&read).into_iter().collect();
+            let is_read = |&(node, k): &(usize, usize)| read.contains(&self.nodes[node].through[k].rate);
+            let (now, later): (Vec<_>, Vec<_>) = open.into_iter().partition(is_read);
+            if now.is_empty() {
+                return;
+            }
+            open = later;
+            for (node, k) in now {
+                late.extend(self.rate_of_sum(node, k));
+            }
+        }
+    }
+
+    fn rate_of_sum(&mut self, node: usize, k: usize) -> Option<Late> {
+        let sum = self.graph.sum(&self.nodes[node].through[k].terms);
+        let value = self.total_derivative(sum);
+        let NodeState { name, span, scope, .. } = &self.nodes[node];
+        let (what, span, scope) = (format!("the rate of what acts on `{name}`"), *span, *scope);
+        let inputs = self.input_symbols.clone();
+        let accelerations: Vec<Expr> = self.bodies.iter().flat_map(|body| body.a).collect();
+        if self.holds_any(sum, &inputs) {
+            self.error(scope, Code::NoRate, span, format!("{what} is not known: it reads inputs"))
+                .note("inputs are held over a step; a `state` has a rate");
+            return None;
+        }
+        if self.holds_any(value, &accelerations) {
+            self.error(scope, Code::Feedback, span, format!("{what} reads accelerations"));
+            return None;
+        }
+        Some(Late { symbol: self.nodes[node].through[k].rate, value, what, span })
+    }
+
+    /// Frees the late values of the symbols of others. One may hold another: as many rounds as there are values reach the
+    /// last in a row. False if one needs itself.
+    fn close(&mut self, late: &mut [Late]) -> bool {
+        let symbols: Vec<Expr> = late.iter().map(|of| of.symbol).collect();
+        let mut values: Vec<Expr> = late.iter().map(|of| of.value).collect();
+        for _ in 0..symbols.len() {
+            let pairs: Vec<(Expr, Expr)> = symbols.iter().copied().zip(values.iter().copied()).collect();
+            let next = self.graph.substitute(&values, &pairs);
+            if next == values {
+                break;
+            }
+            values = next;
+        }
+        let circle = |k: &usize| self.holds_any(values[*k], &symbols[*k..=*k]);
+        if let Some(k) = (0..values.len()).find(circle) {
+            let message = format!("{} needs itself", late[k].what);
+            self.error(0, Code::Cycle, late[k].span, message);
+            return false;
+        }
+        for (of, value) in late.iter_mut().zip(values) {
+            of.value = value;
+        }
+        true
+    }
+
+    fn holds_any(&self, expr: Expr, symbols: &[Expr]) -> bool {
+        self.graph.symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
+    }
+}

@@ -1,0 +1,232 @@
+//! Nodes: where parts of one domain meet.
+//!
+//! A storage gives a node its across quantity (a pressure, a position); what acts on the node adds to its through
+//! quantities (flows, forces), which the storage reads. Until everything that acts is known, a symbol stands for the sum.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::expect::Wanted;
+use super::scope::{ScopeId, Thunk};
+use super::value::{Eval, Failed, Nature, Reads, Value};
+use crate::diag::{Code, help_similar};
+use crate::span::Span;
+use crate::syntax::ast::{self, Domain, Ident};
+
+/// A node.
+#[derive(Debug)]
+pub(super) struct NodeState<'a> {
+    domain: &'a Domain,
+    /// Full name, `cylinder.cap`.
+    pub(super) name: String,
+    pub(super) scope: ScopeId,
+    pub(super) span: Span,
+    /// Its across quantity, once it has been evaluated.
+    across: Option<(Expr, Nature)>,
+    /// In the order of its domain.
+    pub(super) through: Vec<ThroughState>,
+}
+
+/// A through quantity at a node.
+#[derive(Debug)]
+pub(super) struct ThroughState {
+    /// Stands for the sum.
+    pub(super) symbol: Expr,
+    /// Stands for its rate.
+    pub(super) rate: Expr,
+    /// What adds up.
+    pub(super) terms: Vec<Expr>,
+}
+
+/// What a sum is taken to read before its terms are known: what lets it stand in forces and rates, but in no constraint.
+const SUM: Reads = Reads::STATE.and(Reads::POSITION).and(Reads::TIME);
+
+impl<'a> Resolver<'a> {
+    /// `node name: kind = expr;`
+    pub(super) fn declare_node(&mut self, scope: ScopeId, ast: &'a ast::Node) {
+        if self.needs_index(scope, &ast.name) {
+            return;
+        }
+        let Ok(key) = self.key(scope, &ast.name) else { return };
+        let span = ast.name.ident.span;
+        let slot = match self.wanted_at(scope, &ast.kind) {
+            Ok(Wanted::Port(domain)) => {
+                let node = self.new_node(scope, domain, &key, span);
+                let wanted = Wanted::Node(node);
+                self.waiting_slot(span, Thunk { scope, expr: &ast.value, wanted })
+            }
+            Ok(wanted) => self.waiting_slot(span, Thunk { scope, expr: &ast.value, wanted }),
+            Err(Failed) => self.failed_slot(span),
+        };
+        self.checks.push(slot);
+        let home = self.home(scope);
+        if self.scopes[home].instance.is_some() {
+            self.scopes[home].outputs.insert(key.clone(), slot);
+        }
+        self.bind(scope, &ast.name.ident, key, slot);
+    }
+
+    /// What a kind of port wants: `frame`, `body`, or a node of a domain.
+    pub(super) fn wanted_at(&mut self, scope: ScopeId, kind: &Ident) -> Eval<Wanted> {
+        match kind.text.as_str() {
+            "frame" => return Ok(Wanted::Frame),
+            "body" => return Ok(Wanted::Body),
+            name => {
+                if let Some(domain) = self.library.domain(name) {
+                    return Ok(Wanted::Port(self.domain_index(domain)));
+                }
+            }
+        }
+        let mut names = vec!["frame", "body"];
+        names.extend(self.library.domains());
+        let message = format!("unknown kind of port `{}`", kind.text);
+        let diagnostic = self.error(scope, Code::WrongKind, kind.span, message);
+        help_similar(diagnostic, &kind.text, "kind", "kinds", &names);
+        Err(Failed)
+    }
+
+    fn domain_index(&mut self, domain: &'a Domain) -> usize {
+        let known = self.domains.iter().position(|known| std::ptr::eq(*known, domain));
+        known.unwrap_or_else(|| {
+            self.domains.push(domain);
+            self.domains.len() - 1
+        })
+    }
+
+    fn new_node(&mut self, scope: ScopeId, domain: usize, key: &str, span: Span) -> usize {
+        let domain = self.domains[domain];
+        let name = format!("{}{key}", self.prefix(scope));
+        let through = domain.through.iter().map(|quantity| {
+            let symbol = self.graph.symbol(&format!("{}_of_{name}", quantity.name.text));
+            let rate = self.graph.symbol(&format!("rate_{}_of_{name}", quantity.name.text));
+            self.directions.insert(symbol, rate);
+            ThroughState { symbol, rate, terms: Vec::new() }
+        });
+        let through = through.collect();
+        self.nodes.push(NodeState { domain, name, scope, span, across: None, through });
+        self.nodes.len() - 1
+    }
+
+    /// A node where a port of a domain is wanted.
+    pub(super) fn port_of_domain(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        value: Value,
+        domain: usize,
+    ) -> Eval<Value> {
+        match value {
+            Value::Node(node) if std::ptr::eq(self.nodes[node].domain, self.domains[domain]) => Ok(value),
+            other => Err(self.not_of_domain(scope, expr, &other, self.domains[domain])),
+        }
+    }
+
+    /// What a node is declared as: another name of a node, or its across quantity.
+    pub(super) fn value_of_node(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        value: Value,
+        node: usize,
+    ) -> Eval<Value> {
+        let domain = self.nodes[node].domain;
+        match value {
+            Value::Node(other) if std::ptr::eq(self.nodes[other].domain, domain) => Ok(value),
+            Value::Scalar(..) => {
+                let wanted = Wanted::Number(domain.across.unit.dimension, Reads::CAUSES);
+                if let Value::Scalar(across, nature) = self.wanted(scope, expr, value, wanted)? {
+                    let nature = Nature::derived(nature.dimension, nature.reads);
+                    self.nodes[node].across = Some((across, nature));
+                }
+                Ok(Value::Node(node))
+            }
+            other => Err(self.not_of_domain(scope, expr, &other, domain)),
+        }
+    }
+
+    fn not_of_domain(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value, domain: &Domain) -> Failed {
+        let what = match found {
+            Value::Node(node) => format!("a port of the domain `{}`", self.nodes[*node].domain.name.text),
+            other => other.kind().to_string(),
+        };
+        let message = format!("expected a port of the domain `{}`, found {what}", domain.name.text);
+        let ports = match found {
+            Value::Instance(instance) => self.ports_of_domain(*instance, domain),
+            _ => Vec::new(),
+        };
+        let diagnostic = self.error(scope, Code::WrongKind, expr.span, message);
+        if !ports.is_empty() {
+            diagnostic.help(format!("name one of its ports: {}", ports.join(", ")));
+        }
+        Failed
+    }
+
+    /// Names of the ports that a part shows, of one domain.
+    fn ports_of_domain(&self, instance: usize, domain: &Domain) -> Vec<String> {
+        let prefix = format!("{}.", self.instances[instance].name);
+        let nodes = self.nodes.iter().filter(|node| std::ptr::eq(node.domain, domain));
+        let names = nodes.filter_map(|node| node.name.strip_prefix(&prefix));
+        names.filter(|name| !name.contains('.')).map(ToString::to_string).collect()
+    }
+
+    /// `node.pressure`, `node.flow`
+    pub(super) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
+        let state = &self.nodes[node];
+        if state.domain.across.name.text == name {
+            return state.across.map(|(across, nature)| Value::Scalar(across, nature));
+        }
+        let through = state.domain.through.iter().position(|quantity| quantity.name.text == name)?;
+        let nature = Nature::derived(state.domain.through[through].unit.dimension, SUM);
+        Some(Value::Scalar(state.through[through].symbol, nature))
+    }
+
+    /// Names of the members of a node.
+    pub(super) fn members_of_node(&self, node: usize) -> Vec<&'a str> {
+        let domain = self.nodes[node].domain;
+        let through = domain.through.iter().map(|quantity| quantity.name.text.as_str());
+        std::iter::once(domain.across.name.text.as_str()).chain(through).collect()
+    }
+
+    /// The node behind `from`: of the same domain.
+    pub(super) fn other_node(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        value: Value,
+        node: usize,
+    ) -> Eval<usize> {
+        match value {
+            Value::Node(other) if std::ptr::eq(self.nodes[other].domain, self.nodes[node].domain) => {
+                Ok(other)
+            }
+            found => Err(self.not_of_domain(scope, expr, &found, self.nodes[node].domain)),
+        }
+    }
+
+    /// Adds what acts on a node, and its opposite on another.
+    pub(super) fn act(
+        &mut self,
+        scope: ScopeId,
+        ast: &'a ast::Load,
+        node: usize,
+        from: Option<usize>,
+    ) -> Eval<()> {
+        let domain = self.nodes[node].domain;
+        let name = &ast.quantity;
+        let Some(k) = domain.through.iter().position(|of| of.name.text == name.text) else {
+            let names: Vec<&str> = domain.through.iter().map(|of| of.name.text.as_str()).collect();
+            let message =
+                format!("`{}` does not act on a port of the domain `{}`", name.text, domain.name.text);
+            let diagnostic = self.error(scope, Code::UnknownMember, name.span, message);
+            help_similar(diagnostic, &name.text, "quantity", "what acts on it", &names);
+            return Err(Failed);
+        };
+        let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::CAUSES)?;
+        self.nodes[node].through[k].terms.push(value);
+        if let Some(from) = from {
+            let opposite = self.graph.neg(value);
+            self.nodes[from].through[k].terms.push(opposite);
+        }
+        Ok(())
+    }
+}
