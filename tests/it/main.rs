@@ -5,6 +5,7 @@
 
 mod assembly;
 mod derivatives;
+mod feedback;
 mod language;
 mod linkages;
 mod manual;

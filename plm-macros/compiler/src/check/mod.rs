@@ -127,7 +127,7 @@ pub(crate) fn check_assembly(
     } else {
         redundant_joints(model, &joints, diagnostics);
         check_velocities(model, &found, diagnostics);
-        start::check_start(model, equations, graph, &values, &found, diagnostics);
+        start::check_start(model, equations, graph, (program, &values), &found, diagnostics);
     }
 }
 

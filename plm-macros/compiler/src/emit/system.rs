@@ -284,12 +284,18 @@ fn solved(text: &mut String, emission: &Emission) {
     let (nq, nc) = (equations.q.len(), equations.phi.len());
     let length = 2 * nq + equations.x.len();
     let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
+    // Forces that read the unknowns are known for independent constraints alone.
+    let refusal = if crate::derive::feeds_back(emission.model, emission.graph) {
+        format!("            return Err(Fault::new(t.to_f64(), rt::Cause::Singular {{ rows: {nc} }}));\n")
+    } else {
+        String::new()
+    };
     push(text, format_args!(
         "    impl<S: Real> {name}<S> {{
         /// Accelerations and multipliers by a rank-revealing decomposition.
         #[cold]
         fn accelerate(&self, t: S, u: &Input<S>, x: &[S; {length}]) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {{
-            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
+{refusal}            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
             let (mut force, mut gamma) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
             self.free(t, u, x, &mut force, &mut gamma);
             let (mut inverse_mass, mut phi_q) = ([S::lit(0.0); {nq}], [[S::lit(0.0); {nq}]; {nc}]);

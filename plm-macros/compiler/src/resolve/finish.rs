@@ -184,7 +184,7 @@ impl<'a> Resolver<'a> {
                 continue;
             };
             let dimension = unit.dimension.over(Dimension::TIME);
-            let rate = self.eval_number(scope, rate, dimension, Reads::CAUSES);
+            let rate = self.eval_number(scope, rate, dimension, Reads::ALL);
             if let (Ok(start), Ok(rate)) = (start, rate) {
                 let symbol = self.states[k].symbol;
                 states.push(State { name, symbol, rate, start, locked, unit });

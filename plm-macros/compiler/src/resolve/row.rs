@@ -144,10 +144,10 @@ impl<'a> Resolver<'a> {
         };
         let value = match ast.quantity.text.as_str() {
             "torque" => {
-                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::CAUSES).map(Applied::Torque)
+                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::ALL).map(Applied::Torque)
             }
             "force" => self
-                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES)
+                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::ALL)
                 .map(|(force, _)| Applied::Force(force)),
             other => {
                 let message = format!("`{other}` does not act on a frame");
