@@ -19,6 +19,7 @@ mod output;
 mod rate;
 mod row;
 mod scope;
+mod shape;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
