@@ -22,6 +22,7 @@ mod output;
 mod rate;
 mod row;
 mod scope;
+mod shape;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
