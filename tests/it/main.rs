@@ -13,6 +13,7 @@ mod operations;
 mod oracle;
 mod physics;
 mod reach;
+mod reactions;
 mod references;
 mod robust;
 mod rungs;
