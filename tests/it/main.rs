@@ -4,6 +4,7 @@
 #![allow(clippy::approx_constant, reason = "the manual prints what it prints")]
 
 mod assembly;
+mod compliance;
 mod derivatives;
 mod language;
 mod linkages;

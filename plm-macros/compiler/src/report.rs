@@ -168,6 +168,17 @@ impl std::fmt::Display for Report {
 
 /// The rung, and why it was taken.
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
+    let mut lines = rung(model, reduced);
+    let mut giving: Vec<&str> =
+        model.compliant.iter().map(|row| model.parts[row.part].name.text.as_str()).collect();
+    giving.dedup();
+    if !giving.is_empty() {
+        lines.push(format!("Forces of a compliance instead of constraints: {}.", giving.join(", ")));
+    }
+    lines
+}
+
+fn rung(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     match reduced {
         Ok(reduced) => joint_coordinates(reduced),
         Err(reason) => {

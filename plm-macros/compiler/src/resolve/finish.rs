@@ -25,9 +25,11 @@ impl<'a> Resolver<'a> {
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
         self.put_rates(&mut states, &mut loads, &mut outputs);
+        let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut outputs));
         if self.sink.has_errors() {
             return None;
         }
+        let (rows, compliant) = rows.ok()?;
         Some(Model {
             name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
             visibility: mechanism.visibility.clone(),
@@ -43,7 +45,8 @@ impl<'a> Resolver<'a> {
             bodies: bodies.ok()?,
             ground: ground.ok()?,
             parts: self.parts,
-            rows: rows.ok()?,
+            rows,
+            compliant,
             loads,
             states,
             outputs,

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::Resolver;
+use super::compliance::WORDS;
 use super::expect::Wanted;
 use super::scope::{ScopeId, SlotId, Thunk};
 use super::value::{Reads, Value};
@@ -172,7 +173,11 @@ impl<'a> Resolver<'a> {
         if ast.fields.is_empty() {
             return;
         }
-        let known: Vec<&str> = definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+        let mut known: Vec<&str> =
+            definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+        if definition.is_joint {
+            known.extend(WORDS);
+        }
         for (k, (name, _)) in ast.fields.iter().enumerate() {
             let text = name.text.as_str();
             if !known.contains(&text) {
@@ -188,10 +193,15 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn field(&self, id: usize, name: &str) -> Option<(ScopeId, &'a ast::Ident, &'a ast::Expr)> {
+    pub(super) fn field(&self, id: usize, name: &str) -> Option<(ScopeId, &'a ast::Ident, &'a ast::Expr)> {
         let instance = &self.instances[id];
         let (ident, value) = instance.ast.fields.iter().find(|(ident, _)| ident.text == name)?;
         Some((instance.outer, ident, value))
+    }
+
+    /// Does the definition of a part have a field of this name?
+    pub(super) fn has_field(&self, id: usize, name: &str) -> bool {
+        self.instances[id].definition.items.iter().any(|item| field_name(&item.kind) == Some(name))
     }
 
     /// The value of a param or an input of a part: as the use sets it, else its default.
