@@ -16,6 +16,7 @@ mod outputs;
 mod piece;
 mod reduced;
 mod sides;
+mod solved;
 mod system;
 mod types;
 
@@ -24,7 +25,7 @@ use std::fmt::Write;
 use plm_cas::{Expr, Graph};
 
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Reduced};
+use crate::formulate::{Absolute, Function, Reduced};
 use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
@@ -188,6 +189,16 @@ impl Emission<'_> {
     /// The mechanism, if its loops are solved in charts.
     pub(crate) fn loops(&self) -> Option<&Reduced> {
         self.reduced.filter(|reduced| reduced.has_loops())
+    }
+
+    /// Accelerations and multipliers of a tree; where there are none, rung 5 gives them.
+    pub(crate) fn reactions(&self) -> Option<&Function> {
+        self.reduced?.first()?.reactions.as_ref()
+    }
+
+    /// Does an output read accelerations or multipliers?
+    pub(crate) fn reads_solution(&self) -> bool {
+        self.program.outputs.user.iter().any(|output| output.solves)
     }
 
     /// The inputs, where `u` is what is held over a step.

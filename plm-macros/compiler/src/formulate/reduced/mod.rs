@@ -17,6 +17,7 @@ mod memory;
 mod motion;
 mod newton;
 mod plane;
+mod reactions;
 mod redundant;
 mod rows;
 mod single;
@@ -99,6 +100,8 @@ pub(crate) struct Chart {
     pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
+    /// `a` of all bodies and `lambda` of all rows; of trees alone.
+    pub(crate) reactions: Option<Function>,
     /// `x` of a state in absolute coordinates.
     pub(crate) project: Function,
     /// `memory` of a state, returning the same as `rate`; of loops alone.
@@ -197,6 +200,7 @@ impl Layout<'_> {
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
         let survey = loops.then(|| self.survey(scheme));
+        let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
                 group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect();
@@ -214,6 +218,7 @@ impl Layout<'_> {
             y_dot: of_drivers(&motion.rate),
             method,
             rate,
+            reactions,
             guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
