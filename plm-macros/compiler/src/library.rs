@@ -12,11 +12,14 @@ use crate::token::Sources;
 
 /// Name of each part of the library and the file that defines it.
 pub(crate) const PARTS: &[(&str, &str)] = &[
+    ("attached_mass", include_str!("../parts/attached_mass.plm")),
+    ("attached_rotor", include_str!("../parts/attached_rotor.plm")),
     ("force", include_str!("../parts/force.plm")),
     ("jack", include_str!("../parts/jack.plm")),
     ("pin_slot", include_str!("../parts/pin_slot.plm")),
     ("prismatic", include_str!("../parts/prismatic.plm")),
     ("revolute", include_str!("../parts/revolute.plm")),
+    ("rotor", include_str!("../parts/rotor.plm")),
     ("sliding_mass", include_str!("../parts/sliding_mass.plm")),
     ("spring", include_str!("../parts/spring.plm")),
     ("weld", include_str!("../parts/weld.plm")),
