@@ -3,6 +3,7 @@
 //! The source is text, not token trees: rustc's own lexer reads it in a fraction of the time that building token trees
 //! takes in an unoptimised macro, and it can be read as it stands (`cargo run -p plm-compiler --example dump`).
 
+mod augmented;
 mod blocks;
 mod bodies;
 mod charts;
@@ -136,6 +137,7 @@ pub(crate) fn emit(
     implementation.push_str(&linear::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
+    augmented::emit(&mut implementation, &emission);
     sides::instants(&mut implementation, &emission);
     Code {
         before: before(model),
@@ -267,6 +269,9 @@ impl Emission<'_> {
                 bind(&chart.y_dot, state, chart.y.len());
                 bind(&equations.x, state, 2 * chart.y.len());
                 bind(&reduced.memory, "m", 0);
+                if let Some(augmented) = &chart.augmented {
+                    bind(&augmented.accelerations, "dx", chart.y.len());
+                }
             }
             _ => {
                 bind(&equations.q, state, 0);
