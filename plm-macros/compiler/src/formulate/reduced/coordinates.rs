@@ -77,6 +77,14 @@ pub(crate) struct Hold {
 }
 
 impl Coordinates {
+    /// Does anything move with the time, whatever the coordinates do?
+    pub(crate) fn moves_with(&self, time: Expr, graph: &mut Graph) -> bool {
+        let chains = self.closures.iter().chain(&self.centres);
+        let vectors = chains.flat_map(|chain| chain.terms().flat_map(|(_, _, vector)| vector));
+        let all: Vec<Expr> = vectors.chain(self.rows.iter().map(|row| row.rest)).collect();
+        graph.symbols(&all).contains(&time)
+    }
+
     /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors

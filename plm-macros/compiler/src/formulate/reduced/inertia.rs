@@ -16,12 +16,14 @@ use super::plane::{self, Vec2};
 use crate::model::Model;
 
 /// `M a = Q` for the second derivatives `a` of the coordinates.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Dense {
     /// Lower entries of M, (row, column) with `row >= column`; what is absent is zero.
     pub(crate) mass: BTreeMap<(usize, usize), Expr>,
-    /// Forces less what the velocities ask for.
+    /// Forces; without a pace, less what the velocities ask for.
     pub(crate) force: Vec<Expr>,
+    /// With a pace, what the velocities ask for over its square.
+    pub(crate) turning: Vec<Expr>,
 }
 
 /// `factor R(theta_class) vector`.
@@ -46,16 +48,20 @@ pub(crate) fn dense(
     let mut mass: BTreeMap<(usize, usize), Products> = BTreeMap::new();
     let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
     let mut inertial: Vec<Products> = (0..count).map(|_| Products::new()).collect();
+    let mut turning: Vec<Products> = (0..count).map(|_| Products::new()).collect();
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
         let columns = partial_velocities(coordinates, motion, &coordinates.centres[body], graph);
+        let weight = [Term { class: 0, factor: model.gravity, vector: [graph.zero(), graph.one()] }];
         let bias = bias(model, motion, &coordinates.centres[body], graph);
         for (k, (i, left)) in columns.iter().enumerate() {
             for (j, right) in &columns[..=k] {
                 let entry = mass.entry((*i, *j)).or_default();
                 multiply(graph, entry, declared.mass, left, right);
             }
-            multiply(graph, &mut inertial[*i], declared.mass, left, &bias);
+            multiply(graph, &mut inertial[*i], declared.mass, left, &weight);
+            let moving = if motion.pace.is_some() { &mut turning } else { &mut inertial };
+            multiply(graph, &mut moving[*i], declared.mass, left, &bias);
             let [fx, fy, _] = force[body];
             for term in left {
                 let along = motion.turned(graph, term.class, term.vector);
@@ -84,7 +90,22 @@ pub(crate) fn dense(
         let applied = graph.sum(&applied);
         graph.sub(applied, against)
     });
-    Dense { mass: entries, force: force.collect() }
+    let force = force.collect();
+    let turning = turning.into_iter().map(|products| collect(graph, motion, products)).collect();
+    Dense { mass: entries, force, turning }
+}
+
+impl Dense {
+    /// Forces less what the velocities ask for.
+    pub(crate) fn right_hand_side(&self, motion: &Motion, graph: &mut Graph) -> Vec<Expr> {
+        let Some(pace) = motion.pace else { return self.force.clone() };
+        let square = graph.powi(pace, 2);
+        let each = self.force.iter().zip(&self.turning).map(|(&force, &turning)| {
+            let turning = graph.mul(square, turning);
+            graph.sub(force, turning)
+        });
+        each.collect()
+    }
 }
 
 /// The equations of the coordinates alone: `K^T M K` and `K^T (Q - M b)`.
@@ -92,9 +113,15 @@ pub(crate) fn along_drivers(dense: &Dense, motion: &Motion, graph: &mut Graph) -
     let (n, drivers) = (dense.force.len(), motion.drivers.len());
     let gains = |driver: usize| (0..n).map(|unknown| motion.gain[unknown][driver]).collect::<Vec<Expr>>();
     let pushed = times(dense, &motion.bias, graph);
-    let left: Vec<Expr> =
-        dense.force.iter().zip(&pushed).map(|(&force, &push)| graph.sub(force, push)).collect();
-    let (mut mass, mut force) = (BTreeMap::new(), Vec::new());
+    let mut left = dense.clone();
+    for k in 0..n {
+        if motion.pace.is_some() {
+            left.turning[k] = graph.add(left.turning[k], pushed[k]);
+        } else {
+            left.force[k] = graph.sub(left.force[k], pushed[k]);
+        }
+    }
+    let (mut mass, mut force, mut turning) = (BTreeMap::new(), Vec::new(), Vec::new());
     for j in 0..drivers {
         let column = gains(j);
         let moved = times(dense, &column, graph);
@@ -104,9 +131,10 @@ pub(crate) fn along_drivers(dense: &Dense, motion: &Motion, graph: &mut Graph) -
                 mass.insert((i, j), entry);
             }
         }
-        force.push(product(graph, &column, &left));
+        force.push(product(graph, &column, &left.force));
+        turning.push(product(graph, &column, &left.turning));
     }
-    Dense { mass, force }
+    Dense { mass, force, turning }
 }
 
 /// `M u`.
@@ -148,11 +176,11 @@ fn partial_velocities(
     columns.into_iter().collect()
 }
 
-/// The acceleration of a place while the second derivatives of the coordinates are zero, less that of gravity.
+/// The acceleration of a place while the second derivatives of the coordinates are zero; with a pace, over its square.
 fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec<Term> {
-    let mut terms = vec![Term { class: 0, factor: model.gravity, vector: [graph.zero(), graph.one()] }];
+    let mut terms = Vec::new();
     for (class, slide, vector) in place.terms() {
-        let omega = motion.omega[class];
+        let omega = motion.turning[class];
         let squared = graph.powi(omega, 2);
         let inward = vector.map(|component| graph.neg(component));
         let factor = match slide {
@@ -162,7 +190,7 @@ fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec
         terms.push(Term { class, factor, vector: inward });
         if let Some(slide) = slide {
             // Coriolis: 2 omega s'.
-            let turning = graph.mul(omega, motion.rate[slide]);
+            let turning = graph.mul(omega, motion.sliding(slide));
             let factor = graph.add(turning, turning);
             terms.push(Term { class, factor, vector: plane::left(graph, vector) });
         }

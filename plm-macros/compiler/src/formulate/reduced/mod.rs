@@ -305,10 +305,10 @@ fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr
         *entry = graph.define(&format!("m_{i}_{j}"), *entry);
     }
     let force: Vec<Expr> = dense
-        .force
-        .iter()
+        .right_hand_side(motion, graph)
+        .into_iter()
         .enumerate()
-        .map(|(i, &force)| graph.define(&format!("force_{i}"), force))
+        .map(|(i, force)| graph.define(&format!("force_{i}"), force))
         .collect();
     let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect();
     let at = |key| mass.get(&key).copied();
