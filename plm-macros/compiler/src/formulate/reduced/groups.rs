@@ -104,7 +104,7 @@ impl Group {
             }
             Group::Dyad(dyad) => {
                 let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
-                let solution = dyad.solve(coordinates, motion, predicted, graph);
+                let solution = dyad.solve(coordinates, motion, predicted, time, graph);
                 loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
                 solution
             }

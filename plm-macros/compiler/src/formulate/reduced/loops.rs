@@ -45,6 +45,9 @@ pub(crate) fn differentiate_dyad(
 ) {
     let reciprocal = graph.recip(solution.determinant);
     let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
+    if let Some((link, own)) = &solution.link {
+        return link.differentiate(coordinates, motion, (dyad, own), reciprocal, graph);
+    }
     let [first, second] = solution.columns;
     let cramer = |sum: Vec2, graph: &mut Graph| {
         let minors = [plane::cross(graph, second, sum), plane::cross(graph, sum, first)];

@@ -2,6 +2,7 @@
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod articulated;
+mod bases;
 mod chain;
 mod charts;
 mod coordinates;
@@ -11,6 +12,7 @@ mod elimination;
 mod forms;
 mod groups;
 mod inertia;
+mod link;
 mod looks;
 mod loops;
 mod memory;

@@ -2,6 +2,7 @@
 
 use plm_cas::{Expr, Graph};
 
+use super::bases::Bases;
 use super::chain::Chain;
 use super::charts::Scheme;
 use super::coordinates::{Coordinates, Heading, Unknown};
@@ -35,6 +36,8 @@ pub(crate) struct Motion {
     pub(crate) pace: Option<Expr>,
     /// Cosine and sine of each class.
     pub(crate) axis: Vec<Vec2>,
+    /// Vectors that turn with the classes, and their products.
+    pub(crate) bases: Bases,
     /// Angular velocity of each class.
     pub(crate) omega: Vec<Expr>,
     /// The same; with a pace, over it.
@@ -117,6 +120,7 @@ impl Motion {
             bias: zeros,
             pace: None,
             axis: vec![[graph.one(), graph.zero()]; classes],
+            bases: Bases::default(),
             omega: vec![graph.zero(); classes],
             turning: vec![graph.zero(); classes],
             position: Vec::new(),
@@ -237,11 +241,6 @@ impl Motion {
             self.position[body] = named(graph, position, ["x", "y"]);
             self.velocity[body] = named(graph, velocity, ["vx", "vy"]);
         }
-    }
-
-    /// A vector in the axes of a class, in absolute axes.
-    pub(crate) fn turned(&self, graph: &mut Graph, class: usize, vector: Vec2) -> Vec2 {
-        plane::turn(graph, self.axis[class], vector)
     }
 
     /// Cosine and sine of a body's own angle.
