@@ -96,7 +96,8 @@ impl Link {
         motion.bases.insert_products((self.class, own.p), with_p);
         if own.rr.is_some() {
             let sum = plane::add(graph, self.known, with_p);
-            let with_r = named(plane::negated(graph, sum), 1, graph);
+            let sum = named(sum, 1, graph);
+            let with_r = plane::negated(graph, sum);
             motion.bases.insert_products((self.class, own.r.0), with_r);
             motion.bases.insert_products((own.p, own.r.0), [own.pr, determinant]);
         }

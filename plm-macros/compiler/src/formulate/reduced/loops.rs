@@ -9,9 +9,10 @@ use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
 use super::coordinates::Coordinates;
-use super::dyad::{Dyad, Solution};
+use super::dyad::Dyad;
 use super::motion::Motion;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 
 /// Unknowns of one closure that have been found.
 pub(crate) struct Found<'a> {

@@ -22,6 +22,7 @@ mod plane;
 mod redundant;
 mod rows;
 mod single;
+mod solution;
 
 use plm_cas::{Expr, Graph};
 
@@ -272,7 +273,7 @@ impl Layout<'_> {
 }
 
 /// The smallest square of the measures of some loops.
-fn measure(solutions: &[dyad::Solution], graph: &mut Graph) -> Expr {
+fn measure(solutions: &[solution::Solution], graph: &mut Graph) -> Expr {
     let mut worst: Option<Expr> = None;
     for solution in solutions {
         let own = graph.div(solution.square, solution.scale);

@@ -6,9 +6,9 @@ use super::bases::Bases;
 use super::chain::Chain;
 use super::charts::Scheme;
 use super::coordinates::{Coordinates, Heading, Unknown};
-use super::dyad::Solution;
 use super::memory::Memory;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 use crate::model::{FrameRef, Model};
 
 /// Values of the unknowns and of all that follows from them, as expressions.
