@@ -129,7 +129,7 @@ pub(super) fn energy(text: &mut String, emission: &Emission) {
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
 /// instructions.
-const SHORT: usize = 200;
+const SHORT: usize = 300;
 
 /// `Rate` for any scalar, and the beginning of `System`: its types and its rate.
 pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, statements: &str) {
