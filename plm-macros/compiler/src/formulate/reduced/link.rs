@@ -4,7 +4,7 @@
 //! velocities and accelerations need are the scalar and the cross products of `a` with `p` and `r`, and of these with each
 //! other. With the dyad's `p = P m + Q J m`, `m = a + g`, the former follow from those of `a` with `m`. The rates of the
 //! dyad's angles over that of `a`, and the derivatives of these ratios (J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of
-//! Machines and Mechanisms, 4th ed., 2011, sections 3.12 and 4.12: kinematic coefficients) are
+//! Machines and Mechanisms, 4th ed., 2011, chapters 3 and 4: kinematic coefficients) are
 //!
 //! ```text
 //! u = (r x a) / D,    u' = (a r + u^2 p r + w^2 r r) / D
