@@ -127,10 +127,16 @@ pub(super) fn energy(text: &mut String, emission: &Emission) {
     );
 }
 
+/// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
+/// instructions.
+const SHORT: usize = 300;
+
 /// `Rate` for any scalar, and the beginning of `System`: its types and its rate.
 pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, statements: &str) {
     let (name, held, (length, _)) = (&emission.name, emission.held("S"), emission.state_length());
     let guards = emission.model.guards();
+    let short = emission.report.rate.total() <= SHORT;
+    let always = if short { "(always)" } else { "" };
     push(
         text,
         format_args!(
@@ -139,8 +145,9 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type X = [S; {length}];
         type U = {held};
         const NQ: usize = {coordinates};
+        const SHORT: bool = {short};
 
-        #[inline]
+        #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
             {statements}
         }}
@@ -152,8 +159,9 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type U = {held};
         type G = [S; {guards}];
         const NQ: usize = {coordinates};
+        const SHORT: bool = {short};
 
-        #[inline]
+        #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
             rt::lanes::Rate::rate(self, t, u, x, dx)
         }}

@@ -3,6 +3,7 @@
 
 mod articulated;
 mod augmented;
+mod bases;
 mod chain;
 mod charts;
 mod coordinates;
@@ -12,6 +13,7 @@ mod elimination;
 mod forms;
 mod groups;
 mod inertia;
+mod link;
 mod looks;
 mod loops;
 mod memory;
@@ -22,6 +24,7 @@ mod reactions;
 mod redundant;
 mod rows;
 mod single;
+mod solution;
 
 use plm_cas::{Expr, Graph};
 
@@ -283,7 +286,7 @@ impl Layout<'_> {
 }
 
 /// The smallest square of the measures of some loops.
-fn measure(solutions: &[dyad::Solution], graph: &mut Graph) -> Expr {
+fn measure(solutions: &[solution::Solution], graph: &mut Graph) -> Expr {
     let mut worst: Option<Expr> = None;
     for solution in solutions {
         let own = graph.div(solution.square, solution.scale);
@@ -318,10 +321,10 @@ fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr
         *entry = graph.define(&format!("m_{i}_{j}"), *entry);
     }
     let force: Vec<Expr> = dense
-        .force
-        .iter()
+        .right_hand_side(motion, graph)
+        .into_iter()
         .enumerate()
-        .map(|(i, &force)| graph.define(&format!("force_{i}"), force))
+        .map(|(i, force)| graph.define(&format!("force_{i}"), force))
         .collect();
     let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect();
     let at = |key| mass.get(&key).copied();
