@@ -35,8 +35,6 @@ pub trait Rate {
 
     /// Number of coordinates, as [`System::NQ`].
     const NQ: usize;
-    /// The rate is short, as [`System::SHORT`].
-    const SHORT: bool;
 
     /// The rate `dx` of the state, as straight-line code without pivoting.
     fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
@@ -82,7 +80,6 @@ impl<R: Rate> System for Unwatched<R> {
     type G = [R::S; 0];
 
     const NQ: usize = R::NQ;
-    const SHORT: bool = R::SHORT;
 
     #[allow(clippy::inline_always)]
     #[inline(always)]

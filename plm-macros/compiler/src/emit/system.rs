@@ -145,7 +145,6 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type X = [S; {length}];
         type U = {held};
         const NQ: usize = {coordinates};
-        const SHORT: bool = {short};
 
         #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
