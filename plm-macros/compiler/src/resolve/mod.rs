@@ -20,6 +20,7 @@ mod member;
 mod node;
 mod output;
 mod rate;
+mod require;
 mod row;
 mod scope;
 mod value;
@@ -37,6 +38,7 @@ use crate::units::DisplayUnit;
 use body::BodyState;
 use frame::PortState;
 use instance::InstanceState;
+use require::Requirement;
 use node::NodeState;
 use row::{LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
@@ -90,6 +92,7 @@ struct Resolver<'a> {
     instances: Vec<InstanceState<'a>>,
     parts: Vec<model::Part>,
     rows: Vec<RowState<'a>>,
+    requirements: Vec<Requirement<'a>>,
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
@@ -164,6 +167,7 @@ impl<'a> Resolver<'a> {
             instances: Vec::new(),
             parts: Vec::new(),
             rows: Vec::new(),
+            requirements: Vec::new(),
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),
