@@ -1,5 +1,6 @@
 //! What is read of a body, and how the start of its origin becomes that of its centre of gravity.
 
+use crate::axes::{to_absolute, turned};
 use crate::scalar::{Real, Scalar};
 use crate::start::{BodyStart, Start};
 
@@ -23,8 +24,7 @@ pub struct BodyState<S> {
 impl<S: Scalar> BodyState<S> {
     /// Absolute position of a point of the body that stands at (`x`, `y`) from G in the body's axes, m.
     pub fn point(&self, x: S, y: S) -> [S; 2] {
-        let (s, c) = self.angle.sin_cos();
-        [self.x + (c * x - s * y), self.y + (s * x + c * y)]
+        to_absolute([x, y], [self.x, self.y], self.angle)
     }
 }
 
@@ -42,12 +42,6 @@ impl<S: Real> BodyStart<S> {
         let omega = self.omega.value;
         [moved(self.vx, -(omega * dy)), moved(self.vy, omega * dx), self.omega]
     }
-}
-
-/// A vector of the body's axes in absolute axes.
-fn turned<S: Scalar>([x, y]: [S; 2], angle: S) -> [S; 2] {
-    let (s, c) = angle.sin_cos();
-    [c * x - s * y, s * x + c * y]
 }
 
 fn moved<S: Scalar>(start: Start<S>, by: S) -> Start<S> {

@@ -24,6 +24,7 @@
 #![no_std]
 
 pub mod absolute;
+mod axes;
 mod body;
 pub mod charts;
 pub mod dual;
@@ -43,6 +44,7 @@ pub mod system;
 pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
+pub use axes::{to_absolute, to_relative};
 pub use body::BodyState;
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};

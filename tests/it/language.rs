@@ -70,6 +70,24 @@ mod first_order {
     }
 }
 
+mod taken {
+    plm::mechanism! {
+        /// Outputs that are called like methods of the generated code.
+        pub Taken {
+            ground { port o: (0, 0) m; }
+            body wheel { mass: 1 kg; inertia: 2 kg*m^2; port o: (0, 0) m; start angle: 1 rad, locked; }
+            revolute bearing(ground.o, wheel.o);
+            output pose = wheel.angle, absolute = 2*wheel.angle, solved = 3*wheel.angle, time = t;
+        }
+    }
+}
+
+#[test]
+fn outputs_may_be_called_like_methods_of_the_generated_code() {
+    let sim = taken::Taken::new().start().unwrap();
+    assert_eq!(sim.outputs(), [1.0, 2.0, 3.0, 0.0]);
+}
+
 #[test]
 fn drawing_coordinates_place_the_body_as_the_manual_says() {
     let found = drawing::Drawn::new().assemble().unwrap();

@@ -85,6 +85,8 @@ const STATE_METHODS: &[&str] = &[
     "gravity_energy",
     "load_power",
     "outputs",
+    "pose",
+    "absolute",
     "solved",
     "undetermined",
     "branches",

@@ -4,6 +4,7 @@ use plm_cas::{Expr, Graph, Number};
 
 use super::Resolver;
 use super::scope::ScopeId;
+use super::shape;
 use super::value::{Eval, Failed, Form, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
@@ -31,8 +32,17 @@ const FUNCTIONS: &[(&str, usize, usize)] = &[
     ("cross", 2, 2),
     ("norm", 1, 1),
     ("turn", 2, 2),
+    ("to_absolute", 3, 3),
+    ("to_relative", 3, 3),
     ("rate", 1, 1),
     ("reaction", 1, 2),
+    ("rod", 2, 2),
+    ("disc", 2, 2),
+    ("hollow_cylinder", 3, 3),
+    ("thin_cylinder", 2, 2),
+    ("plate", 3, 3),
+    ("sphere", 2, 2),
+    ("thin_sphere", 2, 2),
 ];
 
 impl<'a> Resolver<'a> {
@@ -61,11 +71,15 @@ impl<'a> Resolver<'a> {
             "dot" | "cross" => self.vector_product(scope, name, arguments),
             "norm" => self.norm(scope, &arguments[0]),
             "turn" => self.turn(scope, &arguments[0], &arguments[1]),
+            "to_absolute" | "to_relative" => self.in_other_axes(scope, span, name, arguments),
             "table" => self.table(scope, span, arguments),
             "rate" => self.rate_of(scope, &arguments[0]),
             "reaction" => self.reaction(scope, arguments),
             "min" | "max" | "clamp" | "atan2" => self.of_one_dimension(scope, span, name, arguments),
-            _ => self.of_one_argument(scope, name, &arguments[0]),
+            _ => match shape::named(name) {
+                Some(shape) => self.moment_of_inertia(scope, shape, arguments),
+                None => self.of_one_argument(scope, name, &arguments[0]),
+            },
         }
     }
 
@@ -174,6 +188,32 @@ impl<'a> Resolver<'a> {
         let (by, of_angle) = self.eval_quantity(scope, angle, Dimension::ANGLE, Reads::ALL)?;
         let turned = turn(&mut self.graph, v, by);
         Ok(Value::Vector(turned, of_v.scaled(of_angle, of_v.dimension)))
+    }
+
+    /// A point given in relative axes in the absolute ones, or the other way: `(point, origin, angle)`, where origin and
+    /// angle (counter-clockwise) are those of the relative axes in the absolute ones. The manual's PLMCALCUL, section 4.8.
+    fn in_other_axes(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        name: &str,
+        arguments: &'a [ast::Expr],
+    ) -> Eval<Value> {
+        let point = self.vector(scope, &arguments[0]);
+        let origin = self.vector(scope, &arguments[1]);
+        let (angle, of_angle) = self.eval_quantity(scope, &arguments[2], Dimension::ANGLE, Reads::ALL)?;
+        let ((point, of_point), (origin, of_origin)) = (point?, origin?);
+        let nature = self.joined(scope, span, (&point, of_point), (&origin, of_origin))?;
+        let graph = &mut self.graph;
+        let found = if name == "to_absolute" {
+            let arm = turn(graph, point, angle);
+            [graph.add(origin[0], arm[0]), graph.add(origin[1], arm[1])]
+        } else {
+            let arm = [graph.sub(point[0], origin[0]), graph.sub(point[1], origin[1])];
+            let back = graph.neg(angle);
+            turn(graph, arm, back)
+        };
+        Ok(Value::Vector(found, nature.scaled(of_angle, nature.dimension)))
     }
 
     /// Straight lines between points `(x, y)`; the values at the ends are held.

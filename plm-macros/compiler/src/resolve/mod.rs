@@ -23,6 +23,7 @@ mod rate;
 mod require;
 mod row;
 mod scope;
+mod shape;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};

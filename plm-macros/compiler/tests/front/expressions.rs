@@ -121,6 +121,44 @@ fn functions_are_the_ones_of_mathematics() {
     }
 }
 
+/// Izz of the manual's appendix 1, for 12 kg and lengths of 3 m and 4 m, worked out by hand.
+#[test]
+fn moments_of_inertia_are_those_of_the_appendix() {
+    let cases = [
+        ("rod(12 kg, a)", 9.0),
+        ("disc(12 kg, a)", 54.0),
+        ("hollow_cylinder(12 kg, a, b)", 150.0),
+        ("thin_cylinder(12 kg, a)", 108.0),
+        ("plate(12 kg, a, b)", 25.0),
+        ("sphere(12 kg, a)", 43.2),
+        ("thin_sphere(12 kg, a)", 72.0),
+        ("rod(12 kg, 50 cm) + 12 kg*a^2", 108.25),
+        // A disc is a hollow cylinder without a hole, and a thin cylinder is one without a wall.
+        ("disc(12 kg, a) - hollow_cylinder(12 kg, 0, a)", 0.0),
+        ("thin_cylinder(12 kg, a) - hollow_cylinder(12 kg, a, a)", 0.0),
+    ];
+    for (text, expected) in cases {
+        assert_near(evaluate(text), expected, text);
+    }
+}
+
+/// The two cases of the manual's coordinate calculator, section 4.8, and back again.
+#[test]
+fn points_go_from_relative_to_absolute_axes_and_back() {
+    let cases = [
+        ("to_absolute((0.2, 0.1) m, (1, 0.5) m, 30 deg).x", 1.123_205_080_756_887_6),
+        ("to_absolute((0.2, 0.1) m, (1, 0.5) m, 30 deg).y", 0.686_602_540_378_443_8),
+        ("to_relative((1.5, 0.75) m, (1, 0.5) m, 30 deg).x", 0.558_012_701_892_219_3),
+        ("to_relative((1.5, 0.75) m, (1, 0.5) m, 30 deg).y", -0.033_493_649_053_890_295),
+        ("to_relative(to_absolute((a, b), (b, a), 1 rad), (b, a), 1 rad).x", 3.0),
+        ("to_relative(to_absolute((a, b), (b, a), 1 rad), (b, a), 1 rad).y", 4.0),
+        ("to_absolute((a, b), (0, 0), 90 deg).x", -4.0),
+    ];
+    for (text, expected) in cases {
+        assert_near(evaluate(text), expected, text);
+    }
+}
+
 #[test]
 fn tables_interpolate_and_hold_their_ends() {
     let table = |x: &str| format!("table({x}, (1 m, 10 N), (3 m, 20 N), (4 m, 0))");
