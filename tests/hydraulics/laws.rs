@@ -181,9 +181,8 @@ fn boiling_oil_is_as_soft_as_its_vapour() {
     let point = |p1| Point { x: 0.1, v: 0.5, p1, p2: 1e5, line: 0.0, flow: 0.0, spool: 0.0, swing: 0.0 };
     let area = PI / 4.0 * 0.04_f64.powi(2);
     let volume = 30e-6 + area * 0.1;
-    let modulus = |absolute: f64| {
-        -point(absolute - 101_325.0).bench(0.0, 20_000.0).rate1() * volume / (area * 0.5)
-    };
+    let modulus =
+        |absolute: f64| -point(absolute - 101_325.0).bench(0.0, 20_000.0).rate1() * volume / (area * 0.5);
     assert_near(modulus(20_001.0), B, B, "above the vapour pressure");
     for absolute in [10_000.0, 4_000.0, 500.0] {
         assert_near(modulus(absolute), 1.0 / (1.0 / B + 1.0 / absolute), absolute, "below half of it");

@@ -4,6 +4,7 @@ use crate::assert_near;
 
 plm::mechanism! {
     pub Signals {
+        allow(W0002);
         body anything { mass: 1 kg; inertia: 1 kg*m^2; }
         ramps command() {
             duration1: 0.5 s; start1: 1; end1: 2;
@@ -18,7 +19,7 @@ plm::mechanism! {
         }
         lag first() { signal: 3; gain: 2; time_constant: 0.4 s; value: 1; }
         lag2 second() { signal: 3; gain: 2; frequency: 2 Hz; damping_ratio: 0.3; value: 1; }
-        pid control() { error: 2 + 3/s*t; proportional: 5; integral: 7/s; derivative: 0.3 s; filter: 0.2 s; }
+        pid control() { error: 2 + 3 Hz*t; proportional: 5; integral: 7 Hz; derivative: 0.3 s; filter: 0.2 s; }
         output command.value, long.value, first.value, second.value, speed = second.speed, control.value;
     }
 }

@@ -81,9 +81,9 @@ plm::mechanism! {
 }
 
 /// The arm at rest, as in ConnectPlmHyd.
-fn at_rest(arm: ConnectPlmHcd) -> Result<ConnectPlmHcd, Fault> {
+fn at_rest(arm: &ConnectPlmHcd) -> Result<ConnectPlmHcd, Fault> {
     let with = |pressure: f64| {
-        let mut arm = arm;
+        let mut arm = *arm;
         arm.start.cap_pressure.value = pressure;
         arm.start.line1_inlet_pressure.value = pressure;
         arm
@@ -96,12 +96,13 @@ fn at_rest(arm: ConnectPlmHcd) -> Result<ConnectPlmHcd, Fault> {
 /// The run of 4 s with and without friction, beside that of ConnectPlmHyd.
 pub fn sheet() -> Result<Sheet, Fault> {
     let mut sheet = Sheet::new("ConnectPlmHCD");
-    let mut hyd = connect_plm_hyd::at_rest(ConnectPlmHyd::new())?.start_with(Dop853::new(RTOL))?;
-    let mut same = at_rest(ConnectPlmHcd { friction: 1000.0, ..ConnectPlmHcd::new() })?.start_with(Dop853::new(RTOL))?;
-    let mut free = at_rest(ConnectPlmHcd::new())?.start_with(Dop853::new(RTOL))?;
+    let mut hyd = connect_plm_hyd::at_rest(&ConnectPlmHyd::new())?.start_with(Dop853::new(RTOL))?;
+    let mut same = at_rest(&ConnectPlmHcd { friction: 1000.0, ..ConnectPlmHcd::new() })?
+        .start_with(Dop853::new(RTOL))?;
+    let mut free = at_rest(&ConnectPlmHcd::new())?.start_with(Dop853::new(RTOL))?;
     sheet.theory("F jack", free.ram_force(), "N", hyd.press_force(), 1e-6);
     sheet.theory("p1", free.cap_pressure() / 1e5, "bar", hyd.press_pressure1() / 1e5, 1e-9);
-    let balance = balance::run(&mut free, (30_000, 5e-5), |s| Ledger {
+    let balance = balance::run(&mut free, (6_000, 2.5e-4), |s| Ledger {
         kinetic: s.kinetic_energy(),
         gravity: s.gravity_energy(),
         springs: s.stored(),
