@@ -78,6 +78,12 @@ pub trait System {
         let _ = (t, u, x, index);
     }
 
+    /// The condition with this index is a requirement: where its guard passes zero the run ends with a fault.
+    fn must_hold(&self, index: usize) -> bool {
+        let _ = index;
+        false
+    }
+
     /// The condition with this index, as diagnostics name it.
     fn guard_name(&self, index: usize) -> &'static str {
         let _ = index;

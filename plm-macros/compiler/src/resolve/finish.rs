@@ -22,7 +22,8 @@ impl<'a> Resolver<'a> {
         let mut loads = self.evaluate_loads();
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
-        self.put_late(&mut states, &mut loads, &mut outputs);
+        let mut sides = self.finish_requirements();
+        self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
         let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
@@ -50,7 +51,7 @@ impl<'a> Resolver<'a> {
             loads,
             states,
             outputs,
-            sides: Vec::new(),
+            sides,
             allowed: self.allowed,
         })
     }
