@@ -33,6 +33,8 @@
 
 // Emitted paths begin with `::plm`, in this package's own tests too.
 extern crate self as plm;
+#[cfg(feature = "std")]
+extern crate std;
 
 pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
@@ -46,13 +48,17 @@ pub use plm_runtime::{
 mod book;
 #[cfg(feature = "lanes")]
 mod lanes;
-#[cfg(feature = "linearise")]
+#[cfg(feature = "analysis")]
 mod linearise;
+#[cfg(feature = "analysis")]
+mod stabilise;
 
 #[cfg(feature = "lanes")]
 pub use lanes::{Batch, F64x8};
-#[cfg(feature = "linearise")]
+#[cfg(feature = "analysis")]
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
+#[cfg(feature = "analysis")]
+pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What};
 
 #[cfg(feature = "view")]
 pub use plm_view as view;

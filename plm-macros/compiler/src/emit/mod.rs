@@ -16,6 +16,7 @@ mod outputs;
 mod piece;
 mod reduced;
 mod sides;
+mod statics;
 mod system;
 mod types;
 
@@ -90,6 +91,7 @@ const STATE_METHODS: &[&str] = &[
     "solved",
     "undetermined",
     "branches",
+    "starts",
 ];
 
 impl Fields {
@@ -133,6 +135,7 @@ pub(crate) fn emit(
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
     implementation.push_str(&linear::emit(&emission));
+    implementation.push_str(&statics::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
     sides::instants(&mut implementation, &emission);
