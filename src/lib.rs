@@ -44,6 +44,8 @@ pub use plm_runtime::{
     BodyStart, BodyState, Cause, Dop853, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice, Operations,
     Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, to_absolute, to_relative,
 };
+#[cfg(feature = "analysis")]
+mod auto;
 #[cfg(doctest)]
 mod book;
 #[cfg(feature = "lanes")]
@@ -52,13 +54,19 @@ mod lanes;
 mod linearise;
 #[cfg(feature = "analysis")]
 mod stabilise;
+#[cfg(feature = "std")]
+mod starts;
 
+#[cfg(feature = "analysis")]
+pub use auto::{Auto, Choice, Pace, StartAuto};
 #[cfg(feature = "lanes")]
 pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 #[cfg(feature = "analysis")]
 pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What};
+#[cfg(feature = "std")]
+pub use starts::{BadStarts, StartProblem, read_starts};
 
 #[cfg(feature = "view")]
 pub use plm_view as view;

@@ -19,3 +19,4 @@ mod robust;
 mod rungs;
 mod scenes;
 mod sides;
+mod starts;
