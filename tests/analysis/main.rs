@@ -2,6 +2,7 @@
 //! generated code is, against analytic frequencies and dampings.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod auto;
 mod linearise;
 mod stabilise;
 
