@@ -96,10 +96,12 @@ fn compare<M: StartAuto>(name: &str, mechanism: M, time: f64, rtol: f64) -> Resu
     let stiff = cost(|| mechanism.start_with(RadauIia5::new(rtol)), time)?;
     let auto = cost(|| mechanism.start_auto_with(rtol), time)?;
     let sim = mechanism.start_auto_with(rtol)?;
-    println!("{name}, {time} s, tolerance {rtol:e}");
+    let choice = sim.method().choice();
+    let ratio = choice.pace.map_or(0.0, |pace| choice.decay / pace.rate());
+    println!("{name}, {time} s, tolerance {rtol:e}, fastest decay to pace {ratio:.3}");
     println!("  DOP853 {:9.1} us ({} evaluations)", explicit.0, explicit.1);
     println!("  Radau  {:9.1} us ({} evaluations)", stiff.0, stiff.1);
-    println!("  auto   {:9.1} us: {}", auto.0, sim.method().choice());
+    println!("  auto   {:9.1} us: {}", auto.0, choice);
     Ok(())
 }
 

@@ -83,7 +83,7 @@ pub fn read_starts<S: Scalar, T: StartValues<S>>(text: &str, mut starts: T) -> R
         let entry = text.split_once('=').map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
         match entry {
             Some((name, Ok(value))) if value.is_finite() => {
-                given.push(Given { line, name, value, read: false })
+                given.push(Given { line, name, value, read: false });
             }
             _ => problems.push(StartProblem::Line { line, text: text.into() }),
         }

@@ -98,7 +98,7 @@ pub(super) struct Look {
     /// Forces that nothing balances, N and N m by coordinate.
     pub(super) unbalanced: DVector<f64>,
     /// Forces that the locks have to give, N and N m by locked coordinate.
-    pub(super) of_locks: DVector<f64>,
+    pub(super) of_locks: Vec<f64>,
     /// Rates of all first-order states.
     pub(super) rate: DVector<f64>,
     /// What a scaled unit of an unknown does to each rate at most.
@@ -121,88 +121,99 @@ impl Look {
     /// At a point with closed joints.
     pub(super) fn at<M: Stabilise>(task: &Task<M>, mut point: Point) -> Option<Self> {
         let Task { rest, scales, .. } = task;
-        // Multipliers and forces of locks that balance best; both enter linearly.
-        let locked = task.locked();
-        let carried = carried(task, &rest.by_lambda(&point), &locked);
-        let inverse = Ranked::new(&carried.matrix)?;
-        let residual = rest.rows(&point).force.component_div(&scales.force);
-        let reactions = -inverse.solve(&residual);
-        let balance = &residual + &carried.matrix * &reactions;
-        point.lambda += reactions.rows(0, Rest::<M>::NC).component_mul(&carried.sizes);
-        let of_locks = reactions.rows(Rest::<M>::NC, locked.len()).into_owned();
-
-        let (by_q, by_x) = (rest.by_q(&point), rest.by_x(&point));
+        let balance = Balance::at(task, &mut point)?;
+        let by_q = rest.by_q(&point);
         let moves = Moves::new(task, &point, task.ways(&by_q)?);
-        let rows = rest.rows(&point);
-        // How forces, reactions and rates change.
-        let force =
-            scaled(&(&by_q.force * &moves.q + &by_x.force * &moves.x), |i| 1.0 / scales.force[i], |_| 1.0);
-        let reaction = -inverse.solve_all(&force);
-        let by_reaction = &carried.rates * &reaction;
-        let rate = &by_q.rate * &moves.q + &by_x.rate * &moves.x + by_reaction;
-        let rate_scale = DVector::from_fn(Rest::<M>::NX, |i, _| rate.row(i).amax().max(1e-9 * scales.x[i]));
-        let rate_change = scaled(&rate, |i| 1.0 / rate_scale[i], |_| 1.0);
-        let rate_left = rows.rate.component_div(&rate_scale);
-
-        let left = null_space(&carried.matrix.transpose())?.transpose();
-        let held: Vec<usize> = (0..Rest::<M>::NX).filter(|i| task.locks.x[*i]).collect();
-        let first = Level::new(
-            [&(&left * &force), &rate_change.select_rows(&task.free)],
-            [&(&left * &balance), &rate_left.select_rows(&task.free)],
-        );
-        let second = Level::new(
-            [&reaction.rows(Rest::<M>::NC, locked.len()).into_owned(), &rate_change.select_rows(&held)],
-            [&of_locks, &rate_left.select_rows(&held)],
-        );
-        let (unknowns, rest_free) = solve(&first, &second)?;
-        let along = |of: &DMatrix<f64>| of * &unknowns;
-        let step = (along(&moves.q), along(&moves.x));
-        let size = scaled_amax(&step.0, &scales.q).max(scaled_amax(&step.1, &scales.x));
-        let free = moves.scaled(scales) * rest_free;
-        let unbalanced = balance.component_mul(&scales.force);
+        let rate = rest.rows(&point).rate;
+        let (levels, rate_scale) = balance.levels(task, &moves, (&by_q, &rest.by_x(&point)), &rate);
+        let (unknowns, room) = levels.solve()?;
+        let step = (&moves.q * &unknowns, &moves.x * &unknowns);
+        let unbalanced = balance.left.component_mul(&scales.force);
+        let of_lock = |(force, k): (&f64, &usize)| -force * scales.force[*k];
+        let of_locks: Vec<f64> = balance.of_locks.iter().zip(&task.locked()).map(of_lock).collect();
         Some(Self {
             pushed: along_forces(&moves.q, &-&unbalanced, &scales.q),
             unbalanced,
-            of_locks: DVector::from_fn(locked.len(), |k, _| -of_locks[k] * scales.force[locked[k]]),
-            rate: rows.rate,
+            of_locks,
+            rate,
             rate_scale,
-            first: first.residual.norm(),
-            second: second.residual.norm(),
+            first: levels.0[0].residual.norm(),
+            second: levels.0[1].residual.norm(),
+            length: scaled_amax(&step.0, &scales.q).max(scaled_amax(&step.1, &scales.x)),
             step,
-            length: size,
-            free,
+            free: moves.scaled(scales) * room,
             point,
         })
     }
 }
 
-/// What joints and locks can carry: scaled columns by multiplier and by lock.
-struct Carried {
-    /// Forces on the coordinates.
-    matrix: DMatrix<f64>,
-    /// Changes of rates.
+/// Forces and what joints and locks carry of them, scaled.
+struct Balance {
+    /// What a multiplier, or the force of a lock, does to the forces on the coordinates, in columns.
+    carries: DMatrix<f64>,
+    /// What it does to rates.
     rates: DMatrix<f64>,
-    /// One scaled unit of each multiplier.
-    sizes: DVector<f64>,
+    /// The inverse of the first.
+    inverse: Ranked,
+    /// Forces that nothing carries.
+    left: DVector<f64>,
+    /// Forces that locks carry.
+    of_locks: DVector<f64>,
 }
 
-fn carried<M: Stabilise>(task: &Task<M>, by_lambda: &Rows<DMatrix<f64>>, locked: &[usize]) -> Carried {
-    let (nq, nc) = (Rest::<M>::NQ, Rest::<M>::NC);
-    let force = scaled(&by_lambda.force, |i| 1.0 / task.scales.force[i], |_| 1.0);
-    let sizes = DVector::from_fn(nc, |j, _| {
-        let largest = force.column(j).amax();
-        if largest > 0.0 { 1.0 / largest } else { 1.0 }
-    });
-    let mut matrix = DMatrix::zeros(nq, nc + locked.len());
-    let mut rates = DMatrix::zeros(Rest::<M>::NX, nc + locked.len());
-    for j in 0..nc {
-        matrix.set_column(j, &(force.column(j) * sizes[j]));
-        rates.set_column(j, &(by_lambda.rate.column(j) * sizes[j]));
+impl Balance {
+    /// Gives the point the multipliers that balance best: they, and the forces of locks, enter linearly.
+    fn at<M: Stabilise>(task: &Task<M>, point: &mut Point) -> Option<Self> {
+        let (nq, nc, locked) = (Rest::<M>::NQ, Rest::<M>::NC, task.locked());
+        let by_lambda = task.rest.by_lambda(point);
+        let force = scaled(&by_lambda.force, |i| 1.0 / task.scales.force[i], |_| 1.0);
+        let sizes = DVector::from_fn(nc, |j, _| match force.column(j).amax() {
+            0.0 => 1.0,
+            largest => 1.0 / largest,
+        });
+        let mut carries = DMatrix::zeros(nq, nc + locked.len());
+        let mut rates = DMatrix::zeros(Rest::<M>::NX, nc + locked.len());
+        for j in 0..nc {
+            carries.set_column(j, &(force.column(j) * sizes[j]));
+            rates.set_column(j, &(by_lambda.rate.column(j) * sizes[j]));
+        }
+        for (k, coordinate) in locked.iter().enumerate() {
+            carries[(*coordinate, nc + k)] = 1.0;
+        }
+        let inverse = Ranked::new(&carries)?;
+        let forces = task.rest.rows(point).force.component_div(&task.scales.force);
+        let reactions = -inverse.solve(&forces);
+        point.lambda += reactions.rows(0, nc).component_mul(&sizes);
+        let left = forces + &carries * &reactions;
+        Some(Self { carries, rates, inverse, left, of_locks: reactions.rows(nc, locked.len()).into_owned() })
     }
-    for (k, coordinate) in locked.iter().enumerate() {
-        matrix[(*coordinate, nc + k)] = 1.0;
+
+    /// The equations in their order of importance, and what a scaled unit of an unknown does to each rate at most.
+    fn levels<M: Stabilise>(
+        &self,
+        task: &Task<M>,
+        moves: &Moves,
+        (by_q, by_x): (&Rows<DMatrix<f64>>, &Rows<DMatrix<f64>>),
+        rate: &DVector<f64>,
+    ) -> (Levels, DVector<f64>) {
+        let Task { scales, locks, free, .. } = task;
+        let force = &by_q.force * &moves.q + &by_x.force * &moves.x;
+        let force = scaled(&force, |i| 1.0 / scales.force[i], |_| 1.0);
+        let reaction = -self.inverse.solve_all(&force);
+        let change = &by_q.rate * &moves.q + &by_x.rate * &moves.x + &self.rates * &reaction;
+        let sizes = DVector::from_fn(rate.len(), |i, _| change.row(i).amax().max(1e-9 * scales.x[i]));
+        let change = scaled(&change, |i| 1.0 / sizes[i], |_| 1.0);
+        let left = rate.component_div(&sizes);
+        let held: Vec<usize> = (0..rate.len()).filter(|i| locks.x[*i]).collect();
+        // What joints and locks do not carry of a change of the forces.
+        let uncarried = &force + &self.carries * &reaction;
+        let of_locks = reaction.rows(Rest::<M>::NC, self.of_locks.len()).into_owned();
+        let first =
+            Level::new([&uncarried, &change.select_rows(free)], [&self.left, &left.select_rows(free)]);
+        let second =
+            Level::new([&of_locks, &change.select_rows(&held)], [&self.of_locks, &left.select_rows(&held)]);
+        (Levels([first, second]), sizes)
     }
-    Carried { matrix, rates, sizes }
 }
 
 /// What the unknowns move, in columns: first ways of the coordinates with the states that follow, then free states.
@@ -253,13 +264,20 @@ impl Level {
     }
 }
 
-/// The shortest unknowns that solve the first level, and the second as far as that leaves room; and what both leave free.
-fn solve(first: &Level, second: &Level) -> Option<(DVector<f64>, DMatrix<f64>)> {
-    let ranked = Ranked::new(&first.change)?;
-    let (mut unknowns, room) = (-ranked.solve(&first.residual), ranked.null_space());
-    let ranked = Ranked::new(&(&second.change * &room))?;
-    unknowns -= &room * ranked.solve(&(&second.residual + &second.change * &unknowns));
-    Some((unknowns, room * ranked.null_space()))
+/// Equations in their order of importance.
+struct Levels([Level; 2]);
+
+impl Levels {
+    /// The shortest unknowns that solve the first level, and the second as far as that leaves room; and what both leave
+    /// free, in columns.
+    fn solve(&self) -> Option<(DVector<f64>, DMatrix<f64>)> {
+        let Self([first, second]) = self;
+        let ranked = Ranked::new(&first.change)?;
+        let (mut unknowns, room) = (-ranked.solve(&first.residual), ranked.null_space());
+        let ranked = Ranked::new(&(&second.change * &room))?;
+        unknowns -= &room * ranked.solve(&(&second.residual + &second.change * &unknowns));
+        Some((unknowns, room * ranked.null_space()))
+    }
 }
 
 /// Coordinates moved along what `forces` do, by one scaled unit at most; not at all where they do nothing.

@@ -416,3 +416,100 @@ fn reactions_that_forces_read_are_balanced_with_them() {
     let pushed = (0.25 * 40.0 - 4.0 * 9.81) / 1000.0;
     assert_close(height, pushed, 1e-9);
 }
+
+mod parallelogram {
+    plm::mechanism! {
+        /// Three parallel cranks: one constraint says what others say. A weight hangs on the bar.
+        pub Parallelogram {
+            allow(W0001);
+            gravity: 9.81 m/s^2;
+            ground { port a: (0, 0) m; port b: (1, 0) m; port c: (2, 0) m; }
+            body first { mass: 1 kg; inertia: 0.1 kg*m^2; port foot: (0, 0) m; port head: (0, 0.5) m; start angle: 20 deg; }
+            body second { mass: 1 kg; inertia: 0.1 kg*m^2; port foot: (0, 0) m; port head: (0, 0.5) m; start x: 1 m; start angle: 20 deg; }
+            body third { mass: 1 kg; inertia: 0.1 kg*m^2; port foot: (0, 0) m; port head: (0, 0.5) m; start x: 2 m; start angle: 20 deg; }
+            body bar { mass: 4 kg; inertia: 1 kg*m^2; port a: (-1, 0) m; port b: (0, 0) m; port c: (1, 0) m; start x: 1 m; start y: 0.5 m; }
+            revolute a(ground.a, first.foot) { stiffness: 50 N*m/rad; }
+            revolute b(ground.b, second.foot);
+            revolute c(ground.c, third.foot);
+            revolute d(first.head, bar.a);
+            revolute e(second.head, bar.b);
+            revolute f(third.head, bar.c);
+        }
+    }
+}
+
+#[test]
+fn redundant_joints_rest_too() {
+    let found = parallelogram::Parallelogram::new().stabilise().unwrap().balanced().unwrap();
+    // The spring is stronger than the weight upright: 50 > m g l.
+    assert!(value(&found, "first.angle").abs() < 1e-10, "{found}");
+    assert!(found.free.is_empty());
+    // Weaker, it gives way until k a = m g l sin a.
+    let mut heavy = parallelogram::Parallelogram::new();
+    heavy.start.first.angle.locked = true;
+    let found = heavy.stabilise().unwrap();
+    let angle = 20_f64.to_radians();
+    assert_needs(&found, "first.angle", 50.0 * angle - 4.0 * 9.81 * 0.5 * angle.sin());
+}
+
+mod double_arm {
+    plm::mechanism! {
+        /// The manual's 3.3: an arm on a jack, and a second one that slides on it, held by another jack.
+        pub DoubleArm {
+            gravity: 9.81 m/s^2;
+            param bore: m^2 = pi/4*(0.05 m)^2;
+            param annulus: m^2 = pi/4*((0.05 m)^2 - (0.03 m)^2);
+            ground { port o: (0, 0) m; port foot: (0, -0.25) m; }
+            /// A jack's two chambers, each closed by a narrow gap.
+            part chambers(on: slider) {
+                param bore: m^2;
+                param annulus: m^2;
+                state p1: Pa = 0;
+                state p2: Pa = 5 bar;
+                state line1: Pa = 0;
+                state line2: Pa = 0;
+                rate p1 = (line1 - p1)/1e-3 s - 3e10 Pa/m*rate(on.position);
+                rate p2 = (line2 - p2)/1e-3 s + 2e10 Pa/m*rate(on.position);
+                rate line1 = (p1 - line1)/2e-3 s;
+                rate line2 = (p2 - line2)/2e-3 s;
+                force on on: p1*bore - p2*annulus;
+            }
+            body arm {
+                mass: 100 kg;
+                inertia: 10 kg*m^2;
+                port pivot: (-0.4, 0) m;
+                port jack: (-0.1, 0) m;
+                port rail: (0, 0) m;
+                start angle: 20 deg, locked;
+            }
+            body boom {
+                mass: 100 kg;
+                inertia: 10 kg*m^2;
+                port rail: (0, 0) m;
+                start x: 0.9 m, locked;
+                start angle: 20 deg;
+            }
+            revolute pivot(ground.o, arm.pivot);
+            prismatic rail(arm.rail, boom.rail);
+            jack lift(ground.foot, arm.jack);
+            chambers below(lift.slider) { bore: bore; annulus: annulus; p2: 5 bar, locked; }
+            chambers inside(rail.slider) { bore: bore; annulus: annulus; p2: 5 bar, locked; }
+            output lift.force, rail.drive_force;
+        }
+    }
+}
+
+#[test]
+fn the_double_arm_has_the_pressures_of_the_manual() {
+    let found = double_arm::DoubleArm::new().stabilise().unwrap().balanced().unwrap();
+    assert!(found.free.is_empty(), "{:?}", found.free);
+    // tests/manual/numbers.json, DoubleArm: exact values at 9.81 m/s^2.
+    assert_close(value(&found, "below.p1") / 1e5, 44.032_518_894_917_23, 1e-9);
+    assert_close(value(&found, "inside.p1") / 1e5, 4.908_798_294_872_963, 1e-9);
+    let sim = found.start().unwrap();
+    assert_close(sim.rail_drive_force(), 335.521_760_602_479, 1e-9);
+    assert!((sim.lift_force() - 8017.446).abs() < 1e-3);
+    // The printed force belongs to g = 9.80665.
+    let share = 9.80665 / 9.81;
+    assert_close(sim.lift_force() * share, 8_014.708_472_802_279, 1e-9);
+}
