@@ -513,3 +513,59 @@ fn the_double_arm_has_the_pressures_of_the_manual() {
     let share = 9.80665 / 9.81;
     assert_close(sim.lift_force() * share, 8_014.708_472_802_279, 1e-9);
 }
+
+mod chain {
+    plm::mechanism! {
+        pub Chain {
+            gravity: 9.81 m/s^2;
+            ground { port o: (0, 0) m; }
+            repeat i in 0..3 {
+                body bar[i] { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0.5) m; port b: (0, -0.5) m; }
+            }
+            revolute first(ground.o, bar[0].a);
+            revolute second(bar[0].b, bar[1].a);
+            revolute third(bar[1].b, bar[2].a);
+        }
+    }
+}
+
+#[test]
+fn a_chain_rests_in_line_from_wherever_it_starts() {
+    for start in [[0.5, -0.4, 0.3], [1.5, 1.4, 1.6], [2.0, -1.0, 0.5], [-3.0, 2.0, 1.0]] {
+        let mut chain = chain::Chain::new();
+        let mut hinge = [0.0, 0.0];
+        for (bar, angle) in
+            [&mut chain.start.bar_0, &mut chain.start.bar_1, &mut chain.start.bar_2].into_iter().zip(start)
+        {
+            // From the hinge to the middle of the bar.
+            let (sin, cos) = f64::sin_cos(angle);
+            (bar.angle.value, bar.x.value, bar.y.value) = (angle, hinge[0] + 0.5 * sin, hinge[1] - 0.5 * cos);
+            hinge = [hinge[0] + sin, hinge[1] - cos];
+        }
+        let found = chain.stabilise().unwrap().balanced().unwrap();
+        for angle in ["bar[0].angle", "bar[1].angle", "bar[2].angle"] {
+            assert!(value(&found, angle).sin().abs() < 1e-10, "{start:?} {found}");
+        }
+    }
+}
+
+mod loose {
+    plm::mechanism! {
+        pub Loose {
+            gravity: 9.81 m/s^2;
+            allow(W0002);
+            ground { port o: (0, 0) m; }
+            body stone { mass: 3 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; }
+            body bob { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0.5) m; }
+            revolute o(ground.o, bob.o);
+        }
+    }
+}
+
+#[test]
+fn what_falls_is_told() {
+    let found = loose::Loose::new().stabilise().unwrap();
+    let [residual] = &found.residuals[..] else { panic!("{:?}", found.residuals) };
+    assert_eq!((residual.name.as_str(), residual.what), ("stone.y", What::Force));
+    assert_close(residual.value, -3.0 * 9.81, 1e-9);
+}
