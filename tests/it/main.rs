@@ -21,3 +21,4 @@ mod robust;
 mod rungs;
 mod scenes;
 mod sides;
+mod starts;

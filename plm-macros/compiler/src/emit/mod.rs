@@ -18,6 +18,7 @@ mod piece;
 mod reduced;
 mod sides;
 mod solved;
+mod statics;
 mod system;
 mod types;
 
@@ -92,6 +93,7 @@ const STATE_METHODS: &[&str] = &[
     "solved",
     "undetermined",
     "branches",
+    "starts",
 ];
 
 impl Fields {
@@ -135,6 +137,7 @@ pub(crate) fn emit(
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
     implementation.push_str(&linear::emit(&emission));
+    implementation.push_str(&statics::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
     augmented::emit(&mut implementation, &emission);
