@@ -10,6 +10,7 @@ mod language;
 mod linkages;
 mod manual;
 mod newton;
+mod observe;
 mod operations;
 mod oracle;
 mod physics;

@@ -50,7 +50,7 @@ pub struct Model {
     pub states: Vec<State>,
     /// Conditions whose side is held over a step: of the state first, then of the time; derivation finds them.
     pub sides: Vec<Side>,
-    /// What the user asked to see.
+    /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
     /// Warning codes that the declaration allows, e.g. `W0002`.
     pub allowed: Vec<String>,
@@ -295,4 +295,8 @@ pub struct Output {
     pub components: Vec<Expr>,
     /// Unit in which tables and charts show it (the accessor gives SI).
     pub unit: DisplayUnit,
+    /// Is it declared as an output, so that it stands in recordings? Else it is observed.
+    pub declared: bool,
+    /// What it is and where it points, in a sentence; empty where the name says all.
+    pub docs: String,
 }

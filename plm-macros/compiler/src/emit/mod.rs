@@ -90,6 +90,8 @@ const STATE_METHODS: &[&str] = &[
     "solved",
     "undetermined",
     "branches",
+    "find",
+    "observed",
 ];
 
 impl Fields {

@@ -22,6 +22,7 @@ impl<'a> Resolver<'a> {
         let mut loads = self.evaluate_loads();
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
+        self.evaluate_observed(&mut outputs);
         self.put_late(&mut states, &mut loads, &mut outputs);
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);

@@ -18,6 +18,7 @@ mod instance;
 mod late;
 mod member;
 mod node;
+mod observe;
 mod output;
 mod rate;
 mod row;
@@ -39,7 +40,8 @@ use body::BodyState;
 use frame::PortState;
 use instance::InstanceState;
 use node::NodeState;
-use row::{LoadItem, RowState};
+pub(crate) use observe::{OF_CENTRE, OF_PORT};
+use row::{Action, LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use value::Value;
 
@@ -95,6 +97,9 @@ struct Resolver<'a> {
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
     outputs: Vec<(ScopeId, &'a ast::Output)>,
+    observed: Vec<(ScopeId, &'a ast::Expr)>,
+    /// What parts apply to bodies and to the ground, for who observes them.
+    applied: Vec<Action>,
     /// What is chosen, and between what.
     choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
@@ -168,6 +173,8 @@ impl<'a> Resolver<'a> {
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),
+            observed: Vec::new(),
+            applied: Vec::new(),
             choices: Vec::new(),
             checks: Vec::new(),
             checked: BTreeSet::new(),

@@ -42,7 +42,7 @@ impl<'a> Resolver<'a> {
             Some((unit, span)) => self.shown_in(scope, *span, nature.dimension, nature.form, unit)?,
             None => DisplayUnit::si(nature.dimension),
         };
-        Ok(Output { name, components, unit })
+        Ok(Output { name, components, unit, declared: true, docs: String::new() })
     }
 
     fn not_a_quantity(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value) -> Failed {

@@ -22,6 +22,7 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("joint", Some(Context::Mechanism)),
     ("part", Some(Context::Mechanism)),
     ("domain", Some(Context::Mechanism)),
+    ("observe", Some(Context::Mechanism)),
     ("choice", Some(Context::Part)),
     ("pair", Some(Context::Part)),
     ("param", None),
@@ -84,6 +85,7 @@ impl Cursor<'_> {
             "body" => self.body().map(ItemKind::Body),
             "constraint" => self.constraint(),
             "output" => self.outputs().map(ItemKind::Output),
+            "observe" => self.observed().map(ItemKind::Observe),
             "repeat" => self.repeat(context).map(ItemKind::Repeat),
             "node" => self.node().map(ItemKind::Node),
             "joint" | "part" => self.definition(docs.to_vec()).map(ItemKind::Definition),
@@ -254,6 +256,16 @@ impl Cursor<'_> {
         }
         self.semicolon()?;
         Ok(outputs)
+    }
+
+    fn observed(&mut self) -> Parse<Vec<Expr>> {
+        self.advance();
+        let mut observed = vec![self.expr()?];
+        while self.eat_punct(',') {
+            observed.push(self.expr()?);
+        }
+        self.semicolon()?;
+        Ok(observed)
     }
 
     fn output(&mut self) -> Parse<Output> {

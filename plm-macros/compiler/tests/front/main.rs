@@ -6,6 +6,7 @@ mod bodies;
 mod declarations;
 mod expressions;
 mod nodes;
+mod observe;
 mod parts;
 mod soup;
 mod states;

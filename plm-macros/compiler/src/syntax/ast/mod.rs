@@ -145,6 +145,8 @@ pub enum ItemKind {
     Node(Node),
     /// `output path, name = expr in unit;`
     Output(Vec<Output>),
+    /// `observe arm, shoulder;`, `observe all;`
+    Observe(Vec<Expr>),
     /// `repeat i in 0..n { … }`
     Repeat(Repeat),
     /// A part of the user's own.
