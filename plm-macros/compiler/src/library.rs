@@ -12,13 +12,17 @@ use crate::token::Sources;
 
 /// Name of each part of the library and the file that defines it.
 pub(crate) const PARTS: &[(&str, &str)] = &[
+    ("acceleration_sensor", include_str!("../parts/acceleration_sensor.plm")),
     ("force", include_str!("../parts/force.plm")),
+    ("force_sensor", include_str!("../parts/force_sensor.plm")),
     ("jack", include_str!("../parts/jack.plm")),
     ("pin_slot", include_str!("../parts/pin_slot.plm")),
+    ("position_sensor", include_str!("../parts/position_sensor.plm")),
     ("prismatic", include_str!("../parts/prismatic.plm")),
     ("revolute", include_str!("../parts/revolute.plm")),
     ("sliding_mass", include_str!("../parts/sliding_mass.plm")),
     ("spring", include_str!("../parts/spring.plm")),
+    ("velocity_sensor", include_str!("../parts/velocity_sensor.plm")),
     ("weld", include_str!("../parts/weld.plm")),
 ];
 
