@@ -13,6 +13,8 @@ use crate::token::Sources;
 /// Name of each part of the library and the file that defines it.
 pub(crate) const PARTS: &[(&str, &str)] = &[
     ("acceleration_sensor", include_str!("../parts/acceleration_sensor.plm")),
+    ("attached_mass", include_str!("../parts/attached_mass.plm")),
+    ("attached_rotor", include_str!("../parts/attached_rotor.plm")),
     ("force", include_str!("../parts/force.plm")),
     ("force_sensor", include_str!("../parts/force_sensor.plm")),
     ("jack", include_str!("../parts/jack.plm")),
@@ -20,6 +22,7 @@ pub(crate) const PARTS: &[(&str, &str)] = &[
     ("position_sensor", include_str!("../parts/position_sensor.plm")),
     ("prismatic", include_str!("../parts/prismatic.plm")),
     ("revolute", include_str!("../parts/revolute.plm")),
+    ("rotor", include_str!("../parts/rotor.plm")),
     ("sliding_mass", include_str!("../parts/sliding_mass.plm")),
     ("spring", include_str!("../parts/spring.plm")),
     ("velocity_sensor", include_str!("../parts/velocity_sensor.plm")),

@@ -2,7 +2,7 @@
 
 use plm_cas::Expr;
 
-use super::{Emission, defaults, mechanism, push, reduced, sides};
+use super::{Emission, defaults, mechanism, push, reduced, sides, solved};
 use crate::formulate::coordinate_name;
 use crate::model::Stabilisation;
 
@@ -28,7 +28,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
     }
     mechanism::emit(&mut text, emission);
     constraints(&mut text, emission);
-    solved(&mut text, emission);
+    text.push_str(&solved::emit(emission));
     text
 }
 
@@ -276,59 +276,4 @@ fn starts(text: &mut String, emission: &Emission) {
             velocities = list("velocity_of_centre", true),
         ),
     );
-}
-
-/// Accelerations and multipliers for outputs, by rank where elimination is unhealthy.
-fn solved(text: &mut String, emission: &Emission) {
-    let Emission { name, equations, .. } = emission;
-    let (nq, nc) = (equations.q.len(), equations.phi.len());
-    let length = 2 * nq + equations.x.len();
-    let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
-    // Forces that read the unknowns are known for independent constraints alone.
-    let refusal = if crate::derive::feeds_back(emission.model, emission.graph) {
-        format!("            return Err(Fault::new(t.to_f64(), rt::Cause::Singular {{ rows: {nc} }}));\n")
-    } else {
-        String::new()
-    };
-    push(text, format_args!(
-        "    impl<S: Real> {name}<S> {{
-        /// Accelerations and multipliers by a rank-revealing decomposition.
-        #[cold]
-        fn accelerate(&self, t: S, u: &Input<S>, x: &[S; {length}]) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {{
-{refusal}            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
-            let (mut force, mut gamma) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
-            self.free(t, u, x, &mut force, &mut gamma);
-            let (mut inverse_mass, mut phi_q) = ([S::lit(0.0); {nq}], [[S::lit(0.0); {nq}]; {nc}]);
-            self.reciprocal_mass(&mut inverse_mass);
-            self.jacobian(t, &q, &mut phi_q);
-            absolute::accelerate(t, &inverse_mass, &force, &gamma, &phi_q)
-        }}
-    }}
-
-    impl<S: Real> State<S> {{
-        /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-        fn solved(&self) -> ([S; {nq}], [S; {nc}]) {{
-            let (mut dx, mut lambda) = ([S::lit(0.0); {length}], [S::lit(0.0); {nc}]);
-            let x = {absolute};
-            let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
-            if !rt::Health(health).is_good() {{
-                if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {{
-                    return (solution.a, solution.lambda);
-                }}
-            }}
-            let (_, a): ([S; {nq}], [S; {nq}]) = absolute::split(&dx);
-            (a, lambda)
-        }}
-
-        /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
-        pub fn undetermined(&self) -> [bool; {nc}] {{
-            match self.mechanism.accelerate(self.time, &self.input, &{absolute}) {{
-                Ok(solution) => solution.undetermined,
-                Err(_) => [true; {nc}],
-            }}
-        }}
-    }}
-
-"
-    ));
 }

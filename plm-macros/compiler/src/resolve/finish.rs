@@ -26,9 +26,11 @@ impl<'a> Resolver<'a> {
         self.put_late(&mut states, &mut loads, &mut outputs);
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
+        let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
         if self.sink.has_errors() {
             return None;
         }
+        let (rows, compliant) = rows.ok()?;
         Some(Model {
             name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
             visibility: mechanism.visibility.clone(),
@@ -44,7 +46,8 @@ impl<'a> Resolver<'a> {
             bodies: bodies.ok()?,
             ground: ground.ok()?,
             parts: self.parts,
-            rows: rows.ok()?,
+            rows,
+            compliant,
             loads,
             states,
             outputs,

@@ -9,7 +9,7 @@ use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
 use super::plane::{self, Vec2};
-use super::rows::{self, Linear};
+use super::rows::{self, Explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
@@ -58,8 +58,8 @@ pub(crate) struct Coordinates {
     pub(crate) order: Vec<Hold>,
     /// Independent loops: vectors that sum to zero.
     pub(crate) closures: Vec<Chain>,
-    /// Rows that are no joint's, linear in the unknowns.
-    pub(crate) rows: Vec<Linear>,
+    /// Rows that are no joint's, explicit in an unknown.
+    pub(crate) rows: Vec<Explicit>,
     /// The joints that each loop goes through, by their places in [`Coordinates::joints`].
     pub(crate) loops: Vec<Vec<usize>>,
     /// The joints that close them.
@@ -119,9 +119,9 @@ impl Coordinates {
         }
         for row in &model.rows {
             if model.parts[row.part].pair.is_none() {
-                let linear = rows::linear(model, &coordinates, row.phi, graph);
+                let explicit = rows::explicit(model, &coordinates, row.phi, graph);
                 let own = || format!("`{}` constrains in a way of its own", model.parts[row.part].name.text);
-                coordinates.rows.push(linear.ok_or_else(own)?);
+                coordinates.rows.push(explicit.ok_or_else(own)?);
             }
         }
         Ok(coordinates)

@@ -16,7 +16,7 @@ use crate::topology::Block;
 /// Unknowns that follow from those before.
 #[derive(Clone, Debug)]
 pub(crate) enum Group {
-    /// One unknown of a linear row: the place of the row in [`Coordinates::rows`].
+    /// One unknown of an explicit row: the place of the row in [`Coordinates::rows`].
     Row { row: usize, unknown: usize },
     /// Two unknowns of a loop.
     Dyad(Dyad),
@@ -31,7 +31,10 @@ impl Group {
     pub(crate) fn of(coordinates: &Coordinates, block: &Block, graph: &mut Graph) -> Option<Group> {
         let loops = coordinates.closures.len();
         match (block.equations.as_slice(), block.unknowns.as_slice()) {
-            (&[row], &[unknown]) if row >= loops => Some(Group::Row { row: row - loops, unknown }),
+            (&[row], &[unknown]) if row >= loops => {
+                let row = row - loops;
+                coordinates.rows[row].gives(unknown).then_some(Group::Row { row, unknown })
+            }
             (&[closure], &[first, second]) if closure < loops => {
                 Dyad::of(coordinates, closure, [first, second], graph).map(Group::Dyad)
             }

@@ -2,6 +2,7 @@
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod articulated;
+mod augmented;
 mod chain;
 mod charts;
 mod coordinates;
@@ -17,12 +18,15 @@ mod memory;
 mod motion;
 mod newton;
 mod plane;
+mod reactions;
 mod redundant;
 mod rows;
 mod single;
 
 use plm_cas::{Expr, Graph};
 
+use self::augmented::augmented;
+pub(crate) use self::augmented::{Augmented, Part, Term};
 use self::charts::Scheme;
 use self::coordinates::{Coordinates, Unknown};
 use self::groups::Group;
@@ -95,10 +99,14 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
+    /// What implicit methods solve in place of df/dx; for trees of many bodies.
+    pub(crate) augmented: Option<Augmented>,
     /// `g`, the guards of conditions.
     pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
+    /// `a` of all bodies and `lambda` of all rows; of trees alone.
+    pub(crate) reactions: Option<Function>,
     /// `x` of a state in absolute coordinates.
     pub(crate) project: Function,
     /// `memory` of a state, returning the same as `rate`; of loops alone.
@@ -189,6 +197,8 @@ impl Layout<'_> {
         let motion = Motion::new(model, coordinates, scheme, self.memory, self.length, self.graph);
         let loops = scheme.loops().next().is_some();
         let (method, rate) = self.rate(&motion, scheme);
+        let tree = scheme.groups.is_empty();
+        let augmented = tree.then(|| augmented(model, equations, coordinates, &motion, self.graph)).flatten();
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -197,6 +207,7 @@ impl Layout<'_> {
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
         let survey = loops.then(|| self.survey(scheme));
+        let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
                 group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect();
@@ -214,6 +225,8 @@ impl Layout<'_> {
             y_dot: of_drivers(&motion.rate),
             method,
             rate,
+            reactions,
+            augmented,
             guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
