@@ -22,8 +22,8 @@ impl<'a> Names<'a> {
             for (name, thing) in &things {
                 if text == "all" || text == *name {
                     self.show(name, *thing, span);
-                } else if let (Some(port), Thing::Body(_)) = (text.strip_prefix(&format!("{name}.")), thing) {
-                    self.show_port(&format!("{name}.{port}"), span);
+                } else if let Some(port) = text.strip_prefix(&format!("{name}.")) {
+                    self.show_one(&text, *thing, port, span);
                 }
             }
         }
@@ -44,6 +44,26 @@ impl<'a> Names<'a> {
         }
     }
 
+    /// A port of a body, a node of a part.
+    fn show_one(&mut self, of: &str, thing: Thing<'a>, port: &str, span: Span) {
+        match thing {
+            Thing::Body(body) if body.ports.iter().any(|known| known.name.text == port) => {
+                self.show_port(of, span);
+            }
+            Thing::Part(definition) => {
+                for item in &definition.items {
+                    match &item.kind {
+                        ItemKind::Node(node) if node.name.ident.text == port => {
+                            self.show_node(of, node, span)
+                        }
+                        _ => {}
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
     fn show_port(&mut self, of: &str, span: Span) {
         for member in OF_PORT {
             self.push(format!("{of}.{member}"), member != "angle", span);
@@ -61,20 +81,14 @@ impl<'a> Names<'a> {
 
     fn show_part(&mut self, of: &str, definition: &'a Definition, span: Span) {
         for item in &definition.items {
-            match &item.kind {
-                ItemKind::Output(list) => {
-                    for output in list {
-                        let ((Some(key), _) | (None, ExprKind::Name(key))) =
-                            (&output.name, &output.value.kind)
-                        else {
-                            continue;
-                        };
-                        let is_vector = self.shapes.is_vector_in(&definition.items, &output.value);
-                        self.push(format!("{of}.{}", key.ident.text), is_vector, span);
-                    }
-                }
-                ItemKind::Node(node) => self.show_node(&format!("{of}.{}", node.name.ident.text), node, span),
-                _ => {}
+            let ItemKind::Output(list) = &item.kind else { continue };
+            for output in list {
+                let ((Some(key), _) | (None, ExprKind::Name(key))) = (&output.name, &output.value.kind)
+                else {
+                    continue;
+                };
+                let is_vector = self.shapes.is_vector_in(&definition.items, &output.value);
+                self.push(format!("{of}.{}", key.ident.text), is_vector, span);
             }
         }
         for argument in definition.arguments.iter().filter(|argument| argument.kind.text == "frame") {

@@ -73,8 +73,7 @@ impl<'a> Resolver<'a> {
                 Value::Body(Some(body)) => self.show_body(body, &mut shown),
                 Value::Frame(frame) => self.show_port(frame, &mut shown),
                 Value::Node(node) => {
-                    let name = self.nodes[node].name.clone();
-                    self.show_node(&name, node, &mut shown);
+                    self.show_node(node, &mut shown);
                     Ok(())
                 }
                 Value::Instance(instance) => self.show_part(instance, &actions, &mut shown),
@@ -84,7 +83,7 @@ impl<'a> Resolver<'a> {
         *outputs = shown.outputs;
     }
 
-    /// What an `observe` names; `all` is every body and every part, those inside of parts too, and every node.
+    /// What an `observe` names; `all` is every body and every part, those inside of parts too, and the nodes of the mechanism.
     fn targets(&mut self, scope: ScopeId, expr: &'a Written, targets: &mut Vec<(Value, Span)>) -> Eval<()> {
         let is_all = matches!(&expr.kind, ExprKind::Name(name) if name.ident.text == "all");
         if is_all && self.find(scope, "all").is_none() {
@@ -133,7 +132,8 @@ impl<'a> Resolver<'a> {
         Ok(())
     }
 
-    fn show_node(&mut self, name: &str, node: usize, shown: &mut Shown) {
+    fn show_node(&mut self, node: usize, shown: &mut Shown) {
+        let name = self.nodes[node].name.clone();
         for member in self.members_of_node(node) {
             if let Some(value) = self.node_member(node, member) {
                 shown.push(format!("{name}.{member}"), &value, String::new());
@@ -141,19 +141,16 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What the definition of a part shows, in its order; then what it does to each of its ports.
+    /// What the definition of a part shows, in its order; then what it does to each of its frames. Its nodes have names of
+    /// their own.
     fn show_part(&mut self, id: usize, actions: &Actions, shown: &mut Shown) -> Eval<()> {
         let (inside, name) = (self.instances[id].scope, self.instances[id].name.clone());
         let outputs = self.scopes[inside].outputs.iter();
         let mut outputs: Vec<_> = outputs.map(|(key, slot)| (*slot, key.to_string())).collect();
         outputs.sort_unstable();
         for (slot, key) in outputs {
-            match self.force(slot, inside, shown.span)? {
-                // A port that is left free shows nothing that the part does not show itself.
-                Value::Node(node) if self.nodes[node].through.iter().all(|of| of.terms.is_empty()) => {}
-                Value::Node(node) => self.show_node(&format!("{name}.{key}"), node, shown),
-                value => shown.push(format!("{name}.{key}"), &value, String::new()),
-            }
+            let value = self.force(slot, inside, shown.span)?;
+            shown.push(format!("{name}.{key}"), &value, String::new());
         }
         if actions.rows[id].is_empty() && actions.applied[id].is_empty() {
             return Ok(());

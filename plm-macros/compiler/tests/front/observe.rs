@@ -131,7 +131,7 @@ fn nothing_is_shown_twice_and_what_is_declared_comes_first() {
     assert_eq!(model.outputs[0].unit.text, "kN*m");
 }
 
-/// Repetitions, what is inside of parts, and ports of domains on which something acts.
+/// Repetitions and what is inside of parts; nodes of parts by their own names.
 #[test]
 fn all_is_what_can_be_seen_anywhere() {
     let model = resolve(
@@ -146,7 +146,7 @@ fn all_is_what_can_be_seen_anywhere() {
             body wheel { mass: 1 kg; inertia: 1 kg*m^2; port hub: (0, 0) m; }
             revolute axle(ground.o, wheel.hub);
             motor drive(axle.shaft);
-            observe all;
+            observe all, axle.shaft;
         }",
     );
     let names = names(&model);
@@ -155,7 +155,7 @@ fn all_is_what_can_be_seen_anywhere() {
     {
         assert!(names.contains(&expected), "{expected}: {names:?}");
     }
-    assert!(!names.contains(&"link[0].pin.shaft.torque"), "a shaft that is left free");
+    assert!(!names.contains(&"link[0].pin.shaft.torque"), "a node of a part");
     let values = Values::of(&model);
     assert_near(output(&model, &values, "axle.shaft.torque")[0], 3.0, "shaft");
     assert_near(output(&model, &values, "axle.torque_on_b")[0], 3.0, "what the joint hands on");
