@@ -114,7 +114,7 @@ fn energy_changes_by_the_work_of_the_feedback() {
     assert!((gained - work).abs() < 1e-8, "{gained} {work}");
 }
 
-mod sensed {
+mod instrumented {
     plm::mechanism! {
         /// The pendulum above with sensors in place of expressions.
         pub Pendulum {
@@ -138,7 +138,7 @@ mod sensed {
 #[test]
 fn a_sensor_feeds_back_exactly() {
     let mut plain = heavier::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
-    let mut sensed = sensed::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
+    let mut sensed = instrumented::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
     for _ in 0..20 {
         plain.step(0.1).unwrap();
         sensed.step(0.1).unwrap();

@@ -15,6 +15,7 @@ mod observe;
 mod operations;
 mod oracle;
 mod physics;
+mod pictures;
 mod reach;
 mod reactions;
 mod references;

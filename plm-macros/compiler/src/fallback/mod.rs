@@ -25,7 +25,7 @@ const MAX_ITEMS: usize = 1 << 12;
 
 /// The names of a declaration as a mechanism; `None` if it has none itself.
 pub(crate) fn model(reading: &Reading) -> Option<Model> {
-    let Reading { declaration, library } = reading;
+    let Reading { declaration, library, .. } = reading;
     let mechanism = declaration.mechanism.as_ref()?;
     let shapes = Shapes::new(library, &mechanism.items);
     let mut names = Names {
@@ -63,6 +63,8 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         loads: Vec::new(),
         states,
         outputs,
+        sizes: Vec::new(),
+        files: Vec::new(),
         sides: Vec::new(),
         allowed: Vec::new(),
         graph,
@@ -283,6 +285,8 @@ fn body(graph: &mut Graph, name: Name) -> Body {
         a,
         centre: [zero; 2],
         ports: Vec::new(),
+        contour: Vec::new(),
+        depth: None,
         start: [start; 3],
         start_velocity: [start; 3],
         name,

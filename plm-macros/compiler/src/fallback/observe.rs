@@ -54,7 +54,7 @@ impl<'a> Names<'a> {
                 for item in &definition.items {
                     match &item.kind {
                         ItemKind::Node(node) if node.name.ident.text == port => {
-                            self.show_node(of, node, span)
+                            self.show_node(of, node, span);
                         }
                         _ => {}
                     }

@@ -44,6 +44,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Load(load) => self.declare_load(scope, load, part),
                 ItemKind::Node(node) => self.declare_node(scope, node),
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs),
+                ItemKind::Picture(names) => self.declare_picture(scope, names),
                 ItemKind::Observe(list) => self.observed.extend(list.iter().map(|expr| (scope, expr))),
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.

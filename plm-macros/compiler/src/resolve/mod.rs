@@ -21,6 +21,7 @@ mod member;
 mod node;
 mod observe;
 mod output;
+mod picture;
 mod rate;
 mod row;
 mod scope;
@@ -36,12 +37,14 @@ use crate::library::Library;
 use crate::model::{self, Model};
 use crate::span::Span;
 use crate::syntax::ast::{self, Mechanism};
+use crate::token::Files;
 use crate::units::DisplayUnit;
 use body::BodyState;
 use frame::PortState;
 use instance::InstanceState;
 use node::NodeState;
 pub(crate) use observe::{OF_CENTRE, OF_PORT};
+use picture::SizeItem;
 use row::{Action, LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use value::Value;
@@ -50,10 +53,10 @@ use value::Value;
 pub(crate) fn resolve(
     declaration: &ast::Declaration,
     mechanism: &Mechanism,
-    library: &Library,
+    (library, files): (&Library, &Files),
     sink: &mut Diagnostics,
 ) -> Option<Model> {
-    let mut resolver = Resolver::new(library, sink);
+    let mut resolver = Resolver::new(library, files, sink);
     let top = resolver.new_scope(None, None);
     resolver.begin(mechanism, top);
     resolver.evaluate();
@@ -65,6 +68,8 @@ struct Resolver<'a> {
     graph: Graph,
     sink: &'a mut Diagnostics,
     library: &'a Library,
+    /// Files that the declaration names.
+    files: &'a Files,
     scopes: Vec<Scope<'a>>,
     slots: Vec<Slot<'a>>,
     /// Depth of evaluation.
@@ -101,6 +106,8 @@ struct Resolver<'a> {
     observed: Vec<(ScopeId, &'a ast::Expr)>,
     /// What parts apply to bodies and to the ground, for who observes them.
     applied: Vec<Action>,
+    /// Sizes of parts for pictures.
+    sizes: Vec<SizeItem>,
     /// What is chosen, and between what.
     choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
@@ -140,7 +147,7 @@ struct StateState<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    fn new(library: &'a Library, sink: &'a mut Diagnostics) -> Resolver<'a> {
+    fn new(library: &'a Library, files: &'a Files, sink: &'a mut Diagnostics) -> Resolver<'a> {
         let mut graph = Graph::new();
         let time = graph.symbol("t");
         let directions = BTreeMap::from([(time, graph.one())]);
@@ -148,6 +155,7 @@ impl<'a> Resolver<'a> {
             graph,
             sink,
             library,
+            files,
             scopes: Vec::new(),
             slots: Vec::new(),
             depth: 0,
@@ -176,6 +184,7 @@ impl<'a> Resolver<'a> {
             outputs: Vec::new(),
             observed: Vec::new(),
             applied: Vec::new(),
+            sizes: Vec::new(),
             choices: Vec::new(),
             checks: Vec::new(),
             checked: BTreeSet::new(),

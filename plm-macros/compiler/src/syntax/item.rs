@@ -1,6 +1,6 @@
 //! Items: what stands in a mechanism, in a part, or in a repetition.
 
-use super::ast::{Expr, ExprKind, Ident, Item, ItemKind, Output, Repeat, Value};
+use super::ast::{Expr, ExprKind, Ident, IndexedName, Item, ItemKind, Output, Repeat, Value};
 use super::cursor::{Cursor, Parse, Reported};
 use crate::diag::{Code, nearest};
 use crate::span::Span;
@@ -25,6 +25,7 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("observe", Some(Context::Mechanism)),
     ("choice", Some(Context::Part)),
     ("pair", Some(Context::Part)),
+    ("picture", Some(Context::Part)),
     ("param", None),
     ("input", None),
     ("state", None),
@@ -81,6 +82,7 @@ impl Cursor<'_> {
             "rate" => self.definition_of_name(ItemKind::Rate),
             "choice" => self.choice().map(ItemKind::Choice),
             "pair" => self.pair().map(ItemKind::Pair),
+            "picture" => self.picture().map(ItemKind::Picture),
             "ground" => self.ground().map(ItemKind::Ground),
             "body" => self.body().map(ItemKind::Body),
             "constraint" => self.constraint(),
@@ -236,10 +238,7 @@ impl Cursor<'_> {
         Ok(Value { name, unit, value, locked })
     }
 
-    fn definition_of_name(
-        &mut self,
-        make: impl FnOnce(super::ast::IndexedName, Expr) -> ItemKind,
-    ) -> Parse<ItemKind> {
+    fn definition_of_name(&mut self, make: impl FnOnce(IndexedName, Expr) -> ItemKind) -> Parse<ItemKind> {
         self.advance();
         let name = self.indexed_name("a name")?;
         self.punct('=', "`=`")?;
@@ -256,6 +255,16 @@ impl Cursor<'_> {
         }
         self.semicolon()?;
         Ok(outputs)
+    }
+
+    fn picture(&mut self) -> Parse<Vec<IndexedName>> {
+        self.advance();
+        let mut names = vec![self.indexed_name("a parameter")?];
+        while self.eat_punct(',') {
+            names.push(self.indexed_name("a parameter")?);
+        }
+        self.semicolon()?;
+        Ok(names)
     }
 
     fn observed(&mut self) -> Parse<Vec<Expr>> {

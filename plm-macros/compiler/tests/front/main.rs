@@ -8,6 +8,7 @@ mod expressions;
 mod nodes;
 mod observe;
 mod parts;
+mod pictures;
 mod soup;
 mod states;
 mod support;
