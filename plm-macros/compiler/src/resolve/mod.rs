@@ -102,7 +102,8 @@ struct Resolver<'a> {
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
-    outputs: Vec<(ScopeId, &'a ast::Output)>,
+    /// With the documentation of their items.
+    outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
     observed: Vec<(ScopeId, &'a ast::Expr)>,
     /// What parts apply to bodies and to the ground, for who observes them.
     applied: Vec<Action>,

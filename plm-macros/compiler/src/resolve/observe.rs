@@ -150,7 +150,7 @@ impl<'a> Resolver<'a> {
         outputs.sort_unstable();
         for (slot, key) in outputs {
             let value = self.force(slot, inside, shown.span)?;
-            shown.push(format!("{name}.{key}"), &value, String::new());
+            shown.push(format!("{name}.{key}"), &value, self.docs_of_output(id, &key));
         }
         if actions.rows[id].is_empty() && actions.applied[id].is_empty() {
             return Ok(());

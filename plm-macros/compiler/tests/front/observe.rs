@@ -102,6 +102,22 @@ fn names(model: &Model) -> Vec<&str> {
     model.outputs.iter().map(|output| output.name.text.as_str()).collect()
 }
 
+/// The sign of what a joint shows stands with it, whether it is observed or declared.
+#[test]
+fn signs_are_told() {
+    let model = between(
+        "weld j(one.p, two.p); prismatic k(one.p, two.p); /// Mine. \n output one.x; output j.force; observe j, k;",
+    );
+    let docs = |name: &str| &model.outputs.iter().find(|output| output.name.text == name).unwrap().docs;
+    assert_eq!(docs("one.x"), "Mine.");
+    for name in ["j.force", "j.torque", "k.force", "k.torque", "k.drive_force"] {
+        assert!(docs(name).contains("the body of `"), "{name}: {}", docs(name));
+    }
+    for name in ["j.force_on_a", "j.torque_on_b", "k.force_on_b"] {
+        assert!(docs(name).starts_with("What `"), "{name}: {}", docs(name));
+    }
+}
+
 #[test]
 fn nothing_is_shown_twice_and_what_is_declared_comes_first() {
     let model = between("weld j(one.p, two.p); output j.torque in kN*m, one.x; observe j, one, j;");
