@@ -65,6 +65,8 @@ pub enum Cause {
         /// The number allowed.
         steps: u64,
     },
+    /// A requirement of the part does not hold.
+    Required,
     /// A condition switches more and more often: the times have a limit that they do not pass.
     Zeno {
         /// How often something switched.
@@ -178,6 +180,7 @@ impl fmt::Display for Cause {
                 write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::Required => write!(f, "this requirement does not hold any more"),
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")
             }

@@ -60,7 +60,7 @@ pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {
     ) -> Health<Self::S> {
         match by_x.full() {
             Some(matrix) => self.jacobian(t, u, x, matrix, by_t),
-            None => Health(Self::S::INFINITY - Self::S::INFINITY),
+            None => Health(Self::S::lit(f64::NAN)),
         }
     }
 

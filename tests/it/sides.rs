@@ -1,6 +1,6 @@
 //! Conditions of a declaration: where forces jump, and times that are known.
 
-use plm::{Dop853, Fault, Gauss, Mechanism, Method, RadauIia5, Rk4, Ros34Pw2};
+use plm::{Dop853, Fault, Gauss, Method, RadauIia5, Rk4, Ros34Pw2};
 
 /// A block that a constant force pushes back to the middle from either side: parabolas.
 mod bang {

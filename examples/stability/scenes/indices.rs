@@ -108,7 +108,7 @@ fn linearised(
 
 /// Orders of position, velocity and multiplier: 2s - 1 at all where the constraint gives the multiplier, less where it has
 /// to be differentiated: s (index 2), s and s - 1 (index 3) with s = 3 (E. Hairer, C. Lubich, M. Roche, The Numerical Solution
-/// of Differential-Algebraic Systems by Runge-Kutta Methods, 1989, table 2.3; for index 3 as a conjecture, proved by L. Jay,
+/// of Differential-Algebraic Systems by Runge-Kutta Methods, 1989; for index 3 as a conjecture, proved in part by L. Jay,
 /// Numer. Math. 65, 1993).
 pub fn orders(index: Index) -> [f64; 3] {
     match index {

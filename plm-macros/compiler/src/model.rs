@@ -50,7 +50,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// First-order states.
     pub states: Vec<State>,
-    /// Conditions whose side is held over a step: of the state first, then of the time; derivation finds them.
+    /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
+    /// beginning, derivation finds the others.
     pub sides: Vec<Side>,
     /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
@@ -296,8 +297,10 @@ pub struct Side {
     pub difference: Expr,
     /// The time at which it does, s, and the slope of the difference there, if it depends on the time alone.
     pub instant: Option<[Expr; 2]>,
-    /// The part or state that jumps.
+    /// The part or state that jumps; the requirement.
     pub name: String,
+    /// It must not change: a requirement, positive as long as it holds.
+    pub must_hold: bool,
 }
 
 impl Model {

@@ -216,12 +216,13 @@ fn absolute(text: &mut String, emission: &Emission) {
     );
 }
 
-/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for rates.
+/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
+/// rates, one of its unit for a state.
 fn sizes(emission: &Emission, chart: &Chart) -> String {
     let length = format!("{:?}", emission.report.length);
     let one = |angle: &bool| if *angle { "1.0".to_owned() } else { length.clone() };
     let mut sizes: Vec<String> = chart.angles.iter().chain(&chart.angles).map(one).collect();
-    sizes.extend(std::iter::repeat_n("1.0".to_owned(), emission.equations.x.len()));
+    sizes.extend(emission.model.states.iter().map(system::unit_of_state));
     sizes.join(", ")
 }
 

@@ -4,7 +4,7 @@ use plm_cas::Expr;
 
 use super::{Emission, defaults, mechanism, push, reduced, sides, solved};
 use crate::formulate::coordinate_name;
-use crate::model::Stabilisation;
+use crate::model::{Stabilisation, State};
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
@@ -127,10 +127,16 @@ pub(super) fn energy(text: &mut String, emission: &Emission) {
     );
 }
 
+/// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
+/// instructions.
+const SHORT: usize = 300;
+
 /// `Rate` for any scalar, and the beginning of `System`: its types and its rate.
 pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, statements: &str) {
     let (name, held, (length, _)) = (&emission.name, emission.held("S"), emission.state_length());
     let guards = emission.model.guards();
+    let short = emission.report.rate.total() <= SHORT;
+    let always = if short { "(always)" } else { "" };
     push(
         text,
         format_args!(
@@ -140,7 +146,7 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type U = {held};
         const NQ: usize = {coordinates};
 
-        #[inline]
+        #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
             {statements}
         }}
@@ -152,8 +158,9 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type U = {held};
         type G = [S; {guards}];
         const NQ: usize = {coordinates};
+        const SHORT: bool = {short};
 
-        #[inline]
+        #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
             rt::lanes::Rate::rate(self, t, u, x, dx)
         }}
@@ -163,13 +170,20 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
     );
 }
 
-/// Sizes for absolute tolerances: the scene's length for positions, one radian for angles, both per second for rates.
+/// The typical size of a state: one of the unit that it is declared in.
+pub(super) fn unit_of_state(state: &State) -> String {
+    format!("{:?}", state.unit.factor.to_f64())
+}
+
+/// Sizes for absolute tolerances: the scene's length for positions, one radian for angles, both per second for rates, one
+/// of its unit for a state.
 fn typical(text: &mut String, emission: &Emission) {
     let Emission { equations, model, report, .. } = emission;
     let length = format!("{:?}", report.length);
     let pose = |k: usize| if k % 3 == 2 { "1.0" } else { length.as_str() };
     let mut sizes: Vec<&str> = (0..equations.q.len()).chain(0..equations.q.len()).map(pose).collect();
-    sizes.extend(std::iter::repeat_n("1.0", equations.x.len()));
+    let units: Vec<String> = model.states.iter().map(unit_of_state).collect();
+    sizes.extend(units.iter().map(String::as_str));
     push(
         text,
         format_args!(

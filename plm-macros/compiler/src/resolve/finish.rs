@@ -24,7 +24,8 @@ impl<'a> Resolver<'a> {
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
         self.evaluate_observed(&mut outputs);
-        self.put_late(&mut states, &mut loads, &mut outputs);
+        let mut sides = self.finish_requirements();
+        self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
         let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
@@ -54,7 +55,7 @@ impl<'a> Resolver<'a> {
             outputs,
             sizes: sizes.ok()?,
             files: self.files.keys().cloned().collect(),
-            sides: Vec::new(),
+            sides,
             allowed: self.allowed,
         })
     }

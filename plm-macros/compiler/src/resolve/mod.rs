@@ -23,6 +23,7 @@ mod observe;
 mod output;
 mod picture;
 mod rate;
+mod require;
 mod row;
 mod scope;
 mod shape;
@@ -45,6 +46,7 @@ use instance::InstanceState;
 use node::NodeState;
 pub(crate) use observe::{OF_CENTRE, OF_PORT};
 use picture::SizeItem;
+use require::Requirement;
 use row::{Action, LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use value::Value;
@@ -99,6 +101,7 @@ struct Resolver<'a> {
     instances: Vec<InstanceState<'a>>,
     parts: Vec<model::Part>,
     rows: Vec<RowState<'a>>,
+    requirements: Vec<Requirement<'a>>,
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
@@ -180,6 +183,7 @@ impl<'a> Resolver<'a> {
             instances: Vec::new(),
             parts: Vec::new(),
             rows: Vec::new(),
+            requirements: Vec::new(),
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),

@@ -35,6 +35,7 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("body", None),
     ("node", None),
     ("constraint", None),
+    ("require", None),
     ("output", None),
     ("repeat", None),
 ];
@@ -86,6 +87,7 @@ impl Cursor<'_> {
             "ground" => self.ground().map(ItemKind::Ground),
             "body" => self.body().map(ItemKind::Body),
             "constraint" => self.constraint(),
+            "require" => self.requirement(),
             "output" => self.outputs().map(ItemKind::Output),
             "observe" => self.observed().map(ItemKind::Observe),
             "repeat" => self.repeat(context).map(ItemKind::Repeat),

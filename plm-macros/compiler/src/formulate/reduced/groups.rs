@@ -4,13 +4,14 @@
 use plm_cas::{Expr, Graph};
 
 use super::coordinates::{Coordinates, Unknown};
-use super::dyad::{Dyad, Solution};
+use super::dyad::Dyad;
 use super::loops;
 use super::memory::Memory;
 use super::motion::Motion;
 use super::newton::Newton;
 use super::rows;
 use super::single::Single;
+use super::solution::Solution;
 use crate::topology::Block;
 
 /// Unknowns that follow from those before.
@@ -107,7 +108,7 @@ impl Group {
             }
             Group::Dyad(dyad) => {
                 let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
-                let solution = dyad.solve(coordinates, motion, predicted, graph);
+                let solution = dyad.solve(coordinates, motion, predicted, time, graph);
                 loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
                 solution
             }

@@ -82,9 +82,11 @@ impl Layout<'_> {
 
     /// Second derivatives of all unknowns from those of the coordinates.
     fn second_derivatives(&mut self, motion: &Motion, of_drivers: &[Expr]) -> Vec<Expr> {
+        // With a pace, what the velocities ask for is over its square.
+        let square = motion.pace.map_or(self.graph.one(), |pace| self.graph.powi(pace, 2));
         let gains = motion.gain.iter().zip(&motion.bias);
         let values = gains.map(|(gains, &bias)| {
-            let mut terms = vec![bias];
+            let mut terms = vec![self.graph.mul(square, bias)];
             terms.extend(gains.iter().zip(of_drivers).map(|(&gain, &value)| self.graph.mul(gain, value)));
             self.graph.sum(&terms)
         });

@@ -11,7 +11,7 @@ use crate::model::Model;
 #[derive(Clone, Debug)]
 pub(crate) struct Explicit {
     /// The row, with a symbol for each unknown.
-    phi: Expr,
+    pub(crate) phi: Expr,
     /// The unknowns that it holds, ascending, and their symbols.
     pub(crate) held: Vec<(usize, Expr)>,
     /// The unknowns that it can be solved for, and their coefficients.
@@ -133,7 +133,7 @@ pub(crate) fn solve(
     let by_time = graph.diff(rest, time);
 
     let mut pairs = known(coordinates, motion, &others, graph);
-    pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.rate[of])));
+    pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
     let mut roots = vec![rest, by_time, curvature];
     roots.extend(&slopes);
     let roots = graph.substitute(&roots, &pairs);
@@ -171,7 +171,8 @@ fn known(
     let mut pairs = Vec::new();
     for &(unknown, symbol) in others {
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-            let [cos, sin] = motion.axis[class];
+            let along = [graph.one(), graph.zero()];
+            let [cos, sin] = motion.turned(graph, class, along);
             pairs.extend([(graph.cos(symbol), cos), (graph.sin(symbol), sin)]);
         }
         pairs.push((symbol, motion.value[unknown]));
