@@ -33,7 +33,16 @@ pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
 impl Reading {
     /// Names bound; `None` if there are errors.
     pub(crate) fn model(&self, sink: &mut Diagnostics) -> Option<Model> {
+        self.resolved(true, sink)
+    }
+
+    /// The model as it would be if nothing were observed.
+    pub(crate) fn unobserved(&self) -> Option<Model> {
+        self.resolved(false, &mut Diagnostics::new())
+    }
+
+    fn resolved(&self, observes: bool, sink: &mut Diagnostics) -> Option<Model> {
         let mechanism = self.declaration.mechanism.as_ref()?;
-        resolve(&self.declaration, mechanism, (&self.library, &self.files), sink)
+        resolve(&self.declaration, mechanism, (&self.library, &self.files), observes, sink)
     }
 }

@@ -98,11 +98,11 @@ fn words(line: &str, separates: impl Fn(char) -> bool) -> Vec<Word<'_>> {
 
 #[cfg(test)]
 mod tests {
-    use super::read;
+    use super::{Number, read};
 
     fn metres(text: &str) -> Vec<[f64; 2]> {
         let points = read(text).unwrap_or_else(|problem| unreachable!("{problem:?}"));
-        points.into_iter().map(|point| point.map(|x| x.to_f64())).collect()
+        points.into_iter().map(|point| point.map(Number::to_f64)).collect()
     }
 
     #[test]
@@ -124,7 +124,7 @@ mod tests {
             ("0, 0\nx, y\n", (2, 1), "expected a number, found `x`"),
         ];
         for (text, place, what) in cases {
-            let problem = read(text).unwrap_err();
+            let Err(problem) = read(text) else { unreachable!("{text}") };
             assert_eq!(((problem.line, problem.column), problem.what.as_str()), (place, what), "{text}");
         }
     }

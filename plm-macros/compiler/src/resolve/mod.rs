@@ -56,12 +56,16 @@ pub(crate) fn resolve(
     declaration: &ast::Declaration,
     mechanism: &Mechanism,
     (library, files): (&Library, &Files),
+    observes: bool,
     sink: &mut Diagnostics,
 ) -> Option<Model> {
     let mut resolver = Resolver::new(library, files, sink);
     let top = resolver.new_scope(None, None);
     resolver.begin(mechanism, top);
     resolver.evaluate();
+    if !observes {
+        resolver.observed.clear();
+    }
     resolver.finish(declaration, mechanism)
 }
 

@@ -7,6 +7,7 @@ use super::scope::ScopeId;
 use super::value::{Condition, Eval, Failed, Reads};
 use crate::diag::Code;
 use crate::model::Side;
+use crate::span::Span;
 use crate::syntax::ast;
 
 /// A requirement that was declared.
@@ -15,6 +16,7 @@ pub(super) struct Requirement<'a> {
     condition: &'a ast::Expr,
     /// Full name, `cylinder.cap.above_vacuum`.
     name: String,
+    span: Span,
 }
 
 impl<'a> Resolver<'a> {
@@ -29,14 +31,19 @@ impl<'a> Resolver<'a> {
             return;
         }
         let Ok(key) = self.key(scope, name) else { return };
-        let name = format!("{}{key}", self.prefix(scope));
-        self.requirements.push(Requirement { scope, condition, name });
+        let (full, span) = (format!("{}{key}", self.prefix(scope)), name.ident.span);
+        if let Some(first) = self.requirements.iter().find(|known| known.name == full) {
+            let first = first.span;
+            self.duplicate(scope, &key, span, first);
+            return;
+        }
+        self.requirements.push(Requirement { scope, condition, name: full, span });
     }
 
     /// Requirements as sides that must not change.
     pub(super) fn finish_requirements(&mut self) -> Vec<Side> {
         let mut sides = Vec::new();
-        for Requirement { scope, condition, name } in std::mem::take(&mut self.requirements) {
+        for Requirement { scope, condition, name, .. } in std::mem::take(&mut self.requirements) {
             // A mistake has been reported; what else is wrong is found all the same.
             let Ok(differences) = self.requirement(scope, condition) else { continue };
             for difference in differences {
@@ -61,7 +68,11 @@ impl<'a> Resolver<'a> {
         if self.positive(&condition, &mut differences) {
             return Ok(differences);
         }
-        self.error(scope, Code::WrongKind, expr.span, "a requirement is a comparison, or several with `and`");
+        let message = match condition {
+            Condition::Known(_) => "a requirement that never holds",
+            _ => "a requirement is a comparison, or several with `and`",
+        };
+        self.error(scope, Code::WrongKind, expr.span, message);
         Err(Failed)
     }
 
