@@ -13,6 +13,7 @@ pages! {
     Readme = "../../README.md";
     GettingStarted = "getting-started.md";
     GeneratedCode = "generated-code.md";
+    Outputs = "language/outputs.md";
     Parts = "language/parts.md";
     Assembly = "running/assembly.md";
     Integrators = "running/integrators.md";
@@ -29,4 +30,9 @@ pages! {
 #[cfg(feature = "lanes")]
 pages! {
     Lanes = "running/lanes.md";
+}
+
+#[cfg(feature = "batch")]
+pages! {
+    Batch = "running/batch.md";
 }

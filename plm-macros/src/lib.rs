@@ -3,6 +3,7 @@
 //! Everything that can be tested without rustc stands in `plm-compiler`; use this crate through `plm`.
 
 mod diagnostics;
+mod files;
 mod sharing;
 mod tokens;
 
@@ -19,6 +20,7 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
     let (tokens, spans) = tokens::flatten(input);
     let mut sources = Sources::new();
     sources.add_tokens("declaration", tokens);
+    files::read(&mut sources);
     match without_panic(|| compile(&mut sources)) {
         Ok(expansion) => emit(&expansion, &sources, &spans),
         Err(what) => {

@@ -113,3 +113,36 @@ fn energy_changes_by_the_work_of_the_feedback() {
     assert!(work.abs() > 0.1, "{work}");
     assert!((gained - work).abs() < 1e-8, "{gained} {work}");
 }
+
+mod instrumented {
+    plm::mechanism! {
+        /// The pendulum above with sensors in place of expressions.
+        pub Pendulum {
+            gravity: 9.81 m/s^2;
+            ground { port o: (0, 0) m; }
+            body bob {
+                mass: 2 kg;
+                inertia: 0.05 kg*m^2;
+                port pivot: (0.1, 0.7) m;
+                start angle: 50 deg, locked;
+            }
+            acceleration_sensor spin(bob.pivot) { direction: rotary; gain: -0.3; }
+            force_sensor load() { x: hinge.force.x; y: hinge.force.y; direction: y; gain: 0.5; offset: 4; }
+            revolute hinge(ground.o, bob.pivot) { drive: 1 N*m*spin.signal; }
+            output hinge.force, load.signal;
+        }
+    }
+}
+
+/// A sensor in the loop is the expression that it stands for.
+#[test]
+fn a_sensor_feeds_back_exactly() {
+    let mut plain = heavier::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
+    let mut sensed = instrumented::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
+    for _ in 0..20 {
+        plain.step(0.1).unwrap();
+        sensed.step(0.1).unwrap();
+        assert!((plain.bob().angle - sensed.bob().angle).abs() < 1e-10);
+        assert!((0.5 * (plain.hinge_force()[1] - 4.0) - sensed.load_signal()).abs() < 1e-8);
+    }
+}

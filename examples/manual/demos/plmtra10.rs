@@ -9,6 +9,7 @@
 //! The spring is SD0000: its force is a state, zero at the start, whose rate is the stiffness times the speed. A positive
 //! force pushes the ports apart.
 
+use plm::batch::{self, Failure};
 use plm::{Dop853, Fault};
 
 use super::balance::{self, Balance, Ledger, RTOL};
@@ -36,11 +37,13 @@ plm::mechanism! {
     }
 }
 
-/// Four slopes, 3 s each.
+/// Slopes in degrees, and the force that the manual prints for each.
+const SLOPES: [(u8, f64); 4] = [(0, 0.0), (30, 98.1), (60, 169.91), (90, 196.2)];
+
+/// Four slopes, 3 s each, as a batch.
 pub fn sheet() -> Result<Sheet, Fault> {
     let mut sheet = Sheet::new("PLMTRA10");
-    let mut worst = Balance::default();
-    for (degrees, printed) in [(0, 0.0), (30, 98.1), (60, 169.91), (90, 196.2)] {
+    let runs = batch::points(SLOPES).run(|(degrees, _)| {
         let alpha = f64::from(degrees).to_radians();
         let mut sim = Plmtra10 { alpha, ..Plmtra10::new() }.start_with(Dop853::new(RTOL))?;
         let balance = balance::run(&mut sim, (6000, 5e-4), |s| Ledger {
@@ -52,9 +55,16 @@ pub fn sheet() -> Result<Sheet, Fault> {
             loads: s.load_power(),
             ..Ledger::default()
         })?;
+        Ok((sim.push(), balance))
+    });
+    let mut worst = Balance::default();
+    for ((degrees, printed), (push, balance)) in runs.values() {
         let name = format!("static spring force {degrees} deg");
-        sheet.manual(&name, sim.push(), "N", printed, Rounded(0.01));
-        worst = worst.or_worse(balance);
+        sheet.manual(&name, *push, "N", *printed, Rounded(0.01));
+        worst = worst.or_worse(*balance);
+    }
+    if let Some(Failure::Fault(fault)) = runs.failed().find_map(|run| run.result.as_ref().err()) {
+        return Err(*fault);
     }
     sheet.balance(worst);
     Ok(sheet)

@@ -49,6 +49,30 @@ pub enum Node {
     Select(Expr, Expr, Expr),
 }
 
+impl Node {
+    /// The node with other operands, as they come: not in canonical form.
+    pub(crate) fn mapped(self, of: impl Fn(Expr) -> Expr) -> Node {
+        match self {
+            Node::Number(_) | Node::Symbol => self,
+            Node::Defined(value) => Node::Defined(of(value)),
+            Node::Sum { constant, mut terms } => {
+                terms.iter_mut().for_each(|(_, term)| *term = of(*term));
+                Node::Sum { constant, terms }
+            }
+            Node::Product(mut factors) => {
+                factors.iter_mut().for_each(|(factor, _)| *factor = of(*factor));
+                Node::Product(factors)
+            }
+            Node::Call(function, mut arguments) => {
+                arguments.iter_mut().for_each(|argument| *argument = of(*argument));
+                Node::Call(function, arguments)
+            }
+            Node::Less(a, b) => Node::Less(of(a), of(b)),
+            Node::Select(condition, a, b) => Node::Select(of(condition), of(a), of(b)),
+        }
+    }
+}
+
 /// The elementary functions. There is no tangent: `tan` is the quotient of the pair `sin`, `cos`.
 #[derive(Copy, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Function {

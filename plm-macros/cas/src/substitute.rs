@@ -81,30 +81,48 @@ impl Graph {
         if !changed {
             return e;
         }
-        let rebuilt = match self.node(e).clone() {
-            Node::Number(_) | Node::Symbol => e,
-            Node::Defined(value) => {
-                let (value, name) = (self.replaced(value), self.name(e).unwrap_or_default().to_owned());
-                self.define(&name, value)
-            }
-            Node::Sum { constant, terms } => {
-                let terms: Vec<_> = terms.iter().map(|&(c, term)| (c, self.replaced(term))).collect();
-                self.linear(constant, &terms)
-            }
-            Node::Product(factors) => {
-                let factors: Vec<_> = factors.iter().map(|&(f, n)| (self.replaced(f), n)).collect();
-                self.monomial(Number::ONE, &factors)
-            }
-            Node::Call(function, arguments) => {
-                let arguments: Vec<_> = arguments.iter().map(|&a| self.replaced(a)).collect();
-                self.call(function, &arguments)
-            }
-            Node::Less(a, b) => self.less(self.replaced(a), self.replaced(b)),
-            Node::Select(condition, a, b) => {
-                self.select(self.replaced(condition), self.replaced(a), self.replaced(b))
-            }
-        };
+        let (node, name) = (self.node(e).clone(), self.name(e).unwrap_or_default().to_owned());
+        let node = node.mapped(|child| self.replaced(child));
+        let rebuilt = self.make(e, node, &name);
         self.copy_name(e, rebuilt);
         rebuilt
+    }
+
+    /// A node through the constructors; what has no operands is `leaf`.
+    fn make(&mut self, leaf: Expr, node: Node, name: &str) -> Expr {
+        match node {
+            Node::Number(_) | Node::Symbol => leaf,
+            Node::Defined(value) => self.define(name, value),
+            Node::Sum { constant, terms } => self.linear(constant, &terms),
+            Node::Product(factors) => self.monomial(Number::ONE, &factors),
+            Node::Call(function, arguments) => self.call(function, &arguments),
+            Node::Less(a, b) => self.less(a, b),
+            Node::Select(condition, a, b) => self.select(condition, a, b),
+        }
+    }
+
+    /// Expressions of another graph in this one. Both made their symbols in the same order: the first of one is the first
+    /// of the other, and so on; this one may have made more since.
+    ///
+    /// So what is worked out on the side leaves no trace in the order of a graph until it is fetched.
+    pub fn import(&mut self, from: &Graph, roots: &[Expr]) -> Vec<Expr> {
+        let symbols = |graph: &Graph| {
+            let all = (0..graph.len() as u32).map(Expr);
+            all.filter(|&e| matches!(graph.node(e), Node::Symbol)).collect::<Vec<Expr>>()
+        };
+        let mut copies = vec![self.zero(); from.len()];
+        for (theirs, ours) in symbols(from).into_iter().zip(symbols(self)) {
+            copies[theirs.index()] = ours;
+        }
+        for e in from.reachable(roots) {
+            let leaf = match from.node(e) {
+                Node::Number(number) => self.number(*number),
+                _ => copies[e.index()],
+            };
+            let name = from.name(e).unwrap_or_default();
+            let node = from.node(e).clone().mapped(|child| copies[child.index()]);
+            copies[e.index()] = self.make(leaf, node, name);
+        }
+        roots.iter().map(|root| copies[root.index()]).collect()
     }
 }

@@ -4,6 +4,7 @@
 //! `mechanism!` call as argument takes that.
 
 use std::error::Error;
+use std::path::Path;
 use std::process::ExitCode;
 
 use plm_compiler::compile;
@@ -18,6 +19,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     };
     let mut sources = Sources::new();
     sources.add_text(&name, &text);
+    for file in sources.named_files() {
+        let content = std::fs::read_to_string(Path::new(&name).with_file_name(&file));
+        sources.add_file(&file, content.map_err(|error| error.to_string()));
+    }
     let expansion = compile(&mut sources);
     for diagnostic in expansion.diagnostics.sorted() {
         eprintln!("{}", diagnostic.render(&sources));

@@ -1,15 +1,15 @@
 //! The passes, in order.
 
-use plm_cas::Graph;
+use plm_cas::{Expr, Graph};
 
 use crate::check;
 use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
-use crate::formulate::{Absolute, Assembled, Reduced, formulate, reduce};
-use crate::front;
-use crate::model::{Model, Rung, Stabilisation};
+use crate::formulate::{Absolute, Assembled, Reduced, formulate, lay_out, reduce};
+use crate::front::{self, Reading};
+use crate::model::{Model, Output, Rung, Stabilisation};
 use crate::oracle::Oracle;
 use crate::report::{self, Report};
 use crate::token::Sources;
@@ -35,7 +35,10 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
     let reading = front::read(sources, &mut sink);
     let mut expansion = match reading.model(&mut sink) {
-        Some(model) => back_end(model, &mut sink),
+        Some(model) => {
+            let (model, observed) = apart(&reading, model);
+            back_end(model, observed, &mut sink)
+        }
         None => Expansion::default(),
     };
     if sink.has_errors() {
@@ -54,13 +57,26 @@ pub fn names_only(sources: &mut Sources) -> Option<Code> {
     fallback::model(&reading).map(unchecked)
 }
 
+/// What is observed, and its graph.
+type Observed = Option<(Vec<Output>, Graph)>;
+
+/// What is observed is kept apart from the model until all else is done: it leaves the step as it is, to the bit.
+fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
+    if model.outputs.iter().all(|output| output.declared) {
+        return (model, None);
+    }
+    let Some(unobserved) = reading.unobserved() else { return (model, None) };
+    let observed = model.outputs.into_iter().filter(|output| !output.declared).collect();
+    (unobserved, Some((observed, model.graph)))
+}
+
 /// From the model to source text.
-fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
+fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
     check::check_reach(&model, sink);
     if sink.has_errors() {
         return Expansion::default();
     }
-    let mut lowered = lower(model);
+    let mut lowered = lower(model, observed);
     check_feedback(&lowered.model, &mut lowered.graph, sink);
     if sink.has_errors() {
         return Expansion::default();
@@ -84,7 +100,7 @@ fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
 
 /// The source of a model that stands for one with errors; nothing about it is checked.
 fn unchecked(model: Model) -> Code {
-    let lowered = lower(model);
+    let lowered = lower(model, None);
     lowered.emit(&lowered.report())
 }
 
@@ -99,11 +115,11 @@ struct Lowered {
     reduced: Result<Reduced, String>,
 }
 
-fn lower(mut model: Model) -> Lowered {
+fn lower(mut model: Model, observed: Observed) -> Lowered {
     let mut graph = std::mem::take(&mut model.graph);
-    hold(&mut model, &mut graph);
+    let held = hold(&mut model, &mut graph);
     let equations = derive(&model, &mut graph);
-    let program = formulate(&model, &equations, &mut graph);
+    let mut program = formulate(&model, &equations, &mut graph);
     let reduced = match (model.rung, model.stabilisation) {
         (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
@@ -126,6 +142,15 @@ fn lower(mut model: Model) -> Lowered {
             }
         }
     };
+    if let Some((mut outputs, from)) = observed {
+        let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
+        let imported = graph.import(&from, &roots);
+        let components = graph.substitute(&imported, &held);
+        let places = outputs.iter_mut().flat_map(|output| &mut output.components);
+        places.zip(components).for_each(|(place, component)| *place = component);
+        program.outputs.user.extend(lay_out(&outputs, &equations, &mut graph));
+        model.outputs.extend(outputs);
+    }
     Lowered { model, graph, equations, program, reduced }
 }
 

@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::resolve::resolve;
 use crate::syntax::ast::Declaration;
 use crate::syntax::parse;
-use crate::token::Sources;
+use crate::token::{Files, Sources};
 
 /// Reads the declaration, source 0 of `sources`, and binds its names. Library parts that it uses are added to the
 /// sources, so that messages can quote them. `None` if there are errors; all that were found are in the sink.
@@ -18,6 +18,7 @@ pub fn parse_and_resolve(sources: &mut Sources, sink: &mut Diagnostics) -> Optio
 pub(crate) struct Reading {
     pub(crate) declaration: Declaration,
     pub(crate) library: Library,
+    pub(crate) files: Files,
 }
 
 pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
@@ -26,13 +27,22 @@ pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
         None => Declaration::default(),
     };
     let library = Library::load(&declaration, sources, sink);
-    Reading { declaration, library }
+    Reading { declaration, library, files: sources.files().clone() }
 }
 
 impl Reading {
     /// Names bound; `None` if there are errors.
     pub(crate) fn model(&self, sink: &mut Diagnostics) -> Option<Model> {
+        self.resolved(true, sink)
+    }
+
+    /// The model as it would be if nothing were observed.
+    pub(crate) fn unobserved(&self) -> Option<Model> {
+        self.resolved(false, &mut Diagnostics::new())
+    }
+
+    fn resolved(&self, observes: bool, sink: &mut Diagnostics) -> Option<Model> {
         let mechanism = self.declaration.mechanism.as_ref()?;
-        resolve(&self.declaration, mechanism, &self.library, sink)
+        resolve(&self.declaration, mechanism, (&self.library, &self.files), observes, sink)
     }
 }

@@ -13,6 +13,7 @@ pub mod lex;
 mod library;
 pub mod model;
 mod oracle;
+mod outline;
 mod report;
 mod resolve;
 pub mod span;

@@ -12,6 +12,7 @@ use crate::token::Sources;
 
 /// Name of each part of the library and the file that defines it.
 pub(crate) const PARTS: &[(&str, &str)] = &[
+    ("acceleration_sensor", include_str!("../parts/acceleration_sensor.plm")),
     ("attached_mass", include_str!("../parts/attached_mass.plm")),
     ("attached_rotor", include_str!("../parts/attached_rotor.plm")),
     ("chamber", include_str!("../parts/chamber.plm")),
@@ -19,6 +20,7 @@ pub(crate) const PARTS: &[(&str, &str)] = &[
     ("end_stop", include_str!("../parts/end_stop.plm")),
     ("fluid", include_str!("../parts/fluid.plm")),
     ("force", include_str!("../parts/force.plm")),
+    ("force_sensor", include_str!("../parts/force_sensor.plm")),
     ("force_state_spring", include_str!("../parts/force_state_spring.plm")),
     ("frame_axes", include_str!("../parts/frame_axes.plm")),
     ("jack", include_str!("../parts/jack.plm")),
@@ -31,6 +33,7 @@ pub(crate) const PARTS: &[(&str, &str)] = &[
     ("pid", include_str!("../parts/pid.plm")),
     ("pin_slot", include_str!("../parts/pin_slot.plm")),
     ("piston", include_str!("../parts/piston.plm")),
+    ("position_sensor", include_str!("../parts/position_sensor.plm")),
     ("prismatic", include_str!("../parts/prismatic.plm")),
     ("ramps", include_str!("../parts/ramps.plm")),
     ("revolute", include_str!("../parts/revolute.plm")),
@@ -43,6 +46,7 @@ pub(crate) const PARTS: &[(&str, &str)] = &[
     ("sliding_mass", include_str!("../parts/sliding_mass.plm")),
     ("spring", include_str!("../parts/spring.plm")),
     ("torque_state_spring", include_str!("../parts/torque_state_spring.plm")),
+    ("velocity_sensor", include_str!("../parts/velocity_sensor.plm")),
     ("weld", include_str!("../parts/weld.plm")),
 ];
 

@@ -53,8 +53,12 @@ pub struct Model {
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub sides: Vec<Side>,
-    /// What the user asked to see.
+    /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
+    /// Sizes of parts for pictures.
+    pub sizes: Vec<Size>,
+    /// Files that the declaration names.
+    pub files: Vec<String>,
     /// Warning codes that the declaration allows, e.g. `W0002`.
     pub allowed: Vec<String>,
 }
@@ -161,6 +165,19 @@ pub struct Body {
     pub start: [Start; 3],
     /// Start of (vx, vy, omega) of the origin O: m/s, m/s, rad/s.
     pub start_velocity: [Start; 3],
+    /// Outline for pictures: points from G in the body's axes, m; empty if there is none.
+    pub contour: Vec<[Expr; 2]>,
+    /// Depth for pictures, m.
+    pub depth: Option<Expr>,
+}
+
+/// A size of a part for pictures.
+#[derive(Clone, Debug)]
+pub struct Size {
+    /// Full name, `push.piston_diameter`.
+    pub name: String,
+    /// Its value, SI; an expression of parameters at most.
+    pub value: Expr,
 }
 
 /// A port of a body.
@@ -174,6 +191,8 @@ pub struct Port {
     pub angle: Expr,
     /// Is it used by any part?
     pub used: bool,
+    /// Depth for pictures, m; of ports of the ground.
+    pub depth: Option<Expr>,
 }
 
 /// A start value; `locked` in the declaration.
@@ -300,4 +319,8 @@ pub struct Output {
     pub components: Vec<Expr>,
     /// Unit in which tables and charts show it (the accessor gives SI).
     pub unit: DisplayUnit,
+    /// Is it declared as an output, so that it stands in recordings? Else it is observed.
+    pub declared: bool,
+    /// What it is and where it points, in a sentence; empty where the name says all.
+    pub docs: String,
 }

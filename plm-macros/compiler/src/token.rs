@@ -3,6 +3,8 @@
 //! The two lexers agree with rustc's: `0..64` is a number, two points and a number; `0.5m` is one number with a
 //! suffix; a punctuation mark is one character that says whether the next one touches it.
 
+use std::collections::BTreeMap;
+
 use crate::span::Span;
 
 /// Kinds of brackets.
@@ -171,7 +173,11 @@ impl Source {
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     list: Vec<Source>,
+    files: Files,
 }
+
+/// Files that a declaration names, by their names: what is in them, or why they cannot be read.
+pub type Files = BTreeMap<String, Result<String, String>>;
 
 impl Sources {
     /// No source yet.
@@ -195,6 +201,30 @@ impl Sources {
         let id = self.list.len() as u32;
         self.list.push(Source { id, name: name.to_string(), tokens, text });
         id
+    }
+
+    /// The files that the declaration names, in order, for who can read them: the compiler cannot.
+    pub fn named_files(&self) -> Vec<String> {
+        let tokens = self.get(0).map_or(&[][..], |source| &source.tokens);
+        let names = tokens.windows(3).filter_map(|three| match three {
+            [word, colon, file]
+                if word.is_word("contour") && colon.is_punct(':') && file.kind == TokenKind::Str =>
+            {
+                Some(crate::syntax::file_name(&file.text).to_string())
+            }
+            _ => None,
+        });
+        names.collect()
+    }
+
+    /// Hands over what is in a file that the declaration names, or why it cannot be read.
+    pub fn add_file(&mut self, name: &str, content: Result<String, String>) {
+        self.files.insert(name.to_string(), content);
+    }
+
+    /// The files that were handed over.
+    pub fn files(&self) -> &Files {
+        &self.files
     }
 
     /// A source by its index.

@@ -49,6 +49,7 @@ const RIGHT: [&str; 3] = [
         force push(coupler.c) { axes: body; y: lift; }
         spring cord(ground.a, coupler.c) { stiffness: 10 N/m; free_length: 0.2 m; }
         output drive.force, pin.force.x, crank.alpha, tip = coupler.c.position, rocker.angle in deg;
+        observe all;
     }",
     "pub Rails {
         ground { port low: (0, 0) m; port high: (0, 1) m; }
@@ -61,6 +62,7 @@ const RIGHT: [&str; 3] = [
         weld glue(wheel.o, cap.o);
         state level: 1 = 0.5; rate level = (1 - level)/(2 s) + rate(slider.x)/(1 m);
         output level, glue.torque, first.force;
+        observe wheel, slot, slider.high;
     }",
     "pub Rope {
         gravity: 9.81 m/s^2; allow(W0001, W0002);
@@ -71,6 +73,7 @@ const RIGHT: [&str; 3] = [
         repeat i in 1..3 { hinge pin[i](bar[i - 1].b, bar[i].a) { d: 0.1 N*m*s/rad; } }
         let length = norm(bar[2].b.position) / max(abs(bar[0].x), 1 mm);
         output length, hook.force, bar[1].y;
+        repeat i in 0..2 { observe bar[i], pin[i + 1]; }
     }",
 ];
 

@@ -5,8 +5,9 @@ use plm_cas::{Expr, Graph, Node};
 
 use crate::model::{Model, Side};
 
-/// Puts the side of every condition at which a force or a rate jumps, or that asks for the time alone, in its place.
-pub(crate) fn hold(model: &mut Model, graph: &mut Graph) {
+/// Puts the side of every condition at which a force or a rate jumps, or that asks for the time alone, in its place. Gives
+/// each condition and what stands for it.
+pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
     let mut conditions: Vec<(Expr, String)> = Vec::new();
     for (name, root) in causes(model) {
         for expr in graph.reachable(&[root]) {
@@ -31,7 +32,7 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) {
         model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
     }
     if pairs.is_empty() {
-        return;
+        return pairs;
     }
     // Conditions of the state stand before those of the time, as the guards do.
     model.sides.sort_by_key(|side| side.instant.is_some());
@@ -44,6 +45,7 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) {
     for output in &mut model.outputs {
         output.components = graph.substitute(&output.components, &pairs);
     }
+    pairs
 }
 
 /// What may jump, and whose it is.

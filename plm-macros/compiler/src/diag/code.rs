@@ -76,6 +76,7 @@ catalogue! {
     BadTable = "E0412", "a table that cannot be read";
     TooMany = "E0413", "more repetitions or parts than can be";
     BadIndex = "E0414", "an index out of range";
+    BadContour = "E0415", "a contour that cannot be drawn";
 
     // E05: topology, mobility, assembly.
     SelfJoint = "E0501", "a joint joins a body with itself";

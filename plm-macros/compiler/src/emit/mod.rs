@@ -14,6 +14,7 @@ mod lines;
 mod mechanism;
 mod names;
 mod outputs;
+mod pictures;
 mod piece;
 mod reduced;
 mod sides;
@@ -94,6 +95,8 @@ const STATE_METHODS: &[&str] = &[
     "undetermined",
     "branches",
     "starts",
+    "find",
+    "observed",
 ];
 
 impl Fields {
@@ -133,6 +136,7 @@ pub(crate) fn emit(
         fields: Fields::new(model),
     };
     let mut public = types::emit(&emission);
+    pictures::emit(&mut public, &emission);
     public.push_str(&outputs::emit(&emission));
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));

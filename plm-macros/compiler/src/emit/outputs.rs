@@ -11,8 +11,9 @@ pub(crate) fn emit(emission: &Emission) -> String {
         "        /// Time, s.\n        pub fn time(&self) -> S {\n            self.time\n        }\n\n",
     );
     poses(&mut text, emission);
+    let bindings = emission.bindings(Origin::State);
     for index in 0..emission.model.outputs.len() {
-        user_output(&mut text, emission, index);
+        user_output(&mut text, emission, &bindings, index);
     }
     let outputs = &emission.program.outputs;
     let energies = [
@@ -22,11 +23,14 @@ pub(crate) fn emit(emission: &Emission) -> String {
     ];
     for (name, doc, function) in energies {
         push(&mut text, format_args!("        /// {doc}\n        pub fn {name}(&self) -> S {{\n"));
-        text.push_str(&function_body(emission, function));
+        text.push_str(&function_body(emission, &bindings, function));
         text.push_str("        }\n\n");
     }
-    branches(&mut text, emission);
+    branches(&mut text, emission, &bindings);
     table(&mut text, emission);
+    if emission.model.outputs.iter().any(|output| !output.declared) {
+        observed(&mut text, emission);
+    }
     text.push_str("    }\n\n");
     text
 }
@@ -60,14 +64,18 @@ fn poses(text: &mut String, emission: &Emission) {
     }
 }
 
-fn user_output(text: &mut String, emission: &Emission, index: usize) {
+fn user_output(text: &mut String, emission: &Emission, bindings: &lines::Bindings, index: usize) {
     let output: &model::Output = &emission.model.outputs[index];
     let laid_out = &emission.program.outputs.user[index];
     let name = &emission.fields.outputs[index];
     let unit = docs::si(&output.unit);
     let count = output.components.len();
     let kind = if count == 1 { "S".to_owned() } else { format!("[S; {count}]") };
-    push(text, format_args!("        /// Output `{}`, {unit}.\n", output.name.text));
+    let what = if output.declared { "Output" } else { "Observed:" };
+    push(text, format_args!("        /// {what} `{}`, {unit}.\n", output.name.text));
+    if !output.docs.is_empty() {
+        push(text, format_args!("        ///\n        /// {}\n", output.docs));
+    }
     push(text, format_args!("        pub fn {name}(&self) -> {kind} {{\n"));
     if laid_out.solves {
         text.push_str("            let (a, lambda) = self.solved();\n");
@@ -75,19 +83,18 @@ fn user_output(text: &mut String, emission: &Emission, index: usize) {
     if count > 1 {
         push(text, format_args!("            let mut value = [S::lit(0.0); {count}];\n"));
     }
-    text.push_str(&function_body(emission, &laid_out.function));
+    text.push_str(&function_body(emission, bindings, &laid_out.function));
     text.push_str(if count > 1 { "            value\n        }\n\n" } else { "        }\n\n" });
 }
 
-fn function_body(emission: &Emission, function: &Function) -> String {
-    let bindings = emission.bindings(Origin::State);
+fn function_body(emission: &Emission, bindings: &lines::Bindings, function: &Function) -> String {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let lines = lines::lower(emission.graph, function, &bindings, &reserved);
+    let lines = lines::lower(emission.graph, function, bindings, &reserved);
     format!("{}{}", emission.pose_line(), blocks::with_literals(&lines, 12))
 }
 
 /// The turns that tell the mirror images of loops apart.
-fn branches(text: &mut String, emission: &Emission) {
+fn branches(text: &mut String, emission: &Emission, bindings: &lines::Bindings) {
     let Emission { model, equations, program, .. } = emission;
     let count = equations.branches.len();
     let joints = equations
@@ -107,7 +114,7 @@ fn branches(text: &mut String, emission: &Emission) {
         }}
 
 ",
-            function_body(emission, &program.outputs.branches),
+            function_body(emission, bindings, &program.outputs.branches),
             joints.join(", ")
         ),
     );
@@ -115,22 +122,9 @@ fn branches(text: &mut String, emission: &Emission) {
 
 /// The outputs as a row of a table, with names and units.
 fn table(text: &mut String, emission: &Emission) {
-    let mut names = Vec::new();
-    let mut values = Vec::new();
-    for (output, accessor) in emission.model.outputs.iter().zip(&emission.fields.outputs) {
-        let scale = output.unit.factor.to_f64();
-        let read = |value: String| if scale == 1.0 { value } else { format!("{value} / S::lit({scale:?})") };
-        if output.components.len() == 1 {
-            names.push(column(&output.name.text, output));
-            values.push(read(format!("self.{accessor}()")));
-        } else {
-            for (axis, k) in ["x", "y"].into_iter().zip(0..) {
-                names.push(column(&format!("{}.{axis}", output.name.text), output));
-                values.push(read(format!("self.{accessor}()[{k}]")));
-            }
-        }
-    }
-    let count = names.len();
+    let columns = columns_of(emission, "self", |output| output.declared);
+    let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+    let values: Vec<&str> = columns.iter().map(|(_, value)| value.as_str()).collect();
     push(
         text,
         format_args!(
@@ -143,9 +137,91 @@ fn table(text: &mut String, emission: &Emission) {
         }}
 ",
             names.join(", "),
-            values.join(", ")
+            values.join(", "),
+            count = columns.len()
         ),
     );
+}
+
+/// All that can be read by name, and the reading of it by number: a match in blocks, as everything that is long.
+fn observed(text: &mut String, emission: &Emission) {
+    const BLOCK: usize = 200;
+    let columns = columns_of(emission, "state", |_| true);
+    push(
+        text,
+        format_args!(
+            "
+        /// Names and units of the outputs and of all that is observed.
+        pub const OBSERVED: [(&'static str, &'static str); {}] = [
+",
+            columns.len()
+        ),
+    );
+    for (name, _) in &columns {
+        push(text, format_args!("            {name},\n"));
+    }
+    text.push_str(
+        "        ];
+
+        /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+        pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+            rt::Observed::find(&Self::OBSERVED, names)
+        }
+
+        /// The values of these quantities, in their units; each is worked out when it is asked for.
+        pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+",
+    );
+    let mut blocks = String::new();
+    for (block, chunk) in columns.chunks(BLOCK).enumerate() {
+        push(
+            &mut blocks,
+            format_args!("                {block} => block_{block}(self, quantity.column()),\n"),
+        );
+        push(
+            text,
+            format_args!(
+                "            fn block_{block}<S: Real>(state: &State<S>, column: usize) -> S {{\n                match column {{\n"
+            ),
+        );
+        for (k, (_, value)) in chunk.iter().enumerate() {
+            push(text, format_args!("                    {} => {value},\n", block * BLOCK + k));
+        }
+        text.push_str("                    _ => S::lit(f64::NAN),\n                }\n            }\n");
+    }
+    push(
+        text,
+        format_args!(
+            "            quantities.map(|quantity| match quantity.column() / {BLOCK} {{
+{blocks}                _ => S::lit(f64::NAN),
+            }})
+        }}
+"
+        ),
+    );
+}
+
+/// Name with unit, and how `state` reads it, of each number of the outputs that are asked for.
+fn columns_of(
+    emission: &Emission,
+    state: &str,
+    wanted: impl Fn(&model::Output) -> bool,
+) -> Vec<(String, String)> {
+    let mut columns = Vec::new();
+    let outputs = emission.model.outputs.iter().zip(&emission.fields.outputs);
+    for (output, accessor) in outputs.filter(|(output, _)| wanted(output)) {
+        let scale = output.unit.factor.to_f64();
+        let read = |value: String| if scale == 1.0 { value } else { format!("{value} / S::lit({scale:?})") };
+        if output.components.len() == 1 {
+            columns.push((column(&output.name.text, output), read(format!("{state}.{accessor}()"))));
+        } else {
+            for (axis, k) in ["x", "y"].into_iter().zip(0..) {
+                let name = column(&format!("{}.{axis}", output.name.text), output);
+                columns.push((name, read(format!("{state}.{accessor}()[{k}]"))));
+            }
+        }
+    }
+    columns
 }
 
 fn column(name: &str, output: &model::Output) -> String {

@@ -3,6 +3,7 @@
 //! It goes the way of every model through derivation and emission, so that code which uses the mechanism sees the very
 //! types that it would see without the errors, and adds none of its own. Its bodies float, its outputs are zero.
 
+mod observe;
 mod shape;
 
 use plm_cas::{Expr, Graph};
@@ -14,6 +15,7 @@ use crate::model::{Body, Input, Model, Name, Output, Param, Stabilisation, Start
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
+use observe::Thing;
 use shape::Shapes;
 
 /// Parts within parts that are looked into.
@@ -23,11 +25,20 @@ const MAX_ITEMS: usize = 1 << 12;
 
 /// The names of a declaration as a mechanism; `None` if it has none itself.
 pub(crate) fn model(reading: &Reading) -> Option<Model> {
-    let Reading { declaration, library } = reading;
+    let Reading { declaration, library, .. } = reading;
     let mechanism = declaration.mechanism.as_ref()?;
     let shapes = Shapes::new(library, &mechanism.items);
-    let mut names = Names { library, shapes, indices: Vec::new(), items: 0, found: Found::default() };
+    let mut names = Names {
+        library,
+        shapes,
+        indices: Vec::new(),
+        items: 0,
+        found: Found::default(),
+        things: Vec::new(),
+        observed: Vec::new(),
+    };
     names.walk(&mechanism.items, "", 0);
+    names.show_observed();
     let Found { mut graph, params, inputs, mut bodies, states, outputs, .. } = names.found;
     if bodies.is_empty() {
         // No array of the emitted code is empty that must not be.
@@ -52,6 +63,8 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         loads: Vec::new(),
         states,
         outputs,
+        sizes: Vec::new(),
+        files: Vec::new(),
         sides: Vec::new(),
         allowed: Vec::new(),
         graph,
@@ -78,6 +91,10 @@ struct Names<'a> {
     indices: Vec<(&'a str, i64)>,
     items: usize,
     found: Found,
+    /// What can be observed.
+    things: Vec<(String, Thing<'a>)>,
+    /// What is, by name.
+    observed: Vec<Name>,
 }
 
 impl<'a> Names<'a> {
@@ -91,6 +108,7 @@ impl<'a> Names<'a> {
             match &item.kind {
                 ItemKind::Body(of) => {
                     if let Some(name) = self.name(prefix, &of.name) {
+                        self.things.push((name.text.clone(), Thing::Body(of)));
                         let body = body(&mut self.found.graph, name);
                         self.found.bodies.push(body);
                     }
@@ -101,6 +119,15 @@ impl<'a> Names<'a> {
                 ItemKind::Param(value) if depth == 0 => self.param(item, value),
                 ItemKind::Input(value) if depth == 0 => self.input(item, value),
                 ItemKind::Output(list) if depth == 0 => list.iter().for_each(|output| self.output(output)),
+                ItemKind::Observe(list) => {
+                    let names: Vec<Name> = list.iter().filter_map(|of| self.path(of)).collect();
+                    self.observed.extend(names);
+                }
+                ItemKind::Node(node) if depth == 0 => {
+                    if let Some(name) = self.name("", &node.name) {
+                        self.things.push((name.text, Thing::Node(node)));
+                    }
+                }
                 _ => {}
             }
         }
@@ -126,6 +153,7 @@ impl<'a> Names<'a> {
         else {
             return;
         };
+        self.things.push((format!("{prefix}{name}"), Thing::Part(definition)));
         if depth < MAX_DEPTH {
             let outside = std::mem::take(&mut self.indices);
             self.walk(&definition.items, &format!("{prefix}{name}."), depth + 1);
@@ -159,7 +187,7 @@ impl<'a> Names<'a> {
         let count = if self.shapes.is_vector(&output.value) { 2 } else { 1 };
         let components = vec![self.found.graph.zero(); count];
         let unit = output.unit.as_ref().map_or_else(no_unit, |(unit, _)| unit.clone());
-        self.found.outputs.push(Output { name, components, unit });
+        self.found.outputs.push(Output { name, components, unit, declared: true, docs: String::new() });
     }
 
     /// The name as written, or the path of what is shown.
@@ -167,7 +195,12 @@ impl<'a> Names<'a> {
         if let Some(written) = &output.name {
             return self.name("", written);
         }
-        let text = match &output.value.kind {
+        self.path(&output.value)
+    }
+
+    /// `arm.p12` as text.
+    fn path(&self, expr: &'a ast::Expr) -> Option<Name> {
+        let text = match &expr.kind {
             ExprKind::Name(path) => self.key(path)?,
             ExprKind::Path(base, members) => {
                 let ExprKind::Name(base) = &base.kind else { return None };
@@ -180,7 +213,7 @@ impl<'a> Names<'a> {
             }
             _ => return None,
         };
-        Some(name(text, output.value.span))
+        Some(name(text, expr.span))
     }
 
     fn name(&self, prefix: &str, written: &IndexedName) -> Option<Name> {
@@ -252,6 +285,8 @@ fn body(graph: &mut Graph, name: Name) -> Body {
         a,
         centre: [zero; 2],
         ports: Vec::new(),
+        contour: Vec::new(),
+        depth: None,
         start: [start; 3],
         start_velocity: [start; 3],
         name,

@@ -30,6 +30,12 @@ impl<'a> Shapes<'a> {
         self.of(self.items, expr)
     }
 
+    /// Is it one inside a definition?
+    pub(super) fn is_vector_in(&self, items: &'a [Item], expr: &Expr) -> bool {
+        self.steps.set(0);
+        self.of(items, expr)
+    }
+
     fn of(&self, items: &'a [Item], expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Pair(..) => true,

@@ -18,4 +18,5 @@ mod sides;
 
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};
+pub(crate) use outputs::user as lay_out;
 pub(crate) use reduced::{Assembled, Augmented, Chart, Part, Reduced, Term, formulate as reduce};

@@ -4,7 +4,7 @@ use plm_cas::{Expr, Graph};
 
 use super::function::{Function, Place};
 use crate::derive::Equations;
-use crate::model::Model;
+use crate::model::{self, Model};
 
 /// One output of the user.
 #[derive(Debug)]
@@ -37,21 +37,7 @@ pub(crate) fn formulate(
     signals: &[(Expr, Expr)],
     graph: &mut Graph,
 ) -> Outputs {
-    let solved: Vec<Expr> = {
-        let mut symbols: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect();
-        symbols.sort_unstable();
-        symbols
-    };
-    let user = model.outputs.iter().map(|output| {
-        let held = graph.symbols(&output.components);
-        let solves = held.iter().any(|symbol| solved.binary_search(symbol).is_ok());
-        let results = match output.components.as_slice() {
-            &[one] => vec![(Place::Value, one)],
-            many => many.iter().enumerate().map(|(k, &value)| (Place::Element("value", k), value)).collect(),
-        };
-        Output { function: Function::of_results(results).optimise(graph), solves }
-    });
-    let user = user.collect();
+    let user = user(&model.outputs, equations, graph);
     let turns =
         equations.branches.iter().enumerate().map(|(k, branch)| (Place::Element("value", k), branch.turn));
     let branches = Function::of_results(turns.collect()).optimise(graph);
@@ -67,6 +53,22 @@ pub(crate) fn formulate(
         load_power: scalar(power),
         branches,
     }
+}
+
+/// Lays out outputs of the user.
+pub(crate) fn user(outputs: &[model::Output], equations: &Equations, graph: &mut Graph) -> Vec<Output> {
+    let mut solved: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect();
+    solved.sort_unstable();
+    let lay_out = |output: &model::Output| {
+        let held = graph.symbols(&output.components);
+        let solves = held.iter().any(|symbol| solved.binary_search(symbol).is_ok());
+        let results = match output.components.as_slice() {
+            &[one] => vec![(Place::Value, one)],
+            many => many.iter().enumerate().map(|(k, &value)| (Place::Element("value", k), value)).collect(),
+        };
+        Output { function: Function::of_results(results).optimise(graph), solves }
+    };
+    outputs.iter().map(lay_out).collect()
 }
 
 /// `1/2 v^T M v`.

@@ -104,7 +104,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A field of a body; said twice, the first counts.
-    fn body_field(&mut self, body: usize, name: &str) -> Option<&'a ast::Expr> {
+    pub(super) fn body_field(&mut self, body: usize, name: &str) -> Option<&'a ast::Expr> {
         let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
         let mut fields = ast.fields.iter().filter(|(ident, _)| ident.text == name);
         let (first, value) = fields.next()?;

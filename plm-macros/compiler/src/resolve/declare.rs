@@ -44,7 +44,9 @@ impl<'a> Resolver<'a> {
                 ItemKind::Require(name, condition) => self.declare_requirement(scope, name, condition),
                 ItemKind::Load(load) => self.declare_load(scope, load, part),
                 ItemKind::Node(node) => self.declare_node(scope, node),
-                ItemKind::Output(outputs) => self.declare_outputs(scope, outputs),
+                ItemKind::Output(outputs) => self.declare_outputs(scope, outputs, &item.docs),
+                ItemKind::Picture(names) => self.declare_picture(scope, names),
+                ItemKind::Observe(list) => self.observed.extend(list.iter().map(|expr| (scope, expr))),
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.
                 ItemKind::Pair(_) | ItemKind::Definition(_) | ItemKind::Domain(_) => {}
@@ -204,11 +206,11 @@ impl<'a> Resolver<'a> {
         self.bind(scope, &name.ident, key, slot);
     }
 
-    fn declare_outputs(&mut self, scope: ScopeId, outputs: &'a [ast::Output]) {
+    fn declare_outputs(&mut self, scope: ScopeId, outputs: &'a [ast::Output], docs: &'a [String]) {
         let home = self.home(scope);
         for output in outputs {
             if self.scopes[home].instance.is_none() {
-                self.outputs.push((scope, output));
+                self.outputs.push((scope, output, docs));
                 continue;
             }
             let ((Some(name), _) | (None, ExprKind::Name(name))) = (&output.name, &output.value.kind) else {

@@ -18,10 +18,12 @@ impl<'a> Resolver<'a> {
         let stabilisation = self.finish_stabilisation();
         let bodies = self.finish_bodies();
         let ground = self.finish_ports(None);
+        let sizes = self.finish_sizes();
         let rows = self.finish_rows();
         let mut loads = self.evaluate_loads();
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
+        self.evaluate_observed(&mut outputs);
         let mut sides = self.finish_requirements();
         self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
         let zero = self.graph.zero();
@@ -51,6 +53,8 @@ impl<'a> Resolver<'a> {
             loads,
             states,
             outputs,
+            sizes: sizes.ok()?,
+            files: self.files.keys().cloned().collect(),
             sides,
             allowed: self.allowed,
         })
@@ -122,6 +126,9 @@ impl<'a> Resolver<'a> {
         let mass = self.body_quantity(body, "mass", Dimension::MASS);
         let inertia = self.body_quantity(body, "inertia", Dimension::INERTIA);
         let starts = self.starts(body);
+        let contour = self.contour(body);
+        let (depth, scope) = (self.body_field(body, "depth"), self.bodies[body].scope);
+        let depth = self.depth(scope, depth);
         let ports = self.finish_ports(Some(body));
         let placement = self.placement(body)?;
         let zero = self.graph.zero();
@@ -141,6 +148,8 @@ impl<'a> Resolver<'a> {
             ports: ports?,
             start: [x, y, angle],
             start_velocity: [vx, vy, omega],
+            contour: contour?,
+            depth: depth?,
         })
     }
 
@@ -150,8 +159,10 @@ impl<'a> Resolver<'a> {
             let frame = FrameRef { body, port };
             let geometry = self.frame(frame)?;
             let state = self.port(frame);
-            let name = Name { text: state.name.clone(), span: state.ast.name.span };
-            Ok(Port { name, at: geometry.local, angle: geometry.turn, used: state.used })
+            let (ast, scope, used) = (state.ast, state.scope, state.used);
+            let name = Name { text: state.name.clone(), span: ast.name.span };
+            let depth = self.depth(scope, ast.depth.as_ref())?;
+            Ok(Port { name, at: geometry.local, angle: geometry.turn, used, depth })
         }))
     }
 

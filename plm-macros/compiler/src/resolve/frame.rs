@@ -132,17 +132,22 @@ impl<'a> Resolver<'a> {
         Ok(FrameGeometry { local: at, turn: angle, arm: at, position: at, angle, axis, reads })
     }
 
+    /// A point as it was written, from G in the axes of the body.
+    pub(super) fn placed(&mut self, placement: &Placement, at: [Expr; 2]) -> [Expr; 2] {
+        let graph = &mut self.graph;
+        let from_centre = [0, 1].map(|i| graph.sub(at[i], placement.centre[i]));
+        if !placement.drawing {
+            return from_centre;
+        }
+        let back = graph.neg(placement.drawing_angle);
+        turn(graph, from_centre, back)
+    }
+
     fn body_frame(&mut self, body: usize, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
         let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
         let placement = self.placement(body)?;
+        let local = self.placed(&placement, at);
         let graph = &mut self.graph;
-        let from_centre = [0, 1].map(|i| graph.sub(at[i], placement.centre[i]));
-        let local = if placement.drawing {
-            let back = graph.neg(placement.drawing_angle);
-            turn(graph, from_centre, back)
-        } else {
-            from_centre
-        };
         let state = &self.bodies[body];
         let (q, body_axis) = (state.q, state.axis);
         let arm = in_axes(graph, body_axis, local);

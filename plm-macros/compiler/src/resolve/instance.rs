@@ -39,7 +39,7 @@ pub(super) struct InstanceState<'a> {
     part: usize,
     /// Is it that part itself?
     is_part: bool,
-    arguments: Vec<SlotId>,
+    pub(super) arguments: Vec<SlotId>,
 }
 
 impl<'a> Resolver<'a> {

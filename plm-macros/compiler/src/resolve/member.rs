@@ -12,7 +12,8 @@ use crate::syntax::ast::IndexedName;
 use crate::units::Dimension;
 
 /// Members of a frame.
-const OF_FRAME: &[&str] = &["x", "y", "angle", "position", "axis", "normal", "velocity", "omega", "body"];
+const OF_FRAME: &[&str] =
+    &["x", "y", "angle", "position", "axis", "normal", "velocity", "omega", "acceleration", "alpha", "body"];
 
 /// Members of a body besides its ports; a port may not take their names.
 pub(super) const OF_BODY: &[&str] = &[
@@ -56,7 +57,7 @@ impl<'a> Resolver<'a> {
         found.ok_or_else(|| self.unknown_member(scope, value, member))
     }
 
-    fn frame_member(&mut self, frame: FrameRef, name: &str) -> Eval<Option<Value>> {
+    pub(super) fn frame_member(&mut self, frame: FrameRef, name: &str) -> Eval<Option<Value>> {
         let geometry = self.frame(frame)?;
         let reads = geometry.reads;
         let length = Nature::derived(Dimension::LENGTH, reads);
@@ -77,12 +78,20 @@ impl<'a> Resolver<'a> {
                 let omega = self.total_derivative(geometry.angle);
                 Value::Scalar(omega, Nature::derived(Dimension::ANGULAR_VELOCITY, moving(reads)))
             }
+            "acceleration" => {
+                let acceleration = geometry.position.map(|x| self.second_derivative(x));
+                Value::Vector(acceleration, Nature::derived(Dimension::ACCELERATION, accelerating(reads)))
+            }
+            "alpha" => {
+                let alpha = self.second_derivative(geometry.angle);
+                Value::Scalar(alpha, Nature::derived(Dimension::ANGULAR_ACCELERATION, accelerating(reads)))
+            }
             "body" => Value::Body(frame.body),
             _ => return Ok(None),
         }))
     }
 
-    fn body_member(&mut self, body: Option<usize>, name: &str) -> Eval<Option<Value>> {
+    pub(super) fn body_member(&mut self, body: Option<usize>, name: &str) -> Eval<Option<Value>> {
         if let Some(port) = self.port_index(body, name) {
             return Ok(Some(Value::Frame(FrameRef { body, port })));
         }
@@ -172,4 +181,9 @@ impl<'a> Resolver<'a> {
 /// What the rate of a place reads: a place that depends on the time alone has a rate that does so too.
 fn moving(reads: Reads) -> Reads {
     if reads.has(Reads::POSITION) { reads.and(Reads::VELOCITY) } else { reads }
+}
+
+/// What the rate of its rate reads.
+fn accelerating(reads: Reads) -> Reads {
+    if reads.has(Reads::POSITION) { moving(reads).and(Reads::ACCELERATION) } else { reads }
 }

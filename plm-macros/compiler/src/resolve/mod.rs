@@ -19,7 +19,9 @@ mod instance;
 mod late;
 mod member;
 mod node;
+mod observe;
 mod output;
+mod picture;
 mod rate;
 mod require;
 mod row;
@@ -36,13 +38,16 @@ use crate::library::Library;
 use crate::model::{self, Model};
 use crate::span::Span;
 use crate::syntax::ast::{self, Mechanism};
+use crate::token::Files;
 use crate::units::DisplayUnit;
 use body::BodyState;
 use frame::PortState;
 use instance::InstanceState;
 use node::NodeState;
+pub(crate) use observe::{OF_CENTRE, OF_PORT};
+use picture::SizeItem;
 use require::Requirement;
-use row::{LoadItem, RowState};
+use row::{Action, LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use value::Value;
 
@@ -50,13 +55,17 @@ use value::Value;
 pub(crate) fn resolve(
     declaration: &ast::Declaration,
     mechanism: &Mechanism,
-    library: &Library,
+    (library, files): (&Library, &Files),
+    observes: bool,
     sink: &mut Diagnostics,
 ) -> Option<Model> {
-    let mut resolver = Resolver::new(library, sink);
+    let mut resolver = Resolver::new(library, files, sink);
     let top = resolver.new_scope(None, None);
     resolver.begin(mechanism, top);
     resolver.evaluate();
+    if !observes {
+        resolver.observed.clear();
+    }
     resolver.finish(declaration, mechanism)
 }
 
@@ -65,6 +74,8 @@ struct Resolver<'a> {
     graph: Graph,
     sink: &'a mut Diagnostics,
     library: &'a Library,
+    /// Files that the declaration names.
+    files: &'a Files,
     scopes: Vec<Scope<'a>>,
     slots: Vec<Slot<'a>>,
     /// Depth of evaluation.
@@ -98,7 +109,13 @@ struct Resolver<'a> {
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
-    outputs: Vec<(ScopeId, &'a ast::Output)>,
+    /// With the documentation of their items.
+    outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
+    observed: Vec<(ScopeId, &'a ast::Expr)>,
+    /// What parts apply to bodies and to the ground, for who observes them.
+    applied: Vec<Action>,
+    /// Sizes of parts for pictures.
+    sizes: Vec<SizeItem>,
     /// What is chosen, and between what.
     choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
@@ -138,7 +155,7 @@ struct StateState<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    fn new(library: &'a Library, sink: &'a mut Diagnostics) -> Resolver<'a> {
+    fn new(library: &'a Library, files: &'a Files, sink: &'a mut Diagnostics) -> Resolver<'a> {
         let mut graph = Graph::new();
         let time = graph.symbol("t");
         let directions = BTreeMap::from([(time, graph.one())]);
@@ -146,6 +163,7 @@ impl<'a> Resolver<'a> {
             graph,
             sink,
             library,
+            files,
             scopes: Vec::new(),
             slots: Vec::new(),
             depth: 0,
@@ -173,6 +191,9 @@ impl<'a> Resolver<'a> {
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),
+            observed: Vec::new(),
+            applied: Vec::new(),
+            sizes: Vec::new(),
             choices: Vec::new(),
             checks: Vec::new(),
             checked: BTreeSet::new(),

@@ -16,8 +16,8 @@ impl<'a> Resolver<'a> {
     pub(super) fn evaluate_outputs(&mut self) -> Vec<Output> {
         let mut outputs: Vec<Output> = Vec::new();
         let mut names: BTreeMap<String, Span> = BTreeMap::new();
-        for (scope, ast) in std::mem::take(&mut self.outputs) {
-            let Ok(output) = self.output(scope, ast) else { continue };
+        for (scope, ast, docs) in std::mem::take(&mut self.outputs) {
+            let Ok(output) = self.output(scope, ast, docs) else { continue };
             let Name { text, span } = output.name.clone();
             if let Some(first) = names.get(&text) {
                 self.duplicate(scope, &text, span, *first);
@@ -29,7 +29,7 @@ impl<'a> Resolver<'a> {
         outputs
     }
 
-    fn output(&mut self, scope: ScopeId, ast: &'a ast::Output) -> Eval<Output> {
+    fn output(&mut self, scope: ScopeId, ast: &'a ast::Output, docs: &'a [String]) -> Eval<Output> {
         let name = self.output_name(scope, ast);
         let value = self.eval(scope, &ast.value);
         let (name, value) = (name?, value?);
@@ -42,7 +42,30 @@ impl<'a> Resolver<'a> {
             Some((unit, span)) => self.shown_in(scope, *span, nature.dimension, nature.form, unit)?,
             None => DisplayUnit::si(nature.dimension),
         };
-        Ok(Output { name, components, unit })
+        let docs = if docs.is_empty() { self.docs_of_path(scope, &ast.value) } else { one_line(docs) };
+        Ok(Output { name, components, unit, declared: true, docs })
+    }
+
+    /// What the definition of a part says of its output, where a path shows that.
+    fn docs_of_path(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> String {
+        let ExprKind::Path(base, members) = &expr.kind else { return String::new() };
+        match (self.eval(scope, base), members.first()) {
+            (Ok(Value::Instance(part)), Some(member)) => self.docs_of_output(part, &member.ident.text),
+            _ => String::new(),
+        }
+    }
+
+    /// What the definition of a part says of an output.
+    pub(super) fn docs_of_output(&self, part: usize, key: &str) -> String {
+        let shows = |output: &ast::Output| match (&output.name, &output.value.kind) {
+            (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == key,
+            _ => false,
+        };
+        let items = &self.instances[part].definition.items;
+        let item = items
+            .iter()
+            .find(|item| matches!(&item.kind, ast::ItemKind::Output(list) if list.iter().any(shows)));
+        item.map_or_else(String::new, |item| one_line(&item.docs))
     }
 
     fn not_a_quantity(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value) -> Failed {
@@ -109,4 +132,8 @@ impl<'a> Resolver<'a> {
         }
         Ok(Some(text))
     }
+}
+
+fn one_line(docs: &[String]) -> String {
+    docs.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ")
 }

@@ -47,6 +47,11 @@ impl<'a> Resolver<'a> {
         Ok(Nature::derived(nature.dimension.over(Dimension::TIME), reads))
     }
 
+    pub(super) fn second_derivative(&mut self, expr: Expr) -> Expr {
+        let rate = self.total_derivative(expr);
+        self.total_derivative(rate)
+    }
+
     /// The total derivative along q -> v -> a, t -> 1, state -> its rate. The rate of a state is a stand-in until all
     /// rates are known.
     pub(super) fn total_derivative(&mut self, expr: Expr) -> Expr {

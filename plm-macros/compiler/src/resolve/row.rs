@@ -33,6 +33,21 @@ pub(super) struct Residual {
     pub(super) dimension: Dimension,
 }
 
+/// What a part applies to a body or to the ground.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Action {
+    /// Where it was declared.
+    pub(super) scope: ScopeId,
+    /// `None` is the ground.
+    pub(super) body: Option<usize>,
+    /// Where the force acts: from G of the body in absolute axes; on the ground from the origin.
+    pub(super) arm: [Expr; 2],
+    /// Absolute axes.
+    pub(super) force: [Expr; 2],
+    /// Beside that of the force.
+    pub(super) torque: Expr,
+}
+
 /// A force or a torque that was declared.
 #[derive(Debug)]
 pub(super) struct LoadItem<'a> {
@@ -157,13 +172,13 @@ impl<'a> Resolver<'a> {
             }
         };
         let (on, value) = (on?, value?);
-        self.apply(on, value, part, loads)?;
+        self.apply((scope, part), on, value, loads)?;
         if let Some(from) = from {
             let opposite = match value {
                 Applied::Torque(torque) => Applied::Torque(self.graph.neg(torque)),
                 Applied::Force(force) => Applied::Force(force.map(|x| self.graph.neg(x))),
             };
-            self.apply(from?, opposite, part, loads)?;
+            self.apply((scope, part), from?, opposite, loads)?;
         }
         Ok(())
     }
@@ -178,16 +193,25 @@ impl<'a> Resolver<'a> {
     }
 
     /// A force F at P acts on G as F and the torque (P - G) x F (manual, equation (6), which omits the torques).
-    fn apply(&mut self, target: Target, value: Applied, part: usize, loads: &mut Vec<Load>) -> Eval<()> {
+    fn apply(
+        &mut self,
+        (scope, part): (ScopeId, usize),
+        target: Target,
+        value: Applied,
+        loads: &mut Vec<Load>,
+    ) -> Eval<()> {
         let zero = self.graph.zero();
         let (body, arm) = match target {
             Target::Frame(frame) => (frame.body, self.frame(frame)?.arm),
             Target::Centre(body) => (body, [zero, zero]),
         };
-        let force = match value {
-            Applied::Torque(torque) => [zero, zero, torque],
-            Applied::Force([x, y]) => [x, y, cross(&mut self.graph, arm, [x, y])],
+        let (force, torque) = match value {
+            Applied::Torque(torque) => ([zero, zero], torque),
+            Applied::Force(force) => (force, zero),
         };
+        self.applied.push(Action { scope, body, arm, force, torque });
+        let moment = cross(&mut self.graph, arm, force);
+        let force = [force[0], force[1], self.graph.add(moment, torque)];
         if let Some(body) = body.filter(|_| force != [zero; 3]) {
             loads.push(Load { body, part, force });
         }

@@ -1,15 +1,16 @@
 //! Bodies and the ground.
 
-use super::ast::{Body, Port, Start};
+use super::ast::{Body, Contour, Expr, ExprKind, Port, Start};
 use super::cursor::{Cursor, Parse, Reported};
 use crate::diag::{Code, nearest};
-use crate::token::Delimiter;
+use crate::token::{Delimiter, TokenKind};
 
 /// Fields of a body that hold one expression. The second spelling is understood too.
-const FIELDS: &[&str] = &["mass", "inertia", "centre", "center", "drawing_angle"];
+const FIELDS: &[&str] = &["mass", "inertia", "centre", "center", "drawing_angle", "depth"];
 
 /// All that may begin an item of a body.
-const WORDS: &[&str] = &["mass", "inertia", "centre", "coordinates", "drawing_angle", "port", "start"];
+const WORDS: &[&str] =
+    &["mass", "inertia", "centre", "coordinates", "drawing_angle", "port", "start", "depth", "contour"];
 
 impl Cursor<'_> {
     /// `ground { ports }`
@@ -21,7 +22,7 @@ impl Cursor<'_> {
                 let start = cursor.position();
                 cursor.docs();
                 let port =
-                    if cursor.is_word("port") { cursor.port() } else { Err(cursor.expected("`port`")) };
+                    if cursor.is_word("port") { cursor.port(true) } else { Err(cursor.expected("`port`")) };
                 match port {
                     Ok(port) => ports.push(port),
                     Err(Reported) => cursor.recover(start),
@@ -35,8 +36,14 @@ impl Cursor<'_> {
     pub(super) fn body(&mut self) -> Parse<Body> {
         self.advance();
         let name = self.indexed_name("the name of the body")?;
-        let mut body =
-            Body { name, fields: Vec::new(), coordinates: None, ports: Vec::new(), starts: Vec::new() };
+        let mut body = Body {
+            name,
+            fields: Vec::new(),
+            coordinates: None,
+            contour: None,
+            ports: Vec::new(),
+            starts: Vec::new(),
+        };
         self.group(Delimiter::Brace, "`{`", |cursor| {
             while cursor.peek().is_some() {
                 let start = cursor.position();
@@ -53,7 +60,7 @@ impl Cursor<'_> {
     fn body_item(&mut self, body: &mut Body) -> Parse<()> {
         let word = self.peek().map_or("", |token| token.text.as_str());
         match word {
-            "port" => body.ports.push(self.port()?),
+            "port" => body.ports.push(self.port(false)?),
             "start" => body.starts.push(self.start()?),
             "coordinates" => {
                 self.advance();
@@ -61,6 +68,7 @@ impl Cursor<'_> {
                 body.coordinates = Some(self.ident("`relative` or `absolute`")?);
                 self.semicolon()?;
             }
+            "contour" => self.contour(body)?,
             word if FIELDS.contains(&word) => {
                 let mut name = self.ident("a field")?;
                 if name.text == "center" {
@@ -87,22 +95,55 @@ impl Cursor<'_> {
         Reported
     }
 
-    /// `port name: expr, angle: expr;`
-    fn port(&mut self) -> Parse<Port> {
+    /// `contour: (x, y), (x, y), … unit;` or `contour: "file.csv";`
+    fn contour(&mut self, body: &mut Body) -> Parse<()> {
+        let word = self.here();
+        self.advance();
+        self.punct(':', "`:`")?;
+        let found = if let Some(token) = self.peek().filter(|token| token.kind == TokenKind::Str) {
+            let (name, span) = (file_name(&token.text).to_string(), self.here());
+            self.advance();
+            self.semicolon()?;
+            Contour::File(name, span)
+        } else {
+            let mut points = vec![self.expr()?];
+            while self.eat_punct(',') {
+                points.push(self.expr()?);
+            }
+            self.semicolon()?;
+            share_unit(&mut points);
+            Contour::Points(points)
+        };
+        if body.contour.replace(found).is_some() {
+            self.error(Code::RepeatedItem, word, "the contour is given twice");
+        }
+        Ok(())
+    }
+
+    /// `port name: expr, angle: expr;`; on the ground with a depth.
+    fn port(&mut self, on_ground: bool) -> Parse<Port> {
         self.advance();
         let name = self.ident("the name of the port")?;
         self.punct(':', "`:`")?;
         let at = self.value_expr();
-        let mut angle = None;
-        if self.eat_punct(',') {
-            if !self.eat_word("angle") && !self.eat_word("axis") {
-                return Err(self.expected("`angle`"));
+        let (mut angle, mut depth) = (None, None);
+        while self.eat_punct(',') {
+            let slot = if self.is_word("angle") || self.is_word("axis") {
+                &mut angle
+            } else if on_ground && self.is_word("depth") {
+                &mut depth
+            } else {
+                return Err(self.expected(if on_ground { "`angle` or `depth`" } else { "`angle`" }));
+            };
+            if slot.is_some() {
+                return Err(self.expected("`;`"));
             }
+            self.advance();
             self.punct(':', "`:`")?;
-            angle = Some(self.value_expr());
+            *slot = Some(self.value_expr());
         }
-        self.end_of(angle.as_ref().unwrap_or(&at))?;
-        Ok(Port { name, at, angle })
+        self.end_of(depth.as_ref().or(angle.as_ref()).unwrap_or(&at))?;
+        Ok(Port { name, at, angle, depth })
     }
 
     /// `start coordinate: expr, locked;`
@@ -120,4 +161,20 @@ impl Cursor<'_> {
         self.end_of(&value)?;
         Ok(Start { coordinate, value, locked })
     }
+}
+
+/// The unit behind the last of several points is that of all.
+fn share_unit(points: &mut [Expr]) {
+    let Some((Expr { kind: ExprKind::Quantity(_, unit), .. }, others)) = points.split_last_mut() else {
+        return;
+    };
+    for point in others.iter_mut().filter(|point| matches!(point.kind, ExprKind::Pair(..))) {
+        let bare = Expr { kind: std::mem::replace(&mut point.kind, ExprKind::Unknown), span: point.span };
+        point.kind = ExprKind::Quantity(Box::new(bare), unit.clone());
+    }
+}
+
+/// What stands between the quotes of a literal.
+pub(crate) fn file_name(literal: &str) -> &str {
+    literal.trim_start_matches(['r', '#']).trim_end_matches('#').trim_matches('"')
 }

@@ -1,6 +1,6 @@
 //! Items: what stands in a mechanism, in a part, or in a repetition.
 
-use super::ast::{Expr, ExprKind, Ident, Item, ItemKind, Output, Repeat, Value};
+use super::ast::{Expr, ExprKind, Ident, IndexedName, Item, ItemKind, Output, Repeat, Value};
 use super::cursor::{Cursor, Parse, Reported};
 use crate::diag::{Code, nearest};
 use crate::span::Span;
@@ -22,8 +22,10 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("joint", Some(Context::Mechanism)),
     ("part", Some(Context::Mechanism)),
     ("domain", Some(Context::Mechanism)),
+    ("observe", Some(Context::Mechanism)),
     ("choice", Some(Context::Part)),
     ("pair", Some(Context::Part)),
+    ("picture", Some(Context::Part)),
     ("param", None),
     ("input", None),
     ("state", None),
@@ -81,11 +83,13 @@ impl Cursor<'_> {
             "rate" => self.definition_of_name(ItemKind::Rate),
             "choice" => self.choice().map(ItemKind::Choice),
             "pair" => self.pair().map(ItemKind::Pair),
+            "picture" => self.picture().map(ItemKind::Picture),
             "ground" => self.ground().map(ItemKind::Ground),
             "body" => self.body().map(ItemKind::Body),
             "constraint" => self.constraint(),
             "require" => self.requirement(),
             "output" => self.outputs().map(ItemKind::Output),
+            "observe" => self.observed().map(ItemKind::Observe),
             "repeat" => self.repeat(context).map(ItemKind::Repeat),
             "node" => self.node().map(ItemKind::Node),
             "joint" | "part" => self.definition(docs.to_vec()).map(ItemKind::Definition),
@@ -236,10 +240,7 @@ impl Cursor<'_> {
         Ok(Value { name, unit, value, locked })
     }
 
-    fn definition_of_name(
-        &mut self,
-        make: impl FnOnce(super::ast::IndexedName, Expr) -> ItemKind,
-    ) -> Parse<ItemKind> {
+    fn definition_of_name(&mut self, make: impl FnOnce(IndexedName, Expr) -> ItemKind) -> Parse<ItemKind> {
         self.advance();
         let name = self.indexed_name("a name")?;
         self.punct('=', "`=`")?;
@@ -256,6 +257,26 @@ impl Cursor<'_> {
         }
         self.semicolon()?;
         Ok(outputs)
+    }
+
+    fn picture(&mut self) -> Parse<Vec<IndexedName>> {
+        self.advance();
+        let mut names = vec![self.indexed_name("a parameter")?];
+        while self.eat_punct(',') {
+            names.push(self.indexed_name("a parameter")?);
+        }
+        self.semicolon()?;
+        Ok(names)
+    }
+
+    fn observed(&mut self) -> Parse<Vec<Expr>> {
+        self.advance();
+        let mut observed = vec![self.expr()?];
+        while self.eat_punct(',') {
+            observed.push(self.expr()?);
+        }
+        self.semicolon()?;
+        Ok(observed)
     }
 
     fn output(&mut self) -> Parse<Output> {

@@ -10,9 +10,11 @@
 //!       | "rung" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
 //!       | "allow" "(" CODE { "," CODE } ")" ";"
+//!       | "observe" path { "," path } ";"
 //!       | definition
 //!       | "choice" NAME ":" NAME { "|" NAME } ["=" NAME] ";"        in a part
 //!       | "pair" ":" NAME ";"
+//!       | "picture" name { "," name } ";"
 //!       | NAME "on" path ["from" path] ":" expr ";"
 //!       | ("param" | "input" | "state") name [":" unit] ["=" expr] ["," "locked"] ";"    in both
 //!       | "ground" "{" { port } "}"
@@ -24,8 +26,9 @@
 //!       | "require" NAME ":" expr ";"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
-//! field  := ("mass" | "inertia" | "centre" | "drawing_angle") ":" expr ";" | "coordinates" ":" NAME ";"
-//! port   := "port" NAME ":" expr ["," ("angle" | "axis") ":" expr] ";"
+//! field  := ("mass" | "inertia" | "centre" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
+//!         | "contour" ":" (expr { "," expr } | STRING) ";"
+//! port   := "port" NAME ":" expr ["," ("angle" | "axis") ":" expr] ["," "depth" ":" expr] ";"
 //! start  := "start" NAME ":" expr ["," "locked"] ";"
 //! output := [name "="] expr ["in" unit]
 //! name   := NAME { "[" expr "]" }
@@ -44,6 +47,7 @@ mod item;
 mod part;
 mod unit;
 
+pub(crate) use body::file_name;
 pub use header::leading_use;
 
 use crate::diag::Diagnostics;

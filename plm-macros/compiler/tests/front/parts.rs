@@ -309,3 +309,61 @@ fn a_part_that_does_nothing_costs_nothing() {
     assert!(model.loads.is_empty());
     assert_eq!(model.parts.len(), 4);
 }
+
+/// `gain (measured - offset)`, with the textbook's motion of a point of a body.
+#[test]
+fn sensors_measure_the_point_of_their_port() {
+    let sensors = |kind: &str| {
+        let one = |direction: &str| {
+            format!(
+                "{kind}_sensor {kind}_{direction}(two.p) {{ direction: {direction}; offset: 0.3; gain: -2; }}
+                 output {kind}_{direction}.signal;"
+            )
+        };
+        ["rotary", "x", "y"].map(one).concat()
+    };
+    let model = between(&["position", "velocity", "acceleration"].map(sensors).concat());
+    let values = scattered(&model, 4);
+    let body = &model.bodies[1];
+    let [q, v, a] = [body.q, body.v, body.a].map(|of| of.map(|symbol| values.get(symbol)));
+    let (sin, cos) = q[2].sin_cos();
+    let arm = [-0.4 * cos - 0.1 * sin, -0.4 * sin + 0.1 * cos];
+    let expected = [
+        ("position", [q[2] - 70_f64.to_radians(), q[0] + arm[0], q[1] + arm[1]]),
+        ("velocity", [v[2], v[0] - v[2] * arm[1], v[1] + v[2] * arm[0]]),
+        (
+            "acceleration",
+            [a[2], a[0] - a[2] * arm[1] - v[2] * v[2] * arm[0], a[1] + a[2] * arm[0] - v[2] * v[2] * arm[1]],
+        ),
+    ];
+    for (kind, measured) in expected {
+        for (direction, measured) in ["rotary", "x", "y"].into_iter().zip(measured) {
+            let name = format!("{kind}_{direction}.signal");
+            assert_near(output(&model, &values, &name)[0], -2.0 * (measured - 0.3), &name);
+        }
+    }
+}
+
+/// The force sensor takes one of what it is given.
+#[test]
+fn the_force_sensor_measures_what_flows() {
+    let one = |direction: &str| {
+        format!(
+            "force_sensor {direction}() {{ x: j.force.x; y: j.force.y; torque: j.torque; direction: {direction}; offset: 10; gain: 3; }}
+             output signal_{direction} = {direction}.signal;"
+        )
+    };
+    let model = between(&format!(
+        "weld j(one.p, two.p); output j.force, j.torque; {}",
+        ["rotary", "x", "y"].map(one).concat()
+    ));
+    let mut values = scattered(&model, 4);
+    for (k, row) in model.rows.iter().enumerate() {
+        values.set(row.lambda, [70.0, -13.0, 4.0][k]);
+    }
+    let (force, torque) = (output(&model, &values, "j.force"), output(&model, &values, "j.torque"));
+    for (direction, measured) in [("rotary", torque[0]), ("x", force[0]), ("y", force[1])] {
+        let signal = output(&model, &values, &format!("signal_{direction}"))[0];
+        assert_near(signal, 3.0 * (measured - 10.0), direction);
+    }
+}

@@ -131,6 +131,8 @@ pub enum ItemKind {
     Choice(Choice),
     /// `pair: revolute;`
     Pair(Ident),
+    /// `picture pin_diameter;`
+    Picture(Vec<IndexedName>),
     /// `ground { … }`
     Ground(Vec<Port>),
     /// `body name { … }`
@@ -147,6 +149,8 @@ pub enum ItemKind {
     Node(Node),
     /// `output path, name = expr in unit;`
     Output(Vec<Output>),
+    /// `observe arm, shoulder;`, `observe all;`
+    Observe(Vec<Expr>),
     /// `repeat i in 0..n { … }`
     Repeat(Repeat),
     /// A part of the user's own.
@@ -208,6 +212,17 @@ pub struct Port {
     pub at: Expr,
     /// Direction of its x axis.
     pub angle: Option<Expr>,
+    /// Depth for pictures; on the ground alone.
+    pub depth: Option<Expr>,
+}
+
+/// The outline of a body.
+#[derive(Clone, Debug)]
+pub enum Contour {
+    /// `contour: (x, y), (x, y), … unit;`
+    Points(Vec<Expr>),
+    /// `contour: "file.csv";`
+    File(String, Span),
 }
 
 /// A body.
@@ -215,10 +230,12 @@ pub struct Port {
 pub struct Body {
     /// Its name.
     pub name: IndexedName,
-    /// `mass`, `inertia`, `centre`, `drawing_angle`: one expression each.
+    /// `mass`, `inertia`, `centre`, `drawing_angle`, `depth`: one expression each.
     pub fields: Vec<(Ident, Expr)>,
     /// `coordinates: relative` or `absolute`.
     pub coordinates: Option<Ident>,
+    /// Its outline for pictures.
+    pub contour: Option<Contour>,
     /// Its ports.
     pub ports: Vec<Port>,
     /// Its starts.

@@ -1,0 +1,108 @@
+//! Names of what is observed, as `resolve` would find them.
+
+use super::{Names, name, no_unit};
+use crate::model::{Name, Output};
+use crate::resolve::{OF_CENTRE, OF_PORT};
+use crate::span::Span;
+use crate::syntax::ast::{self, Definition, ExprKind, ItemKind};
+
+/// What can be observed.
+#[derive(Clone, Copy)]
+pub(super) enum Thing<'a> {
+    Body(&'a ast::Body),
+    Part(&'a Definition),
+    Node(&'a ast::Node),
+}
+
+impl<'a> Names<'a> {
+    /// Adds the outputs of all that is observed.
+    pub(super) fn show_observed(&mut self) {
+        let things = std::mem::take(&mut self.things);
+        for Name { text, span } in std::mem::take(&mut self.observed) {
+            for (name, thing) in &things {
+                if text == "all" || text == *name {
+                    self.show(name, *thing, span);
+                } else if let Some(port) = text.strip_prefix(&format!("{name}.")) {
+                    self.show_one(&text, *thing, port, span);
+                }
+            }
+        }
+    }
+
+    fn show(&mut self, of: &str, thing: Thing<'a>, span: Span) {
+        match thing {
+            Thing::Body(body) => {
+                for member in OF_CENTRE {
+                    self.push(format!("{of}.{member}"), false, span);
+                }
+                for port in &body.ports {
+                    self.show_port(&format!("{of}.{}", port.name.text), span);
+                }
+            }
+            Thing::Node(node) => self.show_node(of, node, span),
+            Thing::Part(definition) => self.show_part(of, definition, span),
+        }
+    }
+
+    /// A port of a body, a node of a part.
+    fn show_one(&mut self, of: &str, thing: Thing<'a>, port: &str, span: Span) {
+        match thing {
+            Thing::Body(body) if body.ports.iter().any(|known| known.name.text == port) => {
+                self.show_port(of, span);
+            }
+            Thing::Part(definition) => {
+                for item in &definition.items {
+                    match &item.kind {
+                        ItemKind::Node(node) if node.name.ident.text == port => {
+                            self.show_node(of, node, span);
+                        }
+                        _ => {}
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn show_port(&mut self, of: &str, span: Span) {
+        for member in OF_PORT {
+            self.push(format!("{of}.{member}"), member != "angle", span);
+        }
+    }
+
+    fn show_node(&mut self, of: &str, node: &'a ast::Node, span: Span) {
+        let Some(domain) = self.library.domain(&node.kind.text) else { return };
+        let quantities = std::iter::once(&domain.across).chain(&domain.through);
+        let members: Vec<&str> = quantities.map(|quantity| quantity.name.text.as_str()).collect();
+        for member in members {
+            self.push(format!("{of}.{member}"), false, span);
+        }
+    }
+
+    fn show_part(&mut self, of: &str, definition: &'a Definition, span: Span) {
+        for item in &definition.items {
+            let ItemKind::Output(list) = &item.kind else { continue };
+            for output in list {
+                let ((Some(key), _) | (None, ExprKind::Name(key))) = (&output.name, &output.value.kind)
+                else {
+                    continue;
+                };
+                let is_vector = self.shapes.is_vector_in(&definition.items, &output.value);
+                self.push(format!("{of}.{}", key.ident.text), is_vector, span);
+            }
+        }
+        for argument in definition.arguments.iter().filter(|argument| argument.kind.text == "frame") {
+            self.push(format!("{of}.force_on_{}", argument.name.text), true, span);
+            self.push(format!("{of}.torque_on_{}", argument.name.text), false, span);
+        }
+    }
+
+    fn push(&mut self, text: String, is_vector: bool, span: Span) {
+        if self.found.outputs.iter().any(|output| output.name.text == text) {
+            return;
+        }
+        let components = vec![self.found.graph.zero(); if is_vector { 2 } else { 1 }];
+        let (name, unit) = (name(text, span), no_unit());
+        self.found.outputs.push(Output { name, components, unit, declared: false, docs: String::new() });
+    }
+}

@@ -1,0 +1,263 @@
+//! What is observed: every quantity of a body, a port, a node or a part, by name.
+//!
+//! What a part does to the bodies of its ports is found from its loads and constraint rows, so that it holds for every
+//! part: `Q - phi_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
+//! the ground keeps the balance: constraints hold when everything is moved together, ground included.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::function::cross;
+use super::row::Action;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Nature, Reads, Value};
+use crate::diag::Code;
+use crate::model::{FrameRef, Name, Output};
+use crate::span::Span;
+use crate::syntax::ast::{Expr as Written, ExprKind};
+use crate::units::{Dimension, DisplayUnit};
+
+/// What is shown of a body at its centre of gravity.
+pub(crate) const OF_CENTRE: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
+/// What is shown of a port.
+pub(crate) const OF_PORT: [&str; 4] = ["position", "angle", "velocity", "acceleration"];
+
+/// What the parts do, and to whom.
+struct Actions {
+    /// Rows of each part, with those of the parts that it contains.
+    rows: Vec<Vec<usize>>,
+    /// Forces and torques of each part, likewise.
+    applied: Vec<Vec<Action>>,
+    /// Whose coordinate a symbol is.
+    coordinates: BTreeMap<Expr, (usize, usize)>,
+}
+
+/// The observed quantities, in order, none twice.
+struct Shown {
+    outputs: Vec<Output>,
+    names: BTreeSet<String>,
+    span: Span,
+}
+
+impl Shown {
+    fn push(&mut self, text: String, value: &Value, docs: String) {
+        let (components, nature) = match value {
+            Value::Scalar(x, nature) => (vec![*x], nature),
+            Value::Vector(v, nature) => (v.to_vec(), nature),
+            _ => return,
+        };
+        if self.names.insert(text.clone()) {
+            let (name, unit) = (Name { text, span: self.span }, DisplayUnit::si(nature.dimension));
+            self.outputs.push(Output { name, components, unit, declared: false, docs });
+        }
+    }
+}
+
+impl<'a> Resolver<'a> {
+    /// Adds to the outputs what is observed and not declared.
+    pub(super) fn evaluate_observed(&mut self, outputs: &mut Vec<Output>) {
+        let mut targets: Vec<(Value, Span)> = Vec::new();
+        for (scope, expr) in std::mem::take(&mut self.observed) {
+            // A mistake has been reported; the others are shown all the same.
+            let _ = self.targets(scope, expr, &mut targets);
+        }
+        let Some(&(_, span)) = targets.first() else { return };
+        let actions = self.actions();
+        let names = outputs.iter().map(|output| output.name.text.clone()).collect();
+        let mut shown = Shown { outputs: std::mem::take(outputs), names, span };
+        for (target, span) in targets {
+            shown.span = span;
+            let _ = match target {
+                Value::Body(Some(body)) => self.show_body(body, &mut shown),
+                Value::Frame(frame) => self.show_port(frame, &mut shown),
+                Value::Node(node) => {
+                    self.show_node(node, &mut shown);
+                    Ok(())
+                }
+                Value::Instance(instance) => self.show_part(instance, &actions, &mut shown),
+                _ => Ok(()),
+            };
+        }
+        *outputs = shown.outputs;
+    }
+
+    /// What an `observe` names; `all` is every body and every part, those inside of parts too, and the nodes of the mechanism.
+    fn targets(&mut self, scope: ScopeId, expr: &'a Written, targets: &mut Vec<(Value, Span)>) -> Eval<()> {
+        let is_all = matches!(&expr.kind, ExprKind::Name(name) if name.ident.text == "all");
+        if is_all && self.find(scope, "all").is_none() {
+            let nodes = (0..self.nodes.len()).filter(|&node| {
+                let home = self.home(self.nodes[node].scope);
+                self.scopes[home].instance.is_none()
+            });
+            let nodes: Vec<Value> = nodes.map(Value::Node).collect();
+            let bodies = (0..self.bodies.len()).map(|body| Value::Body(Some(body)));
+            let parts = (0..self.instances.len()).map(Value::Instance);
+            targets.extend(bodies.chain(nodes).chain(parts).map(|target| (target, expr.span)));
+            return Ok(());
+        }
+        let value = self.eval(scope, expr)?;
+        let help = match &value {
+            Value::Body(Some(_)) | Value::Frame(_) | Value::Node(_) | Value::Instance(_) => {
+                targets.push((value, expr.span));
+                return Ok(());
+            }
+            Value::Scalar(..) | Value::Vector(..) => "a single quantity is shown by `output`",
+            _ => "name a body, a port, a node, a part, or `all`",
+        };
+        let message = format!("{} cannot be observed", value.kind());
+        self.error(scope, Code::WrongKind, expr.span, message).help(help);
+        Err(Failed)
+    }
+
+    fn show_body(&mut self, body: usize, shown: &mut Shown) -> Eval<()> {
+        let name = self.bodies[body].name.text.clone();
+        for member in OF_CENTRE {
+            if let Some(value) = self.body_member(Some(body), member)? {
+                shown.push(format!("{name}.{member}"), &value, String::new());
+            }
+        }
+        (0..self.bodies[body].ports.len())
+            .try_for_each(|port| self.show_port(FrameRef { body: Some(body), port }, shown))
+    }
+
+    fn show_port(&mut self, frame: FrameRef, shown: &mut Shown) -> Eval<()> {
+        let name = self.name_of_port(frame);
+        for member in OF_PORT {
+            if let Some(value) = self.frame_member(frame, member)? {
+                shown.push(format!("{name}.{member}"), &value, String::new());
+            }
+        }
+        Ok(())
+    }
+
+    fn show_node(&mut self, node: usize, shown: &mut Shown) {
+        let name = self.nodes[node].name.clone();
+        for member in self.members_of_node(node) {
+            if let Some(value) = self.node_member(node, member) {
+                shown.push(format!("{name}.{member}"), &value, String::new());
+            }
+        }
+    }
+
+    /// What the definition of a part shows, in its order; then what it does to each of its frames. Its nodes have names of
+    /// their own.
+    fn show_part(&mut self, id: usize, actions: &Actions, shown: &mut Shown) -> Eval<()> {
+        let (inside, name) = (self.instances[id].scope, self.instances[id].name.clone());
+        let outputs = self.scopes[inside].outputs.iter();
+        let mut outputs: Vec<_> = outputs.map(|(key, slot)| (*slot, key.to_string())).collect();
+        outputs.sort_unstable();
+        for (slot, key) in outputs {
+            let value = self.force(slot, inside, shown.span)?;
+            shown.push(format!("{name}.{key}"), &value, self.docs_of_output(id, &key));
+        }
+        if actions.rows[id].is_empty() && actions.applied[id].is_empty() {
+            return Ok(());
+        }
+        let arguments = self.instances[id].definition.arguments.iter();
+        let ports: Vec<&'a str> = arguments.map(|argument| argument.name.text.as_str()).collect();
+        let slots = self.instances[id].arguments.clone();
+        for (port, slot) in ports.into_iter().zip(slots) {
+            let Value::Frame(frame) = self.force(slot, inside, shown.span)? else { continue };
+            let (force, torque) = self.action_on(frame, id, actions)?;
+            let of_frame = self.name_of_port(frame);
+            let nature = |dimension| Nature::derived(dimension, Reads::ALL);
+            shown.push(
+                format!("{name}.force_on_{port}"),
+                &Value::Vector(force, nature(Dimension::FORCE)),
+                format!("What `{name}` does to its port `{port}`, which is `{of_frame}`: the force, absolute axes."),
+            );
+            shown.push(
+                format!("{name}.torque_on_{port}"),
+                &Value::Scalar(torque, nature(Dimension::TORQUE)),
+                format!(
+                    "What `{name}` does to its port `{port}`, which is `{of_frame}`: the torque about it, positive to the left."
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    fn name_of_port(&mut self, frame: FrameRef) -> String {
+        let of = frame.body.map_or("ground".to_owned(), |body| self.bodies[body].name.text.clone());
+        format!("{of}.{}", self.port(frame).name)
+    }
+
+    fn actions(&self) -> Actions {
+        let count = self.instances.len();
+        let (mut rows, mut applied) = (vec![Vec::new(); count], vec![Vec::new(); count]);
+        for (row, state) in self.rows.iter().enumerate() {
+            self.each_around(state.scope, |part| rows[part].push(row));
+        }
+        for action in &self.applied {
+            self.each_around(action.scope, |part| applied[part].push(*action));
+        }
+        let bodies = self.bodies.iter().enumerate();
+        let coordinates = bodies.flat_map(|(i, body)| (0..3).map(move |k| (body.q[k], (i, k)))).collect();
+        Actions { rows, applied, coordinates }
+    }
+
+    /// The part that a scope is inside of, the part that contains that one, and so on.
+    fn each_around(&self, scope: ScopeId, mut each: impl FnMut(usize)) {
+        let mut part = self.scopes[self.home(scope)].instance;
+        while let Some(id) = part {
+            each(id);
+            part = self.scopes[self.home(self.instances[id].outer)].instance;
+        }
+    }
+
+    /// Force and torque of a part on the body of a frame, about the point of the frame.
+    fn action_on(&mut self, frame: FrameRef, part: usize, actions: &Actions) -> Eval<([Expr; 2], Expr)> {
+        let about = self.frame(frame)?.arm;
+        let mut terms = [const { Vec::new() }; 3];
+        for action in actions.applied[part].iter().filter(|action| action.body == frame.body) {
+            let arm = [0, 1].map(|i| self.graph.sub(action.arm[i], about[i]));
+            let moment = cross(&mut self.graph, arm, action.force);
+            terms[0].push(action.force[0]);
+            terms[1].push(action.force[1]);
+            terms[2].extend([action.torque, moment]);
+        }
+        for &row in &actions.rows[part] {
+            let reaction = self.reaction_on(frame.body, about, row, &actions.coordinates)?;
+            terms.iter_mut().zip(reaction).for_each(|(sum, term)| sum.push(term));
+        }
+        let [x, y, torque] = terms.map(|sum| self.graph.sum(&sum));
+        Ok(([x, y], torque))
+    }
+
+    /// `-phi_q^T lambda` of one row on a body as force and torque about a point, an arm from G; on the ground, about a
+    /// point of the plane, the opposite of the sum over all bodies.
+    fn reaction_on(
+        &mut self,
+        body: Option<usize>,
+        about: [Expr; 2],
+        row: usize,
+        coordinates: &BTreeMap<Expr, (usize, usize)>,
+    ) -> Eval<[Expr; 3]> {
+        let (phi, lambda) = (self.row(row)?.phi, self.rows[row].lambda);
+        let graph = &mut self.graph;
+        let mut terms = [const { Vec::new() }; 3];
+        let held = graph.symbols(&[phi]);
+        let touched: BTreeSet<usize> =
+            held.iter().filter_map(|symbol| coordinates.get(symbol)).map(|(i, _)| *i).collect();
+        for i in touched.into_iter().filter(|i| body.is_none_or(|body| body == *i)) {
+            let q = self.bodies[i].q;
+            let [x, y, theta] = q.map(|symbol| graph.diff(phi, symbol));
+            // From the point to G.
+            let arm = [0, 1].map(|k| match body {
+                Some(_) => graph.neg(about[k]),
+                None => graph.sub(q[k], about[k]),
+            });
+            let moment = cross(graph, arm, [x, y]);
+            terms[0].push(x);
+            terms[1].push(y);
+            terms[2].extend([theta, moment]);
+        }
+        let factor = if body.is_some() { graph.neg(lambda) } else { lambda };
+        Ok(terms.map(|sum| {
+            let sum = graph.sum(&sum);
+            graph.mul(factor, sum)
+        }))
+    }
+}

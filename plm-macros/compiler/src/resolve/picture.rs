@@ -1,0 +1,113 @@
+//! What pictures show of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::scope::{ScopeId, SlotId};
+use super::value::{Eval, Failed, Reads, Value, all};
+use crate::diag::Code;
+use crate::model::Size;
+use crate::outline;
+use crate::span::Span;
+use crate::syntax::ast::{self, Contour, IndexedName};
+use crate::units::Dimension;
+
+/// A size of a part: its name, and the parameter.
+#[derive(Debug)]
+pub(super) struct SizeItem {
+    name: String,
+    slot: SlotId,
+    scope: ScopeId,
+    span: Span,
+}
+
+impl<'a> Resolver<'a> {
+    /// `picture piston_diameter, …;` in a part.
+    pub(super) fn declare_picture(&mut self, scope: ScopeId, names: &'a [IndexedName]) {
+        let home = self.home(scope);
+        for written in names {
+            let Ok(key) = self.key(scope, written) else { continue };
+            let span = written.ident.span;
+            let name = format!("{}{key}", self.prefix(scope));
+            match self.scopes[home].names.get(&key).copied() {
+                Some(slot) => self.sizes.push(SizeItem { name, slot, scope, span }),
+                None => {
+                    self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"))
+                        .note("a picture shows parameters that stand above it");
+                }
+            }
+        }
+    }
+
+    /// The sizes of all parts.
+    pub(super) fn finish_sizes(&mut self) -> Eval<Vec<Size>> {
+        let sizes = std::mem::take(&mut self.sizes);
+        all(sizes.into_iter().map(|SizeItem { name, slot, scope, span }| {
+            match self.force(slot, scope, span)? {
+                Value::Scalar(value, nature) if nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => {
+                    Ok(Size { name, value })
+                }
+                _ => {
+                    self.error(scope, Code::NotConstant, span, "a picture shows parameters alone");
+                    Err(Failed)
+                }
+            }
+        }))
+    }
+
+    /// A depth, m; only pictures know of it.
+    pub(super) fn depth(&mut self, scope: ScopeId, depth: Option<&'a ast::Expr>) -> Eval<Option<Expr>> {
+        depth.map(|expr| self.eval_number(scope, expr, Dimension::LENGTH, Reads::FIXED)).transpose()
+    }
+
+    /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
+    pub(super) fn contour(&mut self, body: usize) -> Eval<Vec<[Expr; 2]>> {
+        let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
+        let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
+        let (points, span) = match contour {
+            Contour::Points(points) => {
+                let span = points.first().zip(points.last()).map(|(first, last)| first.span.to(last.span));
+                let points = all(points.iter().map(|point| {
+                    self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|(at, _)| at)
+                }));
+                (points?, span.unwrap_or(self.bodies[body].name.span))
+            }
+            Contour::File(name, span) => (self.points_of_file(scope, name, *span)?, *span),
+        };
+        if points.len() < 3 {
+            let message = format!("a contour has three points at least, found {}", points.len());
+            self.error(scope, Code::BadContour, span, message);
+            return Err(Failed);
+        }
+        let placement = self.placement(body)?;
+        Ok(points.into_iter().map(|at| self.placed(&placement, at)).collect())
+    }
+
+    fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<[Expr; 2]>> {
+        let content = match self.files.get(name) {
+            Some(Ok(content)) => content,
+            Some(Err(reason)) => {
+                let message = format!("the contour `{name}` cannot be read: {reason}");
+                return Err(self.bad_file(scope, span, message));
+            }
+            None => {
+                let message = format!("the contour `{name}` cannot be read here");
+                return Err(self.bad_file(scope, span, message));
+            }
+        };
+        match outline::read(content) {
+            Ok(points) => Ok(points.into_iter().map(|at| at.map(|x| self.graph.number(x))).collect()),
+            Err(outline::Problem { line, column, what }) => {
+                let message = format!("`{name}`, line {line}, column {column}: {what}");
+                Err(self.bad_file(scope, span, message))
+            }
+        }
+    }
+
+    fn bad_file(&mut self, scope: ScopeId, span: Span, message: String) -> Failed {
+        self.error(scope, Code::BadContour, span, message)
+            .note("two numbers a line, `0.1, 0.2`, in metres or as a first line `x (mm), y (mm)` says")
+            .note("the path counts from the folder of Cargo.toml");
+        Failed
+    }
+}

@@ -1,0 +1,168 @@
+//! Many runs of a mechanism, over a list or a grid of parameter values, on all cores.
+//!
+//! Each run is by itself: what the others do, in which order and on how many threads, does not reach it, so that its result
+//! is the same to the bit. A run that fails, by a fault or by a panic, is told with its place and its parameters, and the
+//! others are kept. The book has an example (`docs/src/running/batch.md`).
+
+extern crate std;
+use std::any::Any;
+use std::fmt;
+use std::ops::Deref;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use plm_runtime::Fault;
+use rayon::prelude::*;
+
+/// What is to be run: one point for each run.
+#[derive(Clone, Debug)]
+pub struct Points<P> {
+    list: Vec<P>,
+    threads: usize,
+    shows_progress: bool,
+}
+
+/// One run for each element.
+pub fn points<P>(points: impl IntoIterator<Item = P>) -> Points<P> {
+    Points { list: points.into_iter().collect(), threads: 0, shows_progress: true }
+}
+
+/// One run for each pair; the second varies fastest.
+pub fn grid<A: Copy, B: Copy>(a: &[A], b: &[B]) -> Points<(A, B)> {
+    points(a.iter().flat_map(|&a| b.iter().map(move |&b| (a, b))))
+}
+
+/// One run for each triple; the last varies fastest.
+pub fn grid3<A: Copy, B: Copy, C: Copy>(a: &[A], b: &[B], c: &[C]) -> Points<(A, B, C)> {
+    points(a.iter().flat_map(|&a| b.iter().flat_map(move |&b| c.iter().map(move |&c| (a, b, c)))))
+}
+
+impl<P: Clone + Send> Points<P> {
+    /// On so many threads, or fewer where the system has no more to give; one for each core where this is not said.
+    #[must_use]
+    pub fn threads(self, threads: usize) -> Self {
+        Self { threads, ..self }
+    }
+
+    /// Without a progress bar. There is none either where standard error is no terminal.
+    #[must_use]
+    pub fn quiet(self) -> Self {
+        Self { shows_progress: false, ..self }
+    }
+
+    /// Runs all points; `run` builds, starts and steps a mechanism, and gives what is worth keeping.
+    pub fn run<T: Send>(self, run: impl Fn(P) -> Result<T, Fault> + Sync) -> Runs<P, T> {
+        let Points { list, threads, shows_progress } = self;
+        let bar = if shows_progress { progress_bar(list.len()) } else { ProgressBar::hidden() };
+        let one = |(index, parameters): (usize, P)| {
+            let point = parameters.clone();
+            let result = match catch_unwind(AssertUnwindSafe(|| run(point))) {
+                Ok(result) => result.map_err(Failure::Fault),
+                Err(payload) => Err(Failure::Panic(text_of(payload.as_ref()))),
+            };
+            bar.inc(1);
+            Run { index, parameters, result }
+        };
+        // A run can take a second: threads take them one by one.
+        let all = || list.into_par_iter().enumerate().with_max_len(1).map(one).collect();
+        let runs = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+            Ok(pool) => pool.install(all),
+            Err(_) => all(),
+        };
+        bar.finish_and_clear();
+        Runs { runs }
+    }
+}
+
+fn progress_bar(length: usize) -> ProgressBar {
+    let bar = ProgressBar::new(length as u64);
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} runs, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+/// What a panic said.
+fn text_of(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().map(ToString::to_string);
+    text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default()
+}
+
+/// A run and what came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run<P, T> {
+    /// Its place in the list or the grid.
+    pub index: usize,
+    /// The point.
+    pub parameters: P,
+    /// What the run gave.
+    pub result: Result<T, Failure>,
+}
+
+/// Why a run gave nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// The simulation stopped.
+    Fault(Fault),
+    /// The program did, with these words. A program that is built with `panic = "abort"` ends instead.
+    Panic(String),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Fault(fault) => fault.fmt(f),
+            Failure::Panic(words) => write!(f, "panic: {words}"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// All runs, in the order of the points. `Display` tells those that failed, a line each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Runs<P, T> {
+    runs: Vec<Run<P, T>>,
+}
+
+impl<P, T> Runs<P, T> {
+    /// The points that gave something, and what.
+    pub fn values(&self) -> impl Iterator<Item = (&P, &T)> {
+        self.runs.iter().filter_map(|run| Some((&run.parameters, run.result.as_ref().ok()?)))
+    }
+
+    /// The runs that failed.
+    pub fn failed(&self) -> impl Iterator<Item = &Run<P, T>> {
+        self.runs.iter().filter(|run| run.result.is_err())
+    }
+
+    /// All values; none where a run failed.
+    ///
+    /// # Errors
+    /// The first run that failed.
+    pub fn all(self) -> Result<Vec<T>, Failure> {
+        self.runs.into_iter().map(|run| run.result).collect()
+    }
+}
+
+impl<P, T> Deref for Runs<P, T> {
+    type Target = [Run<P, T>];
+
+    fn deref(&self) -> &[Run<P, T>] {
+        &self.runs
+    }
+}
+
+impl<P: fmt::Debug, T> fmt::Display for Runs<P, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {} runs failed", self.failed().count(), self.runs.len())?;
+        for Run { index, parameters, result } in &self.runs {
+            if let Err(failure) = result {
+                write!(f, "\nrun {index}, {parameters:?}: {failure}")?;
+            }
+        }
+        Ok(())
+    }
+}
