@@ -41,7 +41,8 @@ pub enum Cause {
         /// The step, s.
         step: f64,
     },
-    /// A loop cannot be closed any further: the mechanism locks up.
+    /// A loop cannot be closed any further: the mechanism locks up. Where that is because lengths that repeat each other
+    /// disagree, a joint can be declared to give way, with a `compliance`.
     Locked,
     /// A body turned so far within a step that its loop could not be followed.
     TurnedTooFar {
@@ -85,7 +86,8 @@ pub enum Cause {
         /// Largest residual of velocity, m/s or rad/s.
         phi_dot: f64,
     },
-    /// Locks repeat what joints or other locks already say about the start position.
+    /// Locks repeat what joints or other locks already say about the start position. Joints do so as well if their lengths
+    /// repeat each other but for a small error; a `compliance` at one of them takes it up.
     Redundant {
         /// How many locks are too many.
         count: usize,

@@ -18,6 +18,9 @@ pub trait System {
 
     /// Number of coordinates; the first `NQ` rates are the velocities: q' = v.
     const NQ: usize;
+    /// The rate is so short that it pays to copy it into every stage of a method. Not that of several lanes, which has work
+    /// enough while it waits.
+    const SHORT: bool = false;
 
     /// The rate `dx` of the state, as straight-line code without pivoting.
     fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;

@@ -45,6 +45,19 @@ pub(crate) fn agrees(demo: &str, name: &str) {
     assert!(off <= EXACT * exact.abs().max(1.0), "{line}: {off:e} off {exact}");
 }
 
+#[test]
+fn a_figure_that_is_off_is_missed() {
+    use crate::demos::sheet::Line;
+    let holds = |value, reading| {
+        let name = "figure".to_owned();
+        Line { name, value, unit: "N", known: 169.91, source: Source::Manual(reading) }.holds()
+    };
+    assert!(holds(169.914, Reading::Rounded(0.01)) && holds(169.906, Reading::Rounded(0.01)));
+    assert!(!holds(169.921, Reading::Rounded(0.01)) && !holds(f64::NAN, Reading::Rounded(0.01)));
+    assert!(holds(169.914, Reading::Truncated(0.01)) && !holds(169.906, Reading::Truncated(0.01)));
+    assert!(holds(172.0, Reading::Approximate(5.0)) && !holds(160.0, Reading::Approximate(5.0)));
+}
+
 /// The sheet compares its value with that of the independent model.
 pub(crate) fn agrees_with_the_model(demo: &str, name: &str) {
     let (figure, line) = (&figures(demo)[name], crate::line(demo, name));

@@ -3,7 +3,7 @@
 use plm_cas::Graph;
 
 use crate::check;
-use crate::derive::{Equations, derive, hold};
+use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
@@ -60,7 +60,11 @@ fn back_end(model: Model, sink: &mut Diagnostics) -> Expansion {
     if sink.has_errors() {
         return Expansion::default();
     }
-    let lowered = lower(model);
+    let mut lowered = lower(model);
+    check_feedback(&lowered.model, &mut lowered.graph, sink);
+    if sink.has_errors() {
+        return Expansion::default();
+    }
     if let (Some((rung @ (Rung::Tree | Rung::Loops), span)), Err(reason)) =
         (lowered.model.rung, &lowered.reduced)
     {
@@ -103,6 +107,7 @@ fn lower(mut model: Model) -> Lowered {
     let reduced = match (model.rung, model.stabilisation) {
         (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
+        _ if feeds_back(&model, &graph) => Err("forces or rates read accelerations or reactions".to_owned()),
         _ => {
             let length = report::length(&model, &graph, &check::defaults(&model, &graph));
             let assembled = |graph: &Graph| {

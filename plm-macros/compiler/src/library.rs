@@ -12,6 +12,8 @@ use crate::token::Sources;
 
 /// Name of each part of the library and the file that defines it.
 pub(crate) const PARTS: &[(&str, &str)] = &[
+    ("attached_mass", include_str!("../parts/attached_mass.plm")),
+    ("attached_rotor", include_str!("../parts/attached_rotor.plm")),
     ("chamber", include_str!("../parts/chamber.plm")),
     ("cylinder", include_str!("../parts/cylinder.plm")),
     ("end_stop", include_str!("../parts/end_stop.plm")),
@@ -32,6 +34,7 @@ pub(crate) const PARTS: &[(&str, &str)] = &[
     ("prismatic", include_str!("../parts/prismatic.plm")),
     ("ramps", include_str!("../parts/ramps.plm")),
     ("revolute", include_str!("../parts/revolute.plm")),
+    ("rotor", include_str!("../parts/rotor.plm")),
     ("servo_valve", include_str!("../parts/servo_valve.plm")),
     ("shaft_spring", include_str!("../parts/shaft_spring.plm")),
     ("slider_ground", include_str!("../parts/slider_ground.plm")),

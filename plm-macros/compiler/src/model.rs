@@ -44,6 +44,8 @@ pub struct Model {
     pub ground: Vec<Port>,
     /// Constraint rows, `phi = 0`.
     pub rows: Vec<Row>,
+    /// Rows of joints with a compliance: no constraints, their `lambda` is an expression, and it stands in the loads.
+    pub compliant: Vec<Row>,
     /// Generalised forces on bodies.
     pub loads: Vec<Load>,
     /// First-order states.

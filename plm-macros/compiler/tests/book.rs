@@ -9,7 +9,7 @@
 //! | `plm,items` | items of the mechanism [`EXAMPLE`], with which it compiles without a word |
 //! | `plm,E0301` | a declaration that gives this code, and no other |
 //!
-//! The `text` block right behind one with codes is what the compiler says, the block `text,dynamics` is that function of
+//! The `text` block right behind one with codes is what the compiler says, the block `text,reactions` is that function of
 //! the manual's double pendulum; `PLM_BLESS=1` writes both anew.
 #![allow(clippy::unwrap_used, clippy::panic)]
 

@@ -3,8 +3,9 @@
 use plm_cas::{Expr, Graph, Node};
 
 use super::Assembly;
-use crate::derive::Equations;
+use crate::derive::{Equations, feeds_back};
 use crate::diag::{Code, Diagnostics};
+use crate::formulate::{Absolute, Place};
 use crate::model::Model;
 use crate::span::Span;
 
@@ -24,17 +25,32 @@ pub(super) fn check_rows(
     }
 }
 
+/// Adds accelerations and multipliers at the start.
+fn add_unknowns(equations: &Equations, program: &Absolute, graph: &Graph, values: &mut Vec<(Expr, f64)>) {
+    let nq = equations.q.len();
+    let results = program.dynamics.results.iter().filter_map(|(place, result)| match *place {
+        Place::Element("dx", k) => Some((*equations.a.get(k.checked_sub(nq)?)?, *result)),
+        Place::Element("lambda", k) => Some((equations.lambda[k], *result)),
+        _ => None,
+    });
+    let known = values.clone();
+    values.extend(results.map(|(symbol, result)| (symbol, super::value(graph, result, &known))));
+}
+
 /// Evaluates loads and rates at the start; what is not finite is reported where it was declared.
 pub(crate) fn check_start(
     model: &Model,
     equations: &Equations,
     graph: &Graph,
-    values: &[(Expr, f64)],
+    (program, values): (&Absolute, &[(Expr, f64)]),
     found: &Assembly,
     diagnostics: &mut Diagnostics,
 ) {
     let mut values = found.values(equations, values);
     super::add_sides(model, graph, &mut values);
+    if feeds_back(model, graph) {
+        add_unknowns(equations, program, graph, &mut values);
+    }
     let loads = model.loads.iter().flat_map(|load| {
         let name = &model.parts[load.part].name;
         load.force.map(|force| (name.text.as_str(), name.span, force))

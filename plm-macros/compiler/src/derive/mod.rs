@@ -11,11 +11,13 @@
 //! because the coordinates stand at G.
 
 mod branch;
+mod feedback;
 mod sides;
 
 use plm_cas::{Expr, Graph};
 
 pub(crate) use branch::Branch;
+pub(crate) use feedback::{Signal, check as check_feedback, feeds_back};
 pub(crate) use sides::hold;
 
 use crate::model::Model;
@@ -38,8 +40,10 @@ pub(crate) struct Equations {
     pub(crate) x: Vec<Expr>,
     /// Diagonal of the mass matrix, `NQ`: kg, kg, kg m^2 per body.
     pub(crate) mass: Vec<Expr>,
-    /// Applied force `Q`, gravity included, `NQ`: N, N, N m per body.
+    /// Applied force `Q`, gravity included, `NQ`: N, N, N m per body; without what the signals add.
     pub(crate) force: Vec<Expr>,
+    /// Accelerations and multipliers that forces read.
+    pub(crate) signals: Vec<Signal>,
     /// Constraint residuals, `NC`.
     pub(crate) phi: Vec<Expr>,
     /// Jacobian of the constraints, `NC` sparse rows.
@@ -76,12 +80,15 @@ pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
         phi_dot.push(rate);
         phi_q.push(entries);
     }
+    let mut force = applied_force(model, graph);
+    let signals = feedback::signals(model, &mut force, graph);
     Equations {
         a: model.bodies.iter().flat_map(|body| body.a).collect(),
         lambda: model.rows.iter().map(|row| row.lambda).collect(),
         x: model.states.iter().map(|state| state.symbol).collect(),
         mass: model.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia]).collect(),
-        force: applied_force(model, graph),
+        force,
+        signals,
         branches: branch::branches(model, graph),
         x_dot: model.states.iter().map(|state| state.rate).collect(),
         q,

@@ -7,6 +7,7 @@
 
 use plm_cas::{Expr, Graph};
 
+use super::feedback;
 use super::function::{Function, Place, Section};
 use super::ldl::{Factor, Symmetric, factorise};
 use super::outputs::{self, Outputs};
@@ -59,20 +60,24 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
     let phi_q = Function::of_results(entries.collect());
     let one = graph.one();
     let inverse_mass: Vec<Expr> = equations.mass.iter().map(|&mass| graph.div(one, mass)).collect();
+    let motion = motion(model, equations, &inverse_mass, graph);
+    // What the unknowns do to forces and rates elsewhere.
+    let read = motion.read.clone();
+    let x_dot = graph.substitute(&equations.x_dot, &read);
     let mut free = stored("force", &equations.force);
     free.extend(stored("gamma", &stabilised(model, equations, graph)));
     let functions = Absolute {
-        dynamics: dynamics(model, equations, &inverse_mass, graph),
+        dynamics: dynamics(equations, &x_dot, motion),
         phi: Function::of_results(stored("phi", &equations.phi)),
         phi_dot: Function::of_results(stored("phi_dot", &equations.phi_dot)),
         phi_q,
         min_norm: min_norm(equations, &weights, &residual, graph),
         inverse_mass: Function::of_results(stored("inverse_mass", &inverse_mass)),
         free: Function::of_results(free),
-        x_dot: Function::of_results(stored("x_dot", &equations.x_dot)),
+        x_dot: Function::of_results(stored("x_dot", &x_dot)),
         guards: sides::guards(model, &[], graph),
         instants: sides::instants(model, graph),
-        outputs: outputs::formulate(model, equations, graph),
+        outputs: outputs::formulate(model, equations, &read, graph),
         weights,
         residual,
     };
@@ -112,58 +117,148 @@ fn stabilised(model: &Model, equations: &Equations, graph: &mut Graph) -> Vec<Ex
     rows.map(feedback).collect()
 }
 
-/// The right-hand side: accelerations and multipliers at a state.
-fn dynamics(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: &mut Graph) -> Function {
-    let nq = equations.q.len();
-    let free = equations.force.iter().zip(inverse_mass).enumerate().map(|(k, (&force, &inverse))| {
-        let value = graph.mul(force, inverse);
-        let name = format!("free_{}", coordinate_name(model, k));
-        graph.define(&name, value)
-    });
-    let free: Vec<Expr> = free.collect();
+/// Accelerations and multipliers at a state.
+struct Motion {
+    acceleration: Vec<Expr>,
+    lambda: Vec<Expr>,
+    /// Unknowns that forces and rates read, and their values.
+    read: Vec<(Expr, Expr)>,
+    health: Expr,
+    /// The order in which a person would write it down.
+    sections: Vec<Section>,
+}
+
+/// Solves the equations of motion; forces that read the unknowns are solved along with them.
+fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: &mut Graph) -> Motion {
     let (system, scaled) = normal_matrix(equations, inverse_mass, graph);
     let factor = factorise(graph, equations.phi.len(), &system);
     let gamma = stabilised(model, equations, graph);
-    let rhs = equations.phi_q.iter().zip(&gamma).map(|(row, &gamma)| {
-        let mut terms: Vec<Expr> = row.iter().map(|&(j, entry)| graph.mul(entry, free[j])).collect();
-        terms.push(graph.neg(gamma));
-        graph.sum(&terms)
-    });
-    let rhs: Vec<Expr> = rhs.collect();
-    let names: Vec<String> = model.rows.iter().map(|row| format!("lambda_{}", row.name)).collect();
-    let (lambda, solution) = factor.solve(graph, &rhs, &names);
-    let acceleration = back_substituted(&free, &scaled, &lambda, graph);
-
-    let mut results: Vec<(Place, Expr)> = Vec::new();
-    results.extend(equations.v.iter().enumerate().map(|(k, &v)| (Place::Element("dx", k), v)));
-    results.extend(acceleration.iter().enumerate().map(|(k, &a)| (Place::Element("dx", nq + k), a)));
-    results.extend(
-        equations.x_dot.iter().enumerate().map(|(k, &rate)| (Place::Element("dx", 2 * nq + k), rate)),
-    );
-    results.extend(lambda.iter().enumerate().map(|(k, &value)| (Place::Element("lambda", k), value)));
-    results.push((Place::Value, factor.health));
-    let sections = sections_of(equations, free, &scaled, &factor, solution);
-    Function { sections, results }
-}
-
-/// The order in which a person would write the right-hand side down.
-fn sections_of(
-    equations: &Equations,
-    free: Vec<Expr>,
-    scaled: &[SparseRow],
-    factor: &Factor,
-    solution: Vec<Expr>,
-) -> Vec<Section> {
+    let solver = Solver { model, equations, scaled: &scaled, factor: &factor };
+    let free = equations.force.iter().zip(inverse_mass).map(|(&force, &inverse)| graph.mul(force, inverse));
+    let free: Vec<Expr> = free.collect();
+    let mut solution = solver.solve(free, Some(&gamma), "", graph);
     let jacobian = equations.phi_q.iter().flatten().chain(scaled.iter().flatten());
-    vec![
+    let mut sections = vec![
         Section::new(
             "Arms from G to each port: the entries of phi_q, and of phi_q M^-1",
             jacobian.map(|&(_, e)| e).collect(),
         ),
-        Section::new("Accelerations without constraints, M^-1 Q", free),
+        Section::new("Accelerations without constraints, M^-1 Q", solution.free.clone()),
         Section::new("phi_q M^-1 phi_q^T = L D L^T", factor.trace.clone()),
-        Section::new("Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma", solution),
-    ]
+        Section::new(
+            "Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma",
+            std::mem::take(&mut solution.trace),
+        ),
+    ];
+    let mut health = factor.health;
+    if !equations.signals.is_empty() {
+        let loops = solver.close(&mut solution, inverse_mass, graph);
+        health = graph.min(health, loops.health);
+        sections.push(Section::new("What forces read of the unknowns", loops.trace));
+    }
+    let mut held = equations.x_dot.clone();
+    held.extend(equations.signals.iter().map(|signal| signal.symbol));
+    let held = graph.symbols(&held);
+    let unknowns = equations.a.iter().zip(&solution.acceleration);
+    let unknowns = unknowns.chain(equations.lambda.iter().zip(&solution.lambda));
+    let read =
+        unknowns.filter(|(symbol, _)| held.contains(symbol)).map(|(&of, &value)| (of, value)).collect();
+    Motion { acceleration: solution.acceleration, lambda: solution.lambda, read, health, sections }
+}
+
+/// The factors of the equations of motion.
+struct Solver<'a> {
+    model: &'a Model,
+    equations: &'a Equations,
+    /// `phi_q M^-1`
+    scaled: &'a [SparseRow],
+    factor: &'a Factor,
+}
+
+/// Accelerations and multipliers of one right-hand side.
+struct Solution {
+    free: Vec<Expr>,
+    acceleration: Vec<Expr>,
+    lambda: Vec<Expr>,
+    trace: Vec<Expr>,
+}
+
+impl Solver<'_> {
+    /// The motion under accelerations `free` that forces give without constraints.
+    fn solve(&self, free: Vec<Expr>, gamma: Option<&[Expr]>, suffix: &str, graph: &mut Graph) -> Solution {
+        let named = free.into_iter().enumerate().map(|(k, value)| {
+            let name = format!("free_{}{suffix}", coordinate_name(self.model, k));
+            graph.define(&name, value)
+        });
+        let free: Vec<Expr> = named.collect();
+        let rhs = self.equations.phi_q.iter().enumerate().map(|(i, row)| {
+            let mut terms: Vec<Expr> = row.iter().map(|&(j, entry)| graph.mul(entry, free[j])).collect();
+            terms.extend(gamma.map(|gamma| graph.neg(gamma[i])));
+            graph.sum(&terms)
+        });
+        let rhs: Vec<Expr> = rhs.collect();
+        let names: Vec<String> =
+            self.model.rows.iter().map(|row| format!("lambda_{}{suffix}", row.name)).collect();
+        let (lambda, trace) = self.factor.solve(graph, &rhs, &names);
+        let acceleration = back_substituted(&free, self.scaled, &lambda, graph);
+        Solution { free, acceleration, lambda, trace }
+    }
+
+    /// Adds what the signals do to a motion without them.
+    fn close(&self, motion: &mut Solution, inverse_mass: &[Expr], graph: &mut Graph) -> feedback::Solved {
+        let signals = &self.equations.signals;
+        let units = signals.iter().enumerate().map(|(k, signal)| {
+            let mut free = vec![graph.zero(); inverse_mass.len()];
+            for &(j, gain) in &signal.gain {
+                free[j] = graph.mul(gain, inverse_mass[j]);
+            }
+            self.solve(free, None, &format!("_of_signal_{k}"), graph)
+        });
+        let units: Vec<Solution> = units.collect();
+        let read = |solution: &Solution| -> Vec<Expr> {
+            signals.iter().map(|signal| self.value_of(signal.symbol, solution)).collect()
+        };
+        let columns: Vec<Vec<Expr>> = units.iter().map(read).collect();
+        let mut solved = feedback::solve(&read(motion), &columns, graph);
+        let mut trace: Vec<Expr> = units.iter().flat_map(|unit| unit.trace.iter().copied()).collect();
+        trace.append(&mut solved.trace);
+        solved.trace = trace;
+        let add = |sum: &mut Vec<Expr>, of: &dyn Fn(&Solution) -> &Vec<Expr>, graph: &mut Graph| {
+            for (k, value) in sum.iter_mut().enumerate() {
+                let mut terms = vec![*value];
+                for (unit, &signal) in units.iter().zip(&solved.signals) {
+                    terms.push(graph.mul(of(unit)[k], signal));
+                }
+                *value = graph.sum(&terms);
+            }
+        };
+        add(&mut motion.acceleration, &|unit| &unit.acceleration, graph);
+        add(&mut motion.lambda, &|unit| &unit.lambda, graph);
+        solved
+    }
+
+    /// The value of an unknown in a solution.
+    fn value_of(&self, symbol: Expr, solution: &Solution) -> Expr {
+        let Equations { a, lambda, .. } = self.equations;
+        let accelerations = a.iter().zip(&solution.acceleration);
+        let mut pairs = accelerations.chain(lambda.iter().zip(&solution.lambda));
+        pairs.find(|(of, _)| **of == symbol).map_or(symbol, |(_, value)| *value)
+    }
+}
+
+/// The right-hand side.
+fn dynamics(equations: &Equations, x_dot: &[Expr], motion: Motion) -> Function {
+    let nq = equations.q.len();
+    let mut results: Vec<(Place, Expr)> = Vec::new();
+    let mut put = |array: &'static str, from: usize, values: &[Expr]| {
+        results.extend(values.iter().enumerate().map(|(k, &value)| (Place::Element(array, from + k), value)));
+    };
+    put("dx", 0, &equations.v);
+    put("dx", nq, &motion.acceleration);
+    put("dx", 2 * nq, x_dot);
+    put("lambda", 0, &motion.lambda);
+    results.push((Place::Value, motion.health));
+    Function { sections: motion.sections, results }
 }
 
 /// `a = M^-1 Q - Y^T lambda`.

@@ -30,8 +30,13 @@ pub(crate) struct Outputs {
     pub(crate) load_power: Function,
 }
 
-/// Lays out the outputs.
-pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph) -> Outputs {
+/// Lays out the outputs; `signals` are the unknowns that forces read, and their values.
+pub(crate) fn formulate(
+    model: &Model,
+    equations: &Equations,
+    signals: &[(Expr, Expr)],
+    graph: &mut Graph,
+) -> Outputs {
     let solved: Vec<Expr> = {
         let mut symbols: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect();
         symbols.sort_unstable();
@@ -53,6 +58,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
     let kinetic = kinetic_energy(equations, graph);
     let gravity = gravity_energy(model, graph);
     let power = load_power(model, graph);
+    let power = graph.substitute(&[power], signals)[0];
     let mut scalar = |value: Expr| Function::of_results(vec![(Place::Value, value)]).optimise(graph);
     Outputs {
         user,

@@ -220,17 +220,9 @@ impl<'a> Resolver<'a> {
         if beyond == Reads::NOTHING {
             return Ok(());
         }
-        let is_feedback = allowed == Reads::CAUSES;
-        let code = if is_feedback { Code::Feedback } else { Code::NotConstant };
         let message = format!("this reads {}", beyond.describe());
-        let note = if is_feedback {
-            "accelerations and reactions are unknowns of the equations of motion: outputs may read them, forces and \
-             rates may not yet"
-                .to_string()
-        } else {
-            format!("what stands here may read {}", allowed.describe())
-        };
-        self.error(scope, code, expr.span, message).note(note);
+        self.error(scope, Code::NotConstant, expr.span, message)
+            .note(format!("what stands here may read {}", allowed.describe()));
         Err(Failed)
     }
 }

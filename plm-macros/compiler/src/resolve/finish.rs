@@ -26,9 +26,11 @@ impl<'a> Resolver<'a> {
         self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
+        let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
         if self.sink.has_errors() {
             return None;
         }
+        let (rows, compliant) = rows.ok()?;
         Some(Model {
             name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
             visibility: mechanism.visibility.clone(),
@@ -44,7 +46,8 @@ impl<'a> Resolver<'a> {
             bodies: bodies.ok()?,
             ground: ground.ok()?,
             parts: self.parts,
-            rows: rows.ok()?,
+            rows,
+            compliant,
             loads,
             states,
             outputs,
@@ -185,7 +188,7 @@ impl<'a> Resolver<'a> {
                 continue;
             };
             let dimension = unit.dimension.over(Dimension::TIME);
-            let rate = self.eval_number(scope, rate, dimension, Reads::CAUSES);
+            let rate = self.eval_number(scope, rate, dimension, Reads::ALL);
             if let (Ok(start), Ok(rate)) = (start, rate) {
                 let symbol = self.states[k].symbol;
                 states.push(State { name, symbol, rate, start, locked, unit });

@@ -188,7 +188,7 @@ impl<'a> Resolver<'a> {
         kind: Reads,
     ) -> SlotId {
         let name = &ast.name.ident;
-        let reads = if kind == Reads::PARAM { Reads::FIXED } else { Reads::CAUSES };
+        let reads = if kind == Reads::PARAM { Reads::FIXED } else { Reads::ALL };
         let wanted = Wanted::Number(unit.dimension, reads);
         let thunk = match (self.field(id, &name.text), &ast.value) {
             (Some((scope, field)), _) => Thunk { scope, expr: &field.value, wanted },

@@ -6,6 +6,7 @@
 //! and only a true circle is an error.
 
 mod body;
+mod compliance;
 mod condition;
 mod declare;
 mod expect;

@@ -133,7 +133,7 @@ impl<'a> Resolver<'a> {
         match value {
             Value::Node(other) if std::ptr::eq(self.nodes[other].domain, domain) => Ok(value),
             Value::Scalar(..) => {
-                let wanted = Wanted::Number(domain.across.unit.dimension, Reads::CAUSES);
+                let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ALL);
                 if let Value::Scalar(across, nature) = self.wanted(scope, expr, value, wanted)? {
                     let nature = Nature::derived(nature.dimension, nature.reads);
                     self.nodes[node].across = Some((across, nature));
@@ -221,7 +221,7 @@ impl<'a> Resolver<'a> {
             help_similar(diagnostic, &name.text, "quantity", "what acts on it", &names);
             return Err(Failed);
         };
-        let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::CAUSES)?;
+        let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ALL)?;
         self.nodes[node].through[k].terms.push(value);
         if let Some(from) = from {
             let opposite = self.graph.neg(value);

@@ -42,7 +42,7 @@ impl<'a> Resolver<'a> {
         }
         if nature.reads.has(Reads::STATE) {
             // The rate of a state may read whatever causes motion.
-            reads = reads.and(Reads::CAUSES);
+            reads = reads.and(Reads::ALL);
         }
         Ok(Nature::derived(nature.dimension.over(Dimension::TIME), reads))
     }

@@ -57,11 +57,11 @@ impl<'a> Resolver<'a> {
     /// What is positive as long as a condition holds.
     fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Vec<Expr>> {
         let (condition, reads) = self.condition(scope, expr)?;
-        let beyond = reads.beyond(Reads::CAUSES);
+        let beyond = reads.beyond(Reads::KNOWN);
         if beyond != Reads::NOTHING {
             let message = format!("a requirement reads {}", beyond.describe());
             self.error(scope, Code::NotConstant, expr.span, message)
-                .note(format!("it may read {}", Reads::CAUSES.describe()));
+                .note(format!("it may read {}", Reads::KNOWN.describe()));
             return Err(Failed);
         }
         let mut differences = Vec::new();

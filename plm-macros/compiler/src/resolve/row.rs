@@ -15,7 +15,7 @@ use crate::units::Dimension;
 /// A constraint row on the way to its residual.
 #[derive(Debug)]
 pub(super) struct RowState<'a> {
-    scope: ScopeId,
+    pub(super) scope: ScopeId,
     left: &'a ast::Expr,
     right: &'a ast::Expr,
     /// Full name, `shoulder.x`.
@@ -144,10 +144,10 @@ impl<'a> Resolver<'a> {
         };
         let value = match ast.quantity.text.as_str() {
             "torque" => {
-                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::CAUSES).map(Applied::Torque)
+                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::ALL).map(Applied::Torque)
             }
             "force" => self
-                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::CAUSES)
+                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::ALL)
                 .map(|(force, _)| Applied::Force(force)),
             other => {
                 let message = format!("`{other}` does not act on a frame");
