@@ -150,3 +150,42 @@ fn both_rungs_switch_at_the_same_times() {
     assert!(least.stats().switches >= 2);
     assert_eq!(least.stats().switches, other.stats().switches);
 }
+
+/// A stone that must not fall below -1 m, nor faster than a limit.
+macro_rules! falling {
+    ($name:ident, $rung:ident) => {
+        mod $name {
+            plm::mechanism! {
+                pub Falling {
+                    rung: $rung;
+                    param limit: m/s = 100 m/s;
+                    gravity: 2 m/s^2;
+                    ground { port o: (0, 0) m, axis: 90 deg; }
+                    body stone { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }
+                    prismatic rail(ground.o, stone.o);
+                    require above: stone.y > -1 m and stone.vy >= -limit;
+                }
+            }
+        }
+    };
+}
+falling!(falling_by_tree, tree);
+falling!(falling_by_rows, absolute);
+
+#[test]
+fn a_run_ends_where_a_requirement_does() {
+    let fault = |time| (plm::Fault::of_part(time, "above", plm::Cause::Required)).to_string();
+    let mut sim = falling_by_tree::Falling::new().start_with(Dop853::new(1e-12)).unwrap();
+    sim.step(0.99).unwrap();
+    let found = sim.step(1.0).unwrap_err();
+    // y = -t^2.
+    assert!((found.time - 1.0).abs() < 1e-12 && (sim.stone().y + 1.0).abs() < 1e-12, "{found}");
+    assert_eq!(found.to_string(), fault(found.time));
+    let mut sim = falling_by_rows::Falling { limit: 1.0, ..falling_by_rows::Falling::new() }.start().unwrap();
+    let found = sim.step(2.0).unwrap_err();
+    assert!((found.time - 0.5).abs() < 1e-9 && found.part == "above", "{found}");
+    // Without dense output it is seen behind the step.
+    let mut sim = falling_by_tree::Falling::new().start_with(Rk4::new(0.3)).unwrap();
+    let found = sim.step(3.0).unwrap_err();
+    assert!((found.time - 1.2).abs() < 1e-12, "{found}");
+}

@@ -14,9 +14,8 @@
 //!
 //! Two statements about the curves contradict each other in one model: the force of the second jack "ends at ~-600 N" with a
 //! rated drop of 1.5 bar (at the end stop it is -680.8 N), and "always positive" holds for the first from some 1.35 bar on;
-//! with 1 bar it hits its stop, which takes a trace of gas in the
-//! oil. "Starts at ~320 N" is a plot's reading of 335 N. So these stand beside an independent model
-//! of the same parts, and the values that bring the manual's out are added.
+//! with 1 bar it hits its stop, which takes a trace of gas in the oil. "Starts at ~320 N" is a plot's reading of 335 N. So
+//! these stand beside an independent model of the same parts, and the values that bring the manual's out are added.
 
 use plm::{Dop853, Fault};
 
