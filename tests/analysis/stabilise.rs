@@ -569,3 +569,28 @@ fn what_falls_is_told() {
     assert_eq!((residual.name.as_str(), residual.what), ("stone.y", What::Force));
     assert_close(residual.value, -3.0 * 9.81, 1e-9);
 }
+
+mod landing {
+    plm::mechanism! {
+        /// A mass that nothing holds, above a stop that begins at 0.1 m.
+        pub Landing {
+            gravity: 10 m/s^2;
+            param jump: N = 0 N;
+            ground { port rail: (0, 0) m, axis: 90 deg; }
+            body mass { mass: 20 kg; inertia: 1 kg*m^2; port rail: (0, 0) m, angle: 90 deg; start y: 0.5 m; }
+            prismatic guide(ground.rail, mass.rail) {
+                drive: if guide.displacement < 0.1 m then jump + 1e4 N/m*(0.1 m - guide.displacement) else 0 N;
+            }
+        }
+    }
+}
+
+#[test]
+fn what_falls_is_followed_to_its_stop() {
+    let found = landing::Landing::new().stabilise().unwrap().balanced().unwrap();
+    assert_close(value(&found, "mass.y"), 0.1 - 200.0 / 1e4, 1e-9);
+    // A stop that pushes with more than the weight as soon as it is touched leaves no place to rest.
+    let found = landing::Landing { jump: 300.0, ..landing::Landing::new() }.stabilise().unwrap();
+    let [residual] = &found.residuals[..] else { panic!("{:?}", found.residuals) };
+    assert_eq!((residual.name.as_str(), residual.what), ("mass.y", What::Force));
+}
