@@ -21,7 +21,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use figures::{Figure, dead, extremes, flat, long, stiff, theory};
+use figures::{Figure, dead, extremes, flat, indices, long, stiff, theory};
 use plm::Fault;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -66,6 +66,7 @@ fn all(shorter: u32) -> Vec<Box<dyn Fn() -> Result<Figure, Fault>>> {
         Box::new(|| Ok(stiff::baumgarte())),
         Box::new(|| Ok(stiff::end_stop())),
         Box::new(stiff::stiff_spring),
+        Box::new(|| Ok(indices::order_reduction())),
         Box::new(theory::kapitza),
         Box::new(theory::laguerre),
         Box::new(extremes::fast_crank),

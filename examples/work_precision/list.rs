@@ -4,6 +4,7 @@ use plm::System;
 use plm::runtime::{Ports, Vector};
 
 use crate::andrews::{s5_absolute, s5_loops};
+use crate::arms::{arms_absolute, arms_tree};
 use crate::measure::{Line, Rung, Scene};
 use crate::methods::every;
 use crate::references;
@@ -132,6 +133,28 @@ pub const SCENES: &[Scene] = &[
             "bumpy road over 3 s",
             3.0,
             rungs!("absolute": car_axis_absolute::car_axis::CarAxis),
+        )
+    },
+    Scene {
+        facts: "The manual's ConnectPlmHyd: 1 body, 10 states, jumps at known times, and a stop of 1e8 N/m; relative error.",
+        fewest_steps: 8000,
+        relative: true,
+        ..scene(
+            "arm",
+            "arm on a hydraulic jack over 4 s",
+            4.0,
+            rungs!("tree": arms_tree::arm::Arm, "absolute": arms_absolute::arm::Arm),
+        )
+    },
+    Scene {
+        facts: "The manual's DoubleArm: 2 bodies, 20 states, two stops; relative error.",
+        fewest_steps: 8000,
+        relative: true,
+        ..scene(
+            "arms",
+            "two arms on hydraulic jacks over 4 s",
+            4.0,
+            rungs!("tree": arms_tree::arms::Arms, "absolute": arms_absolute::arms::Arms),
         )
     },
 ];

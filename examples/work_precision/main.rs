@@ -17,6 +17,7 @@
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 
 mod andrews;
+mod arms;
 mod list;
 mod measure;
 mod methods;

@@ -41,7 +41,8 @@ pub enum Cause {
         /// The step, s.
         step: f64,
     },
-    /// A loop cannot be closed any further: the mechanism locks up.
+    /// A loop cannot be closed any further: the mechanism locks up. Where that is because lengths that repeat each other
+    /// disagree, a joint can be declared to give way, with a `compliance`.
     Locked,
     /// A body turned so far within a step that its loop could not be followed.
     TurnedTooFar {
@@ -64,6 +65,8 @@ pub enum Cause {
         /// The number allowed.
         steps: u64,
     },
+    /// A requirement of the part does not hold.
+    Required,
     /// A condition switches more and more often: the times have a limit that they do not pass.
     Zeno {
         /// How often something switched.
@@ -83,7 +86,8 @@ pub enum Cause {
         /// Largest residual of velocity, m/s or rad/s.
         phi_dot: f64,
     },
-    /// Locks repeat what joints or other locks already say about the start position.
+    /// Locks repeat what joints or other locks already say about the start position. Joints do so as well if their lengths
+    /// repeat each other but for a small error; a `compliance` at one of them takes it up.
     Redundant {
         /// How many locks are too many.
         count: usize,
@@ -176,6 +180,7 @@ impl fmt::Display for Cause {
                 write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::Required => write!(f, "this requirement does not hold any more"),
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")
             }

@@ -9,10 +9,12 @@
 mod complex;
 mod lu;
 mod resolvent;
+mod sparse;
 
 pub use complex::{Complex, Entry};
 pub use lu::Lu;
-pub use resolvent::{Dense, Resolvent};
+pub use resolvent::{Dense, Derivatives, Resolvent};
+pub use sparse::{Below, Eliminated, Part, Pattern, Patterned, Pivot, Sparse, Term};
 
 use crate::scalar::Real;
 

@@ -1,7 +1,7 @@
 //! Exact derivatives of the rate, for implicit methods and for linearisation.
 
 use crate::dual::Dual;
-use crate::linalg::Dense;
+use crate::linalg::{Dense, Derivatives};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Health, System};
 use crate::vector::Vector;
@@ -14,6 +14,9 @@ const DIRECTIONS: usize = 4;
 pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {
     /// The same system of dual numbers.
     type Lifted<const K: usize>: Linear<S = Dual<Self::S, K>>;
+    /// The form in which implicit methods keep the derivatives of the rate: a matrix, where states are few, or the
+    /// coefficients of an augmented system.
+    type Derivatives: Derivatives<Self::S, Self::X>;
 
     /// The system with what is held over a step, all numbers constant.
     fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, <Self::Lifted<K> as System>::U);
@@ -42,6 +45,23 @@ pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {
             tangent
         });
         Health(health.0.value)
+    }
+
+    /// The derivatives of the rate by the state as implicit methods take them, and by the time where asked for.
+    ///
+    /// The health is that of the rate; it is not a number if a derivative is not finite.
+    fn differentiate(
+        &self,
+        t: Self::S,
+        u: &Self::U,
+        x: &Self::X,
+        by_x: &mut Self::Derivatives,
+        by_t: Option<&mut Self::X>,
+    ) -> Health<Self::S> {
+        match by_x.full() {
+            Some(matrix) => self.jacobian(t, u, x, matrix, by_t),
+            None => Health(Self::S::lit(f64::NAN)),
+        }
     }
 
     /// The derivatives of the rate by the state, column by column, and by the time where asked for.

@@ -18,6 +18,9 @@ pub trait System {
 
     /// Number of coordinates; the first `NQ` rates are the velocities: q' = v.
     const NQ: usize;
+    /// The rate is so short that it pays to copy it into every stage of a method. Not that of several lanes, which has work
+    /// enough while it waits.
+    const SHORT: bool = false;
 
     /// The rate `dx` of the state, as straight-line code without pivoting.
     fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
@@ -73,6 +76,12 @@ pub trait System {
     /// Holds the other side of the condition `index` from now on; the state stays as it is.
     fn switch(&self, t: Self::S, u: &mut Self::U, x: &Self::X, index: usize) {
         let _ = (t, u, x, index);
+    }
+
+    /// The condition with this index is a requirement: where its guard passes zero the run ends with a fault.
+    fn must_hold(&self, index: usize) -> bool {
+        let _ = index;
+        false
     }
 
     /// The condition with this index, as diagnostics name it.

@@ -70,6 +70,7 @@ macro_rules! mechanism {
 
         impl<S: Real> Linear for $name<S> {
             type Lifted<const K: usize> = $name<Dual<S, K>>;
+            type Derivatives = [[S; $n]; $n];
 
             fn lift<const K: usize>(&self, held: &S) -> ($name<Dual<S, K>>, Dual<S, K>) {
                 let lift = Dual::constant;

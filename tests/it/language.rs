@@ -167,6 +167,40 @@ mod shared {
     }
 }
 
+mod from_another_crate {
+    plm::mechanism! {
+        use plm_shared_parts::thermal;
+        /// A brake that warms two blocks: a domain and its parts from another crate.
+        pub Brake {
+            ground { port o: (0, 0) m; }
+            part lining(a: frame, b: frame, hot: heat) {
+                param drag: N*m*s/rad;
+                let speed = rate(b.angle - a.angle);
+                torque on b from a: -drag*speed;
+                power on hot: drag*speed^2;
+            }
+            body wheel { mass: 1 kg; inertia: 2 kg*m^2; port o: (0, 0) m; start omega: 30 rad/s, locked; }
+            revolute bearing(ground.o, wheel.o);
+            block disc() { capacity: 40 J/K; temperature: 300 K; }
+            block calliper() { capacity: 60 J/K; temperature: 300 K; }
+            contact joint(disc.port, calliper.port) { conductance: 200 W/K; }
+            lining pad(ground.o, wheel.o, disc.port) { drag: 4 N*m*s/rad; }
+            output disc.temperature, calliper.temperature;
+        }
+    }
+}
+
+/// What the wheel loses the blocks gain, and in the end they have one temperature.
+#[test]
+fn domains_and_parts_cross_crates() {
+    let mut sim = from_another_crate::Brake::new().start_with(plm::Dop853::new(1e-11)).unwrap();
+    sim.step(10.0).unwrap();
+    let gained = 40.0 * (sim.disc_temperature() - 300.0) + 60.0 * (sim.calliper_temperature() - 300.0);
+    assert!((gained - 900.0).abs() < 1e-6, "{gained}");
+    assert!((sim.disc_temperature() - sim.calliper_temperature()).abs() < 1e-6);
+    assert!((sim.disc_temperature() - 309.0).abs() < 1e-6);
+}
+
 #[test]
 fn shared_parts_act_as_if_they_stood_inside() {
     let mut sim = shared::Wheel::new().start_with(plm::Dop853::new(1e-11)).unwrap();

@@ -4,6 +4,7 @@
 #![allow(clippy::approx_constant, reason = "the manual prints what it prints")]
 
 mod assembly;
+mod compliance;
 mod derivatives;
 mod feedback;
 mod language;
@@ -14,6 +15,7 @@ mod operations;
 mod oracle;
 mod physics;
 mod reach;
+mod reactions;
 mod references;
 mod robust;
 mod rungs;

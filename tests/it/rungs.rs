@@ -214,6 +214,32 @@ on_both!(a_geared_pair_of_arms, [sun, planet], [], {
     constraint gear: planet.angle + 2*sun.angle = 0;
 });
 
+on_both!(a_mass_on_the_rod_of_a_jack, [arm, piston_carried_carriage], [both], {
+    gravity: 9.81 m/s^2;
+    ground { port o: (0, 0) m; port p: (0.3, -0.4) m; }
+    body arm { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; port p: (0.1, 0.05) m; start angle: 20 deg, locked; start omega: 2 rad/s, locked; }
+    revolute hinge(ground.o, arm.o);
+    jack ram(ground.p, arm.p) { free_length: 0.2 m; drive: 30 N; }
+    attached_mass piston(ram.slider) { mass: 7 kg; }
+    output both = (piston.force, 0);
+});
+
+on_both!(a_mass_and_a_rotor_on_a_four_bar, [crank, coupler, follower, piston_carried_carriage, motor_carried_wheel], [both], {
+    gravity: 9.81 m/s^2;
+    ground { port o: (0, 0) m; port p: (0.3, -0.4) m; port d: (1, 0) m; }
+    body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 5 rad/s, locked; }
+    body coupler { mass: 2 kg; inertia: 0.1 kg*m^2; port b: (-0.45, 0) m; port c: (0.45, 0.1) m; start angle: 20 deg; }
+    body follower { mass: 1.5 kg; inertia: 0.05 kg*m^2; port d: (-0.3, 0) m; port c: (0.3, 0) m; start angle: 80 deg; start x: 1 m; }
+    revolute oa(ground.o, crank.a) { drive: 2 N*m; }
+    revolute ab(crank.b, coupler.b);
+    revolute bc(coupler.c, follower.c);
+    revolute od(ground.d, follower.d);
+    jack ram(ground.p, coupler.c) { free_length: 0.2 m; }
+    attached_mass piston(ram.slider) { mass: 30 kg; }
+    attached_rotor motor(bc.shaft) { inertia: 0.001 kg*m^2; ratio: -5; }
+    output both = (piston.force, motor.torque/1 m);
+});
+
 on_both!(a_driven_trolley, [trolley, bob], [], {
     gravity: 9.81 m/s^2;
     ground { port rail: (0, 0) m, axis: 15 deg; }

@@ -1,6 +1,6 @@
 //! Conditions of a declaration: where forces jump, and times that are known.
 
-use plm::{Dop853, Rk4};
+use plm::{Dop853, Fault, Gauss, Method, RadauIia5, Rk4, Ros34Pw2};
 
 /// A block that a constant force pushes back to the middle from either side: parabolas.
 mod bang {
@@ -61,6 +61,53 @@ fn known_times_are_hit() {
     sim.step(2.0).unwrap();
     let expected = 0.24 + 1.2 * (2.0 - 0.511);
     assert!((sim.clock().x - expected).abs() < 1e-13, "{}", sim.clock().x - expected);
+}
+
+/// Position of the clock of [`bang`] after 2 s, less the known one, and the steps that it took.
+fn off_after_two_seconds<W: Method<bang::Bang>>(method: W) -> Result<(f64, u64), Fault> {
+    // 3 m/s^2 from 0.111 to 0.511 s, times that no step of equal length meets by itself.
+    let mechanism = bang::Bang { from: 0.111, until: 0.511, ..bang::Bang::new() };
+    let mut sim = mechanism.start_with(method)?;
+    sim.step(2.0)?;
+    // Both times, and the block in the middle at sqrt(2) s.
+    assert_eq!(sim.stats().switches, 3, "{:?}", sim.stats());
+    Ok(((sim.clock().x - (0.24 + 1.2 * (2.0 - 0.511))).abs(), sim.stats().steps))
+}
+
+#[test]
+fn implicit_methods_hit_known_times() {
+    let (off, steps) = off_after_two_seconds(RadauIia5::new(1e-9)).unwrap();
+    assert!(off < 1e-9 && steps < 200, "{off:e} in {steps} steps");
+    let (off, _) = off_after_two_seconds(Ros34Pw2::new(0.04)).unwrap();
+    assert!(off < 1e-9, "{off:e}");
+    let (off, _) = off_after_two_seconds(Gauss::<_, 2>::new(0.04)).unwrap();
+    assert!(off < 1e-9, "{off:e}");
+}
+
+/// A spring so stiff that only an L-stable method steps over it, which a known time sets free.
+mod release {
+    plm::mechanism! {
+        pub Release {
+            ground { port o: (0, 0) m; }
+            body block { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 1 m; }
+            prismatic rail(ground.o, block.o);
+            force hold(block.o) {
+                x: if t < 0.37 s then -1e10 N/m*(block.x - 1 m) - 1e6 N*s/m*block.vx else 2 N;
+            }
+        }
+    }
+}
+
+#[test]
+fn what_was_held_stiffly_starts_at_the_known_time() {
+    let known = 1.0 + (1.0 - 0.37_f64).powi(2);
+    let mut sim = release::Release::new().start_with(RadauIia5::new(1e-9)).unwrap();
+    sim.step(1.0).unwrap();
+    assert!((sim.block().x - known).abs() < 1e-9, "{:e}, {:?}", sim.block().x - known, sim.stats());
+    assert!(sim.stats().switches == 1 && sim.stats().steps < 100, "{:?}", sim.stats());
+    let mut sim = release::Release::new().start_with(Ros34Pw2::new(0.05)).unwrap();
+    sim.step(1.0).unwrap();
+    assert!((sim.block().x - known).abs() < 1e-9, "{:e}", sim.block().x - known);
 }
 
 /// On every rung: a crank that is braked in one direction of its speed only, a jump in the torque.

@@ -10,9 +10,11 @@ fn figures(demo: &str) -> serde_json::Map<String, Value> {
     all.get(demo).and_then(Value::as_object).cloned().unwrap_or_default()
 }
 
-/// Names of the figures that the manual prints for a demo.
-pub(crate) fn printed(demo: &str) -> Vec<String> {
-    figures(demo).keys().cloned().collect()
+/// Names of the figures that the manual prints for a demo: those that an independent model of it reproduces, or the others.
+pub(crate) fn reproduced(demo: &str, wanted: bool) -> Vec<String> {
+    let mut figures = figures(demo);
+    figures.retain(|_, figure| figure["reproduced_by_an_independent_model"] == wanted);
+    figures.keys().cloned().collect()
 }
 
 /// How much of the exact value of the independent model a run may be off. Its own runs are that good: a relative tolerance of
@@ -54,4 +56,12 @@ fn a_figure_that_is_off_is_missed() {
     assert!(!holds(169.921, Reading::Rounded(0.01)) && !holds(f64::NAN, Reading::Rounded(0.01)));
     assert!(holds(169.914, Reading::Truncated(0.01)) && !holds(169.906, Reading::Truncated(0.01)));
     assert!(holds(172.0, Reading::Approximate(5.0)) && !holds(160.0, Reading::Approximate(5.0)));
+}
+
+/// The sheet compares its value with that of the independent model.
+pub(crate) fn agrees_with_the_model(demo: &str, name: &str) {
+    let (figure, line) = (&figures(demo)[name], crate::line(demo, name));
+    let exact = figure["exact"].as_f64().unwrap();
+    assert!(matches!(line.source, Source::Model(_)), "{line}");
+    assert!((line.known - exact).abs() <= 1e-9 * exact.abs() && line.holds(), "{line}");
 }

@@ -2,6 +2,7 @@
 
 use plm::{Dopri5, Rk4};
 
+use crate::scenes::indices::{Index, found_orders, orders};
 use crate::scenes::stiff::{bounce, growth_of_oscillation, limit, stabilised};
 
 #[test]
@@ -28,4 +29,14 @@ fn baumgartes_gains_are_limited_by_the_step() {
     // R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24 leaves [-1, 1] at z = -2.785; the pendulum is nearly at rest.
     let found = limit(2.0, 3.5, |h_alpha| stabilised(1e-3, h_alpha, 1e-4, 3000) < 1e-6);
     assert!((found / 2.785 - 1.0).abs() < 5e-3, "{found}");
+}
+
+#[test]
+fn the_order_of_radau_iia_falls_with_the_index() {
+    for index in [Index::One, Index::Two, Index::Three] {
+        let found = found_orders(index).unwrap();
+        for (found, known) in found.into_iter().zip(orders(index)) {
+            assert!((found - known).abs() < 0.2, "{index:?}: {found}, known {known}");
+        }
+    }
 }

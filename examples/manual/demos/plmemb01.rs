@@ -49,7 +49,7 @@ plm::mechanism! {
 /// Angular acceleration at the start with a force in the spring (N), rad/s2.
 fn acceleration(foot: f64, force: f64) -> Result<f64, Fault> {
     let mut arm = Plmemb01 { foot, ..Plmemb01::new() };
-    arm.start.push = force;
+    arm.start.push.value = force;
     Ok(arm.start()?.arm_alpha())
 }
 

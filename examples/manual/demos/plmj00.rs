@@ -51,7 +51,7 @@ plm::mechanism! {
 /// Angular acceleration at the start with a force in the spring (N), rad/s2.
 fn acceleration(force: f64) -> Result<f64, Fault> {
     let mut arm = Plmj00::new();
-    arm.start.push = force;
+    arm.start.push.value = force;
     Ok(arm.start()?.arm_alpha())
 }
 
@@ -63,7 +63,7 @@ pub fn sheet() -> Result<Sheet, Fault> {
     sheet.manual("static force", force, "N", 4086.32, Rounded(0.005));
 
     let mut held = Plmj00::new();
-    held.start.push = force;
+    held.start.push.value = force;
     let mut sim = held.start_with(Dop853::new(RTOL))?;
     sim.step(1.0)?;
     sheet.theory("body angle after 1 s", sim.arm().angle.to_degrees(), "deg", 0.0, 1e-9);

@@ -3,6 +3,7 @@
 pub mod dead;
 pub mod extremes;
 pub mod flat;
+pub mod indices;
 pub mod long;
 pub mod stiff;
 pub mod theory;

@@ -4,6 +4,7 @@ pub mod dead;
 #[path = "../../../tests/it/scenes.rs"]
 pub mod declared;
 pub mod flat;
+pub mod indices;
 pub mod loops;
 pub mod pins;
 pub mod run;

@@ -44,11 +44,14 @@ pub struct Model {
     pub ground: Vec<Port>,
     /// Constraint rows, `phi = 0`.
     pub rows: Vec<Row>,
+    /// Rows of joints with a compliance: no constraints, their `lambda` is an expression, and it stands in the loads.
+    pub compliant: Vec<Row>,
     /// Generalised forces on bodies.
     pub loads: Vec<Load>,
     /// First-order states.
     pub states: Vec<State>,
-    /// Conditions whose side is held over a step: of the state first, then of the time; derivation finds them.
+    /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
+    /// beginning, derivation finds the others.
     pub sides: Vec<Side>,
     /// What the user asked to see.
     pub outputs: Vec<Output>,
@@ -275,8 +278,10 @@ pub struct Side {
     pub difference: Expr,
     /// The time at which it does, s, and the slope of the difference there, if it depends on the time alone.
     pub instant: Option<[Expr; 2]>,
-    /// The part or state that jumps.
+    /// The part or state that jumps; the requirement.
     pub name: String,
+    /// It must not change: a requirement, positive as long as it holds.
+    pub must_hold: bool,
 }
 
 impl Model {

@@ -59,6 +59,14 @@ impl Report {
             let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
             Tape::new(graph, &results).count()
         };
+        let constraints = [
+            ("phi", &program.phi),
+            ("phi_dot", &program.phi_dot),
+            ("phi_q", &program.phi_q),
+            ("closing step", &program.min_norm),
+        ];
+        let of_tree = reduced.ok().and_then(|reduced| reduced.first()?.reactions.as_ref());
+        let functions = of_tree.map(|reactions| ("reactions", reactions)).into_iter().chain(constraints);
         Report {
             name: model.name.text.clone(),
             bodies: model.bodies.len(),
@@ -72,12 +80,7 @@ impl Report {
             state: reduced.map_or(2 * equations.q.len(), |reduced| 2 * reduced.freedom()) + equations.x.len(),
             length: length(model, graph, values),
             rate: count(reduced.ok().and_then(Reduced::first).map_or(&program.dynamics, |chart| &chart.rate)),
-            functions: vec![
-                ("phi", count(&program.phi)),
-                ("phi_dot", count(&program.phi_dot)),
-                ("phi_q", count(&program.phi_q)),
-                ("closing step", count(&program.min_norm)),
-            ],
+            functions: functions.map(|(name, function)| (name, count(function))).collect(),
             assembly: Vec::new(),
         }
     }
@@ -165,6 +168,17 @@ impl std::fmt::Display for Report {
 
 /// The rung, and why it was taken.
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
+    let mut lines = rung(model, reduced);
+    let mut giving: Vec<&str> =
+        model.compliant.iter().map(|row| model.parts[row.part].name.text.as_str()).collect();
+    giving.dedup();
+    if !giving.is_empty() {
+        lines.push(format!("Forces of a compliance instead of constraints: {}.", giving.join(", ")));
+    }
+    lines
+}
+
+fn rung(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     match reduced {
         Ok(reduced) => joint_coordinates(reduced),
         Err(reason) => {

@@ -9,7 +9,7 @@
 //! | `plm,items` | items of the mechanism [`EXAMPLE`], with which it compiles without a word |
 //! | `plm,E0301` | a declaration that gives this code, and no other |
 //!
-//! The `text` block right behind one with codes is what the compiler says, the block `text,dynamics` is that function of
+//! The `text` block right behind one with codes is what the compiler says, the block `text,reactions` is that function of
 //! the manual's double pendulum; `PLM_BLESS=1` writes both anew.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 use plm_compiler::compile;
 use plm_compiler::diag::{Code, Diagnostics};
-use plm_compiler::syntax::ast::{Definition, ItemKind};
+use plm_compiler::syntax::ast::{Definition, ExprKind, ItemKind};
 use plm_compiler::syntax::parse_parts;
 use plm_compiler::token::Sources;
 use plm_compiler::units;
@@ -205,8 +205,11 @@ fn names(part: &Definition) -> Vec<&str> {
             ItemKind::Node(node) => names.push(node.name.ident.text.as_str()),
             ItemKind::Choice(choice) => names.push(choice.name.text.as_str()),
             ItemKind::Output(outputs) => {
-                let of = outputs.iter().filter_map(|output| output.name.as_ref());
-                names.extend(of.map(|name| name.ident.text.as_str()));
+                let of = outputs.iter().filter_map(|output| match (&output.name, &output.value.kind) {
+                    (Some(name), _) | (None, ExprKind::Name(name)) => Some(name.ident.text.as_str()),
+                    _ => None,
+                });
+                names.extend(of);
             }
             _ => {}
         }

@@ -137,6 +137,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         let Some(index) = due else {
             return Ok(());
         };
+        required(course, index)?;
         course.system.switch(course.time, &mut course.held, &course.x, index);
         method.restart();
         self.guards = Some(guards_here(course)?);
@@ -154,6 +155,9 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         let Some(first) = (0..G::LEN).find(|i| is_past(course.system, &here, *i)) else {
             return Ok(());
         };
+        for index in (first..G::LEN).filter(|i| is_past(course.system, &here, *i)) {
+            required(course, index)?;
+        }
         let switched = switch_where_due(course.system, course.time, &mut course.held, &course.x);
         method.restart();
         self.guards = Some(guards_here(course)?);
@@ -226,6 +230,15 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
 struct Start<S, X> {
     time: S,
     x: X,
+}
+
+/// The end of a run whose requirement `index` is not met.
+fn required<M: System<S: Real>>(course: &Course<'_, M>, index: usize) -> Result<(), Fault> {
+    if course.system.must_hold(index) {
+        let name = course.system.guard_name(index);
+        return Err(Fault::of_part(course.time.to_f64(), name, Cause::Required));
+    }
+    Ok(())
 }
 
 /// The guards at the state reached.

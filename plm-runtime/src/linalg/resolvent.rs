@@ -9,8 +9,6 @@ use crate::vector::Vector;
 pub trait Dense<S: Real>: Vector<S> {
     /// A square matrix.
     type Matrix: Copy;
-    /// A decomposed lambda I - J.
-    type Resolvent<T: Entry<S>>: Copy;
 
     /// All zeros.
     fn zeros() -> Self::Matrix;
@@ -18,15 +16,27 @@ pub trait Dense<S: Real>: Vector<S> {
     fn entry(matrix: &Self::Matrix, i: usize, j: usize) -> S;
     /// Gives an entry a value; nothing happens beyond the end.
     fn set_entry(matrix: &mut Self::Matrix, i: usize, j: usize, s: S);
+}
+
+/// Derivatives of a rate over vectors `X`, in a form in which (lambda I - J) k = r is solved.
+pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
+    /// A decomposed lambda I - J.
+    type Resolvent<T: Entry<S>>: Copy;
+
+    /// All zeros.
+    fn zeros() -> Self;
     /// Decomposes lambda I - J, where the first `nq` rows of J say q' = v; none if it is singular.
-    fn resolvent<T: Entry<S>>(jacobian: &Self::Matrix, lambda: T, nq: usize) -> Option<Self::Resolvent<T>>;
+    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>>;
     /// Solves (lambda I - J) k = r with the matrix that was decomposed; gives `each` every index and its k.
     fn resolve<T: Entry<S>>(
+        &self,
         resolvent: &Self::Resolvent<T>,
-        jacobian: &Self::Matrix,
+        nq: usize,
         r: impl FnMut(usize) -> T,
         each: impl FnMut(usize, T),
     );
+    /// The matrix J, where it is held as such.
+    fn full(&mut self) -> Option<&mut X::Matrix>;
 }
 
 /// lambda I - J, decomposed in the unknowns that q' = v leaves.
@@ -38,13 +48,11 @@ pub trait Dense<S: Real>: Vector<S> {
 pub struct Resolvent<T, const N: usize> {
     /// 1 / lambda.
     inverse: T,
-    nq: usize,
     lu: Lu<T, N>,
 }
 
 impl<S: Real, const N: usize> Dense<S> for [S; N] {
     type Matrix = [[S; N]; N];
-    type Resolvent<T: Entry<S>> = Resolvent<T, N>;
 
     #[inline]
     fn zeros() -> [[S; N]; N] {
@@ -62,11 +70,20 @@ impl<S: Real, const N: usize> Dense<S> for [S; N] {
             row.set(j, s);
         }
     }
+}
 
-    fn resolvent<T: Entry<S>>(jacobian: &[[S; N]; N], lambda: T, nq: usize) -> Option<Resolvent<T, N>> {
+impl<S: Real, const N: usize> Derivatives<S, [S; N]> for [[S; N]; N] {
+    type Resolvent<T: Entry<S>> = Resolvent<T, N>;
+
+    #[inline]
+    fn zeros() -> Self {
+        [[S::ZERO; N]; N]
+    }
+
+    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Resolvent<T, N>> {
         let inverse = lambda.reciprocal();
         let mut rows = [[T::real(S::ZERO); N]; N];
-        for (i, (row, rates)) in rows.iter_mut().zip(jacobian.iter().skip(nq)).enumerate() {
+        for (i, (row, rates)) in rows.iter_mut().zip(self.iter().skip(nq)).enumerate() {
             for (entry, by_w) in row.iter_mut().zip(rates.iter().skip(nq)) {
                 *entry = T::real(-*by_w);
             }
@@ -77,31 +94,37 @@ impl<S: Real, const N: usize> Dense<S> for [S; N] {
                 *diagonal = *diagonal + lambda;
             }
         }
-        Some(Resolvent { inverse, nq, lu: Lu::new(rows, N - nq.min(N))? })
+        Some(Resolvent { inverse, lu: Lu::new(rows, N - nq.min(N))? })
     }
 
     fn resolve<T: Entry<S>>(
+        &self,
         resolvent: &Resolvent<T, N>,
-        jacobian: &[[S; N]; N],
+        nq: usize,
         mut r: impl FnMut(usize) -> T,
         mut each: impl FnMut(usize, T),
     ) {
-        let Resolvent { inverse, nq, lu } = resolvent;
+        let Resolvent { inverse, lu } = resolvent;
         let zero = T::real(S::ZERO);
         let (mut kq, mut kw) = ([zero; N], [zero; N]);
-        for (i, k) in kq.iter_mut().enumerate().take(*nq) {
+        for (i, k) in kq.iter_mut().enumerate().take(nq) {
             *k = r(i) * *inverse;
         }
-        for ((i, k), rates) in kw.iter_mut().enumerate().zip(jacobian.iter().skip(*nq)) {
-            let known = rates.iter().zip(&kq).take(*nq);
+        for ((i, k), rates) in kw.iter_mut().enumerate().zip(self.iter().skip(nq)) {
+            let known = rates.iter().zip(&kq).take(nq);
             *k = known.fold(r(nq + i), |sum, (by_q, k)| sum + T::real(*by_q) * *k);
         }
         lu.solve(&mut kw);
-        for (i, (kq, kv)) in kq.iter().zip(&kw).enumerate().take(*nq) {
+        for (i, (kq, kv)) in kq.iter().zip(&kw).enumerate().take(nq) {
             each(i, *kq + *kv * *inverse);
         }
-        for (i, k) in kw.iter().enumerate().take(N.saturating_sub(*nq)) {
+        for (i, k) in kw.iter().enumerate().take(N.saturating_sub(nq)) {
             each(nq + i, *k);
         }
+    }
+
+    #[inline]
+    fn full(&mut self) -> Option<&mut [[S; N]; N]> {
+        Some(self)
     }
 }

@@ -1,5 +1,6 @@
 //! The semi-implicit (symplectic) Euler method.
 
+use super::Rates;
 use super::fixed::{FixedStep, Formula};
 use crate::scalar::Scalar;
 use crate::system::System;
@@ -19,9 +20,9 @@ impl Formula for SemiImplicitEulerFormula {
     // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) {
+    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rates: impl Rates<M>) {
         let (q, mut k) = (*x, M::X::fill(M::S::lit(0.0)));
-        rate(t, x, &mut k);
+        rates.at(t, x, &mut k);
         x.add([(h, &k)]);
         for i in 0..M::NQ {
             x.set(i, h.mul_add(x.at(M::NQ + i), q.at(i)));

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::plan::Plan;
-use super::{Course, Method, drift_of_size, excess, not_finite};
+use super::{Course, Method, Rates, Watched, drift_of_size, excess, not_finite};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, System};
@@ -14,15 +14,15 @@ pub trait Formula: Copy {
     /// Rates per step.
     const STAGES: u64;
 
-    /// Takes the state `x` from `t` to `t + h`; `rate(t, x, dx)` writes the rate.
-    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, rate: impl FnMut(M::S, &M::X, &mut M::X));
+    /// Takes the state `x` from `t` to `t + h`; `rates` computes the rates.
+    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, rates: impl Rates<M>);
 
     /// One step for any scalar, with the worst health of its stages and without a second try.
     #[inline]
     fn plain_step<M: System>(system: &M, t: M::S, u: &M::U, x: &mut M::X, h: M::S) -> Health<M::S> {
-        let mut worst = Health::perfect();
-        Self::step::<M>(t, h, x, |t, x, dx| worst = worst.worst(system.rate(t, u, x, dx)));
-        worst
+        let mut rates = Watched::new(system, u);
+        Self::step::<M>(t, h, x, &mut rates);
+        rates.worst
     }
 }
 
@@ -96,7 +96,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     ) -> Result<(), Fault> {
         let (t, h, by_rank) = (course.time, self.plan.h, course.stats.by_rank);
         let mut outcome = Ok(());
-        F::step::<M>(t, h, x, |t, x, dx| {
+        F::step::<M>(t, h, x, |t: M::S, x: &M::X, dx: &mut M::X| {
             if outcome.is_ok() {
                 outcome = course.rate(t, x, dx);
             }

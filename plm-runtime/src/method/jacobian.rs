@@ -1,28 +1,33 @@
 //! Derivatives of the rate along the way, exact where the rate is healthy.
 
 use super::Course;
-use crate::fault::Fault;
-use crate::linalg::Dense;
+use crate::fault::{Cause, Fault};
+use crate::linalg::{Dense, Derivatives};
 use crate::linear::Linear;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// The matrix of derivatives that belongs to a system.
-pub(super) type Matrix<M> = <<M as System>::X as Dense<<M as System>::S>>::Matrix;
-
 /// A decomposed lambda I - J that belongs to a system, for lambda of the type `T`.
-pub(super) type Resolvent<M, T> = <<M as System>::X as Dense<<M as System>::S>>::Resolvent<T>;
+pub(super) type Resolvent<M, T> =
+    <<M as Linear>::Derivatives as Derivatives<<M as System>::S, <M as System>::X>>::Resolvent<T>;
 
 impl<M: Linear> Course<'_, M> {
     /// The derivatives of the rate by the state, and by the time where asked for, at the state reached.
-    pub(super) fn jacobian(&mut self, by_x: &mut Matrix<M>, by_t: Option<&mut M::X>) -> Result<(), Fault> {
+    pub(super) fn differentiate(
+        &mut self,
+        by_x: &mut M::Derivatives,
+        by_t: Option<&mut M::X>,
+    ) -> Result<(), Fault> {
         self.stats.jacobians += 1;
         let mut time_column = self.x;
         let wanted = by_t.is_some().then_some(&mut time_column);
-        let health = self.system.jacobian(self.time, &self.held, &self.x, by_x, wanted);
+        let health = self.system.differentiate(self.time, &self.held, &self.x, by_x, wanted);
         if !health.is_good() {
-            self.difference_quotients(by_x, &mut time_column)?;
+            let Some(matrix) = by_x.full() else {
+                return Err(self.fault(Cause::Singular { rows: M::X::LEN }));
+            };
+            self.difference_quotients(matrix, &mut time_column)?;
         }
         if let Some(by_t) = by_t {
             *by_t = time_column;
@@ -33,7 +38,11 @@ impl<M: Linear> Course<'_, M> {
     /// One-sided difference quotients of the rate by rank. Methods keep their order with them: they ask for derivatives
     /// only to be stable.
     #[cold]
-    fn difference_quotients(&mut self, by_x: &mut Matrix<M>, by_t: &mut M::X) -> Result<(), Fault> {
+    fn difference_quotients(
+        &mut self,
+        by_x: &mut <M::X as Dense<M::S>>::Matrix,
+        by_t: &mut M::X,
+    ) -> Result<(), Fault> {
         let (t, x, typical) = (self.time, self.x, self.system.typical());
         let root = M::S::EPSILON.sqrt();
         let (mut here, mut there) = (x, x);

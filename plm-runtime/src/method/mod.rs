@@ -23,6 +23,7 @@ mod gauss;
 mod jacobian;
 mod plan;
 mod radau;
+mod rates;
 mod rk4;
 mod ros34pw2;
 
@@ -34,6 +35,8 @@ pub use fixed::{FixedStep, Formula};
 pub use gauss::Gauss;
 pub(crate) use plan::Plan;
 pub use radau::RadauIia5;
+pub use rates::Rates;
+pub(crate) use rates::Watched;
 pub use rk4::{Rk4, Rk4Formula};
 pub use ros34pw2::Ros34Pw2;
 

@@ -1,6 +1,7 @@
 //! The classical Runge-Kutta method of order 4.
 
 use super::fixed::{FixedStep, Formula};
+use super::rates::{Rates, each_stage};
 use crate::scalar::Scalar;
 use crate::system::System;
 use crate::vector::Vector;
@@ -17,20 +18,37 @@ impl Formula for Rk4Formula {
     const STAGES: u64 = 4;
 
     // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the
-    // rate becomes part of the formula only if it is called in one place, hence the loop. Through memory, a step of the
-    // double pendulum takes half as long again: what is written number by number has to wait before vectors read it.
+    // rate, unless it is short, becomes part of the formula only if it is called in one place, hence the loop.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rate: impl FnMut(M::S, &M::X, &mut M::X)) {
+    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rates: impl Rates<M>) {
         let lit = M::S::lit;
-        let (half, third, sixth) = (lit(0.5) * h, lit(1.0 / 3.0) * h, lit(1.0 / 6.0) * h);
-        let zero = lit(0.0);
-        let (start, mut stage, mut k) = (*x, *x, M::X::fill(zero));
-        let stages = [(zero, sixth, half), (half, third, half), (half, third, h), (h, sixth, zero)];
-        for (node, weight, next) in stages {
-            rate(t + node, &stage, &mut k);
-            x.add([(weight, &k)]);
-            stage.combine(&start, [(next, &k)]);
-        }
+        let (zero, half) = (lit(0.0), lit(0.5) * h);
+        let stages = [(zero, half), (half, half), (half, h), (h, zero)];
+        let (mut stage, mut k) = (*x, [M::X::fill(zero); 4]);
+        each_stage!(M::SHORT, i in [0, 1, 2, 3] {
+            let (node, next) = stages[i];
+            rates.at(t + node, &stage, &mut k[i]);
+            stage.combine(x, [(next, &k[i])]);
+        });
+        end::<M>(h, x, &k);
+    }
+}
+
+/// The weighted sum of the rates. Those of positions are the velocities of the stages, v and v + h/2 k1 and so on, and sum
+/// up to 6 v + h (k1 + k2 + k3): the next pose waits for no more.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn end<M: System>(h: M::S, x: &mut M::X, [k1, k2, k3, k4]: &[M::X; 4]) {
+    let (two, sixth) = (M::S::lit(2.0), M::S::lit(1.0 / 6.0) * h);
+    for i in 0..M::NQ {
+        let v = M::NQ + i;
+        let sum = k1.at(v) + (k2.at(v) + k3.at(v));
+        let mean = sixth.mul_add(sum, x.at(v));
+        x.set(i, h.mul_add(mean, x.at(i)));
+    }
+    for i in M::NQ..M::X::LEN {
+        let sum = two.mul_add(k2.at(i) + k3.at(i), k1.at(i) + k4.at(i));
+        x.set(i, sixth.mul_add(sum, x.at(i)));
     }
 }

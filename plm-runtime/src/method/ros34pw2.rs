@@ -1,10 +1,9 @@
 //! A Rosenbrock-W method for stiff equations with steps of equal length.
 
-use super::jacobian::Matrix;
 use super::plan::Plan;
 use super::{Course, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
-use crate::linalg::Dense;
+use crate::linalg::Derivatives;
 use crate::linear::Linear;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
@@ -86,11 +85,11 @@ struct Trial<X> {
 /// One step of `h` from the state reached.
 fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, Fault> {
     let lit = M::S::lit;
-    let (mut by_x, mut by_t): (Matrix<M>, M::X) = (M::X::zeros(), course.x);
-    course.jacobian(&mut by_x, Some(&mut by_t))?;
+    let (mut by_x, mut by_t) = (M::Derivatives::zeros(), course.x);
+    course.differentiate(&mut by_x, Some(&mut by_t))?;
     course.stats.factorisations += 1;
     let lambda = lit(1.0) / (lit(GAMMA) * h);
-    let Some(resolvent) = M::X::resolvent(&by_x, lambda, M::NQ) else {
+    let Some(resolvent) = by_x.resolvent(lambda, M::NQ) else {
         return Err(course.fault(Cause::Singular { rows: M::X::LEN }));
     };
     let (t, x, mut stage) = (course.time, course.x, course.x);
@@ -105,7 +104,7 @@ fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, F
         for j in 0..i {
             r.add([(c[j], &u[j])]);
         }
-        M::X::resolve(&resolvent, &by_x, |k| r.at(k), |k, s| u[i].set(k, s));
+        by_x.resolve(&resolvent, M::NQ, |k| r.at(k), |k, s| u[i].set(k, s));
     }
     let ([u1, u2, u3, u4], [e1, e2, e3, e4]) = (&u, E.map(lit));
     stage.add([(lit(1.0), u4)]);

@@ -1,7 +1,7 @@
 //! Elimination against an independent linear algebra, derivatives against difference quotients.
 
 use nalgebra::{Complex as C, DMatrix, DVector};
-use plm_runtime::linalg::{Complex, Dense, Lu};
+use plm_runtime::linalg::{Complex, Dense, Derivatives, Lu};
 use plm_runtime::{Linear, Mechanism, Real, System};
 
 use crate::mechanisms::{double_pendulum, four_bar};
@@ -83,9 +83,9 @@ fn elimination_of_the_coordinates_solves_the_whole_system() {
                 diagonal - jacobian[i][j]
             });
             let expected = oracle.lu().solve(&DVector::from_fn(N, |i, _| convert(r[i]))).unwrap();
-            let resolvent = <[f64; N]>::resolvent(&jacobian, lambda, nq).unwrap();
+            let resolvent = jacobian.resolvent(lambda, nq).unwrap();
             let mut k = r;
-            <[f64; N]>::resolve(&resolvent, &jacobian, |i| r[i], |i, value| k[i] = value);
+            jacobian.resolve(&resolvent, nq, |i| r[i], |i, value| k[i] = value);
             for i in 0..N {
                 assert!((convert(k[i]) - expected[i]).norm() < 1e-12 * expected.norm(), "{nq}: {k:?}");
             }
@@ -162,6 +162,7 @@ impl<S: Real> System for Root<S> {
 
 impl<S: Real> Linear for Root<S> {
     type Lifted<const K: usize> = Root<plm_runtime::Dual<S, K>>;
+    type Derivatives = [[S; 1]; 1];
 
     fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
         (Root(plm_runtime::Dual::constant(self.0)), ())

@@ -319,6 +319,7 @@ macro_rules! linkage {
 
         impl<S: plm_runtime::Real> plm_runtime::Linear for $name<S> {
             type Lifted<const K: usize> = $name<plm_runtime::Dual<S, K>>;
+            type Derivatives = [[S; 2 * $nq]; 2 * $nq];
 
             fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
                 ($name(self.0.map(plm_runtime::Dual::constant)), ())

@@ -27,6 +27,7 @@ impl<S: Real> System for Oscillator<S> {
 
 impl<S: Real> Linear for Oscillator<S> {
     type Lifted<const K: usize> = Oscillator<Dual<S, K>>;
+    type Derivatives = [[S; 3]; 3];
 
     fn lift<const K: usize>(&self, held: &f64) -> (Self::Lifted<K>, f64) {
         (oscillator(), *held)

@@ -41,6 +41,7 @@ impl System for Wrong {
 
 impl Linear for Wrong {
     type Lifted<const K: usize> = Oscillator<Dual<f64, K>>;
+    type Derivatives = [[f64; 3]; 3];
 
     fn lift<const K: usize>(&self, held: &f64) -> (Self::Lifted<K>, f64) {
         self.0.lift(held)

@@ -34,6 +34,7 @@ macro_rules! system {
 
         impl<S: Real> Linear for $name<S> {
             type Lifted<const K: usize> = $name<Dual<S, K>>;
+            type Derivatives = [[S; $n]; $n];
 
             fn lift<const K: usize>(&self, (): &()) -> ($name<Dual<S, K>>, ()) {
                 ($name { $($field: Dual::constant(self.$field)),* }, ())

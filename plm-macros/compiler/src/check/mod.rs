@@ -15,7 +15,7 @@ use crate::diag::{Code, Diagnostics};
 use crate::formulate::{Absolute, Reduced};
 use crate::model::{Model, Port};
 use crate::report::Report;
-use verdict::{Locks, contradiction, not_closed, redundant_joints, too_many_locks};
+use verdict::{Locks, contradiction, not_closed, redundant_joints, strained, too_many_locks};
 
 /// Is there a mechanism at all, and is every body part of it?
 pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
@@ -123,10 +123,13 @@ pub(crate) fn check_assembly(
     } else if found.phi.iter().any(|residual| !residual.is_finite()) {
         start::check_rows(model, equations, graph, &values, &found, diagnostics);
     } else if !found.is_closed() {
-        not_closed(model, &found, diagnostics);
+        not_closed(model, &found, report.length, diagnostics);
     } else {
         redundant_joints(model, &joints, diagnostics);
         check_velocities(model, &found, diagnostics);
+        let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
+        let open = run(&Tape::new(graph, &compliant), &found.values(equations, &values));
+        strained(model, &open, report.length, diagnostics);
         start::check_start(model, equations, graph, (program, &values), &found, diagnostics);
     }
 }

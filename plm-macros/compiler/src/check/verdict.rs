@@ -2,7 +2,14 @@
 
 use super::Assembly;
 use crate::diag::{Code, Diagnostics};
-use crate::model::{Model, Row};
+use crate::model::{Model, Part, Row};
+use crate::units::Dimension;
+
+/// Gaps below this, as a fraction of the size of the scene, may be lengths that repeat each other and disagree.
+const DISAGREEMENT: f64 = 1e-3;
+
+/// A joint with a compliance that is open by more than this, in the same measure or rad, is hardly meant to be.
+const STRAIN: f64 = 1e-4;
 
 /// Names that one message lists.
 const MOST_NAMES: usize = 8;
@@ -59,8 +66,8 @@ fn lock_name(model: &Model, k: usize, what: &str) -> String {
 }
 
 /// Joints that cannot be closed together.
-pub(super) fn not_closed(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
-    let gaps = gaps(model, &found.phi);
+pub(super) fn not_closed(model: &Model, found: &Assembly, length: f64, diagnostics: &mut Diagnostics) {
+    let gaps = gaps(&model.rows, &found.phi);
     let Some(widest) = gaps.first() else { return };
     let others: Vec<String> =
         gaps[1..].iter().map(|gap| format!("`{}` by {}", gap.joint(model), gap.text())).collect();
@@ -78,6 +85,39 @@ pub(super) fn not_closed(model: &Model, found: &Assembly, diagnostics: &mut Diag
         diagnostic.note(format!("open too: {}", joined(&others)));
     }
     diagnostic.help("check the dimensions of the loop, or start its bodies closer to where they should be");
+    let example = giving_way(model, widest.row.part, std::iter::once(widest.row));
+    if let Some(example) = example.filter(|_| widest.size < DISAGREEMENT * length) {
+        diagnostic.help(format!(
+            "where lengths that repeat each other may disagree by so little, let a joint give way: `{example}`"
+        ));
+    }
+}
+
+/// How a joint is declared to give way in some of its rows; a constraint of the mechanism itself has no place for that.
+fn giving_way<'a>(model: &Model, part: usize, rows: impl Iterator<Item = &'a Row>) -> Option<String> {
+    let Part { name, frames, .. } = &model.parts[part];
+    let (angles, lengths): (Vec<&Row>, Vec<&Row>) =
+        rows.partition(|row| row.unit.dimension.same(Dimension::NUMBER));
+    let mut words = Vec::new();
+    if !lengths.is_empty() {
+        words.push("compliance: 1e-9 m/N;");
+    }
+    if !angles.is_empty() {
+        words.push("rotary_compliance: 1e-9 rad/(N*m);");
+    }
+    (!frames.is_empty()).then(|| format!("{}(…) {{ {} }}", name.text, words.join(" ")))
+}
+
+/// Joints with a compliance that assembly leaves open, and that would begin with a great force.
+pub(super) fn strained(model: &Model, phi: &[f64], length: f64, diagnostics: &mut Diagnostics) {
+    let limit = |gap: &Gap| STRAIN * if gap.row.unit.dimension == Dimension::LENGTH { length } else { 1.0 };
+    for gap in gaps(&model.compliant, phi).iter().filter(|gap| gap.size > limit(gap)) {
+        let (name, text) = (gap.joint(model), gap.text());
+        diagnostics
+            .warning(Code::Strained, gap.row.span, format!("`{name}` is open by {text} at the start"))
+            .note("a joint with a compliance closes nothing: its force is what pulls it together")
+            .help("lock the starts of the bodies that it joins where it is closed");
+    }
 }
 
 /// How far a joint is open.
@@ -98,9 +138,9 @@ impl Gap<'_> {
 }
 
 /// The open joints by `phi`, the widest first; of the rows of a joint those in one unit count together.
-fn gaps<'a>(model: &'a Model, phi: &[f64]) -> Vec<Gap<'a>> {
+fn gaps<'a>(rows: &'a [Row], phi: &[f64]) -> Vec<Gap<'a>> {
     let mut gaps: Vec<Gap> = Vec::new();
-    for (row, residual) in model.rows.iter().zip(phi) {
+    for (row, residual) in rows.iter().zip(phi) {
         let size = if residual.is_finite() { residual.abs() } else { f64::INFINITY };
         let same = |gap: &&mut Gap| gap.row.part == row.part && gap.unit == row.unit.text;
         match gaps.iter_mut().find(same) {
@@ -137,12 +177,15 @@ pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics
             diagnostic.note(format!("the same is held by {} already", listed(&others)));
         }
         diagnostic.note("it runs all the same; reactions that are left open get their minimum norm");
+        if let Some(example) = giving_way(model, part, of_part.iter().map(|(row, _)| &model.rows[*row])) {
+            diagnostic.help(format!("with a compliance they follow from it: `{example}`"));
+        }
     }
 }
 
 /// Start velocities that the joints do not allow.
 pub(super) fn contradiction(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
-    if let Some(widest) = gaps(model, &found.phi_dot).first() {
+    if let Some(widest) = gaps(&model.rows, &found.phi_dot).first() {
         diagnostics.error(
             Code::NotAssembled,
             widest.row.span,

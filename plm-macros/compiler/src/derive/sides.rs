@@ -28,7 +28,7 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) {
         let symbol = graph.symbol(&format!("side_{}", model.sides.len()));
         let zero = graph.zero();
         pairs.push((condition, graph.less(symbol, zero)));
-        model.sides.push(Side { symbol, difference, instant, name });
+        model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
     }
     if pairs.is_empty() {
         return;

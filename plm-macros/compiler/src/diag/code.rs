@@ -63,7 +63,7 @@ catalogue! {
 
     // E04: values.
     MissingValue = "E0401", "a value is missing";
-    NotPositive = "E0402", "a mass or an inertia is not positive";
+    NotPositive = "E0402", "a mass, an inertia or a compliance is not positive";
     DivisionByZero = "E0403", "division by zero";
     OutOfDomain = "E0404", "an argument is outside of the domain of its function";
     WrongKind = "E0405", "another kind of value is expected";
@@ -88,6 +88,7 @@ catalogue! {
     RedundantConstraint = "W0001", "a constraint says what others say already";
     Unreached = "W0002", "a body that nothing holds or reaches";
     UnknownCode = "W0003", "an allowed code that does not exist";
+    Strained = "W0004", "a joint with a compliance is open at the start";
 }
 
 impl core::fmt::Display for Code {

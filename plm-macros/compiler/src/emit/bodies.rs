@@ -6,7 +6,9 @@ use crate::formulate::Function;
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
-    equations_of_motion(&mut text, emission);
+    if emission.reactions().is_none() {
+        equations_of_motion(&mut text, emission);
+    }
     constraints(&mut text, emission);
     text
 }

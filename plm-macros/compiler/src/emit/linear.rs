@@ -2,7 +2,7 @@
 //!
 //! All of it is generic: nothing is compiled where nobody asks for it.
 
-use super::{Emission, docs, push};
+use super::{Emission, augmented, docs, push};
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
@@ -92,6 +92,7 @@ fn pack(text: &mut String, emission: &Emission) {
 fn lift(text: &mut String, emission: &Emission) {
     let name = &emission.name;
     let (length, _) = emission.state_length();
+    let (derivatives, differentiate) = augmented::derivatives(emission);
     let (held, lifted) = (emission.held("S"), emission.held("rt::Dual<S, K>"));
     let constraints = if emission.reduced.is_some() {
         String::new()
@@ -109,13 +110,14 @@ fn lift(text: &mut String, emission: &Emission) {
         format_args!(
             "    impl<S: Real> rt::Linear for {name}<S> {{
         type Lifted<const K: usize> = {name}<rt::Dual<S, K>>;
+        type Derivatives = {derivatives};
 
         fn lift<const K: usize>(&self, held: &{held}) -> ({name}<rt::Dual<S, K>>, {lifted}) {{
             use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Dual::constant(s);
             (self.pack([self], constant), Self::pack_held(held, [held], constant))
         }}
-{constraints}    }}
+{constraints}{differentiate}    }}
 
 "
         ),

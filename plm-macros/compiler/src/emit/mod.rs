@@ -3,6 +3,7 @@
 //! The source is text, not token trees: rustc's own lexer reads it in a fraction of the time that building token trees
 //! takes in an unoptimised macro, and it can be read as it stands (`cargo run -p plm-compiler --example dump`).
 
+mod augmented;
 mod blocks;
 mod bodies;
 mod charts;
@@ -16,6 +17,7 @@ mod outputs;
 mod piece;
 mod reduced;
 mod sides;
+mod solved;
 mod statics;
 mod system;
 mod types;
@@ -25,7 +27,7 @@ use std::fmt::Write;
 use plm_cas::{Expr, Graph};
 
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Reduced};
+use crate::formulate::{Absolute, Function, Reduced};
 use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
@@ -138,6 +140,7 @@ pub(crate) fn emit(
     implementation.push_str(&statics::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
+    augmented::emit(&mut implementation, &emission);
     sides::instants(&mut implementation, &emission);
     Code {
         before: before(model),
@@ -191,6 +194,16 @@ impl Emission<'_> {
     /// The mechanism, if its loops are solved in charts.
     pub(crate) fn loops(&self) -> Option<&Reduced> {
         self.reduced.filter(|reduced| reduced.has_loops())
+    }
+
+    /// Accelerations and multipliers of a tree; where there are none, rung 5 gives them.
+    pub(crate) fn reactions(&self) -> Option<&Function> {
+        self.reduced?.first()?.reactions.as_ref()
+    }
+
+    /// Does an output read accelerations or multipliers?
+    pub(crate) fn reads_solution(&self) -> bool {
+        self.program.outputs.user.iter().any(|output| output.solves)
     }
 
     /// The inputs, where `u` is what is held over a step.
@@ -259,6 +272,9 @@ impl Emission<'_> {
                 bind(&chart.y_dot, state, chart.y.len());
                 bind(&equations.x, state, 2 * chart.y.len());
                 bind(&reduced.memory, "m", 0);
+                if let Some(augmented) = &chart.augmented {
+                    bind(&augmented.accelerations, "dx", chart.y.len());
+                }
             }
             _ => {
                 bind(&equations.q, state, 0);

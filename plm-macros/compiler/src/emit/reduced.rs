@@ -47,6 +47,23 @@ fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
             arguments: &["t", "u", "x", "q", "v"],
         },
     );
+    if let Some(reactions) = chart.reactions.as_ref().filter(|_| emission.reads_solution()) {
+        let nc = emission.equations.phi.len();
+        write(
+            text,
+            emission,
+            reactions,
+            Origin::Chart(0),
+            &Shape {
+                docs: &["Accelerations of every body, and the multipliers: `M a + phi_q^T lambda = Q`."],
+                attribute: "#[inline]",
+                signature: &format!(
+                    "fn reactions(&self, t: S, u: &Input<S>, x: &[S; {length}], a: &mut [S; {nq}], lambda: &mut [S; {nc}])"
+                ),
+                arguments: &["t", "u", "x", "a", "lambda"],
+            },
+        );
+    }
     projection(text, emission, chart, "project");
     let state = format!("t: S, u: &Input<S>, x: &[S; {length}]");
     guards(
@@ -112,8 +129,8 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         return;
     };
     let equations = emission.equations;
-    let ((length, second_order), n) = (emission.state_length(), reduced.freedom());
-    let (nq, nx) = (equations.q.len(), equations.x.len());
+    let ((length, _), n) = (emission.state_length(), reduced.freedom());
+    let nq = equations.q.len();
     let place;
     if reduced.has_loops() {
         charts::charted(text, emission, reduced);
@@ -159,8 +176,26 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         fn pose(&self) -> ([S; {nq}], [S; {nq}]) {{
             {place}
         }}
+    }}
 
-        /// The state in absolute coordinates, for reactions.
+",
+            sizes(emission, chart),
+            parts(emission, chart),
+        ),
+    );
+    absolute(text, emission);
+}
+
+/// The state in absolute coordinates, which rung 5 gives the reactions of loops at, and equilibria and starts are told in.
+fn absolute(text: &mut String, emission: &Emission) {
+    let Emission { equations, .. } = emission;
+    let (nq, nx) = (equations.q.len(), equations.x.len());
+    let (_, second_order) = emission.state_length();
+    push(
+        text,
+        format_args!(
+            "    impl<S: Real> State<S> {{
+        /// The state in absolute coordinates.
         fn absolute(&self) -> [S; {absolute}] {{
             let (q, v) = self.pose();
             let mut x = [S::lit(0.0); {absolute}];
@@ -173,20 +208,19 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     }}
 
 ",
-            sizes(emission, chart),
-            parts(emission, chart),
             absolute = 2 * nq + nx,
             second_absolute = 2 * nq,
         ),
     );
 }
 
-/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for rates.
+/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
+/// rates, one of its unit for a state.
 fn sizes(emission: &Emission, chart: &Chart) -> String {
     let length = format!("{:?}", emission.report.length);
     let one = |angle: &bool| if *angle { "1.0".to_owned() } else { length.clone() };
     let mut sizes: Vec<String> = chart.angles.iter().chain(&chart.angles).map(one).collect();
-    sizes.extend(std::iter::repeat_n("1.0".to_owned(), emission.equations.x.len()));
+    sizes.extend(emission.model.states.iter().map(system::unit_of_state));
     sizes.join(", ")
 }
 

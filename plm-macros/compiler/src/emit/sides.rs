@@ -2,6 +2,7 @@
 
 use super::bodies::{Shape, write};
 use super::{Emission, Origin, push};
+use crate::model::Model;
 
 /// The straight-line functions that do not depend on the chart.
 pub(crate) fn instants(text: &mut String, emission: &Emission) {
@@ -34,6 +35,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
     let input = emission.input();
     if guards > 0 {
         let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
+        let (required, only) = requirements(emission.model);
         push(
             text,
             format_args!(
@@ -41,8 +43,8 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
             {call};
         }}
 
-        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
-            if let Some(side) = {input}.side.get_mut(index) {{
+{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
+            {only}if let Some(side) = {input}.side.get_mut(index) {{
                 *side = -*side;
             }}
         }}
@@ -58,6 +60,25 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
         );
     }
     known_times(text, emission, input);
+}
+
+/// `must_hold`, and what keeps `switch` away from such conditions.
+fn requirements(model: &Model) -> (String, &'static str) {
+    let of_state = model.sides.iter().filter(|side| side.instant.is_none());
+    let required = of_state.enumerate().filter(|(_, side)| side.must_hold);
+    let indices: Vec<String> = required.map(|(index, _)| index.to_string()).collect();
+    if indices.is_empty() {
+        return Default::default();
+    }
+    let method = format!(
+        "        fn must_hold(&self, index: usize) -> bool {{
+            matches!(index, {})
+        }}
+
+",
+        indices.join(" | ")
+    );
+    (method, "if self.must_hold(index) {\n                return;\n            }\n            ")
 }
 
 fn known_times(text: &mut String, emission: &Emission, input: &str) {

@@ -2,9 +2,9 @@
 
 use plm_cas::Expr;
 
-use super::{Emission, defaults, mechanism, push, reduced, sides};
+use super::{Emission, defaults, mechanism, push, reduced, sides, solved};
 use crate::formulate::coordinate_name;
-use crate::model::Stabilisation;
+use crate::model::{Stabilisation, State};
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
@@ -28,7 +28,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
     }
     mechanism::emit(&mut text, emission);
     constraints(&mut text, emission);
-    solved(&mut text, emission);
+    text.push_str(&solved::emit(emission));
     text
 }
 
@@ -127,10 +127,16 @@ pub(super) fn energy(text: &mut String, emission: &Emission) {
     );
 }
 
+/// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
+/// instructions.
+const SHORT: usize = 300;
+
 /// `Rate` for any scalar, and the beginning of `System`: its types and its rate.
 pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, statements: &str) {
     let (name, held, (length, _)) = (&emission.name, emission.held("S"), emission.state_length());
     let guards = emission.model.guards();
+    let short = emission.report.rate.total() <= SHORT;
+    let always = if short { "(always)" } else { "" };
     push(
         text,
         format_args!(
@@ -140,7 +146,7 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type U = {held};
         const NQ: usize = {coordinates};
 
-        #[inline]
+        #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
             {statements}
         }}
@@ -152,8 +158,9 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
         type U = {held};
         type G = [S; {guards}];
         const NQ: usize = {coordinates};
+        const SHORT: bool = {short};
 
-        #[inline]
+        #[inline{always}]
         fn rate(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> rt::Health<S> {{
             rt::lanes::Rate::rate(self, t, u, x, dx)
         }}
@@ -163,13 +170,20 @@ pub(super) fn rate(text: &mut String, emission: &Emission, coordinates: usize, s
     );
 }
 
-/// Sizes for absolute tolerances: the scene's length for positions, one radian for angles, both per second for rates.
+/// The typical size of a state: one of the unit that it is declared in.
+pub(super) fn unit_of_state(state: &State) -> String {
+    format!("{:?}", state.unit.factor.to_f64())
+}
+
+/// Sizes for absolute tolerances: the scene's length for positions, one radian for angles, both per second for rates, one
+/// of its unit for a state.
 fn typical(text: &mut String, emission: &Emission) {
     let Emission { equations, model, report, .. } = emission;
     let length = format!("{:?}", report.length);
     let pose = |k: usize| if k % 3 == 2 { "1.0" } else { length.as_str() };
     let mut sizes: Vec<&str> = (0..equations.q.len()).chain(0..equations.q.len()).map(pose).collect();
-    sizes.extend(std::iter::repeat_n("1.0", equations.x.len()));
+    let units: Vec<String> = model.states.iter().map(unit_of_state).collect();
+    sizes.extend(units.iter().map(String::as_str));
     push(
         text,
         format_args!(
@@ -276,59 +290,4 @@ fn starts(text: &mut String, emission: &Emission) {
             velocities = list("velocity_of_centre", true),
         ),
     );
-}
-
-/// Accelerations and multipliers for outputs, by rank where elimination is unhealthy.
-fn solved(text: &mut String, emission: &Emission) {
-    let Emission { name, equations, .. } = emission;
-    let (nq, nc) = (equations.q.len(), equations.phi.len());
-    let length = 2 * nq + equations.x.len();
-    let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
-    // Forces that read the unknowns are known for independent constraints alone.
-    let refusal = if crate::derive::feeds_back(emission.model, emission.graph) {
-        format!("            return Err(Fault::new(t.to_f64(), rt::Cause::Singular {{ rows: {nc} }}));\n")
-    } else {
-        String::new()
-    };
-    push(text, format_args!(
-        "    impl<S: Real> {name}<S> {{
-        /// Accelerations and multipliers by a rank-revealing decomposition.
-        #[cold]
-        fn accelerate(&self, t: S, u: &Input<S>, x: &[S; {length}]) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {{
-{refusal}            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
-            let (mut force, mut gamma) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
-            self.free(t, u, x, &mut force, &mut gamma);
-            let (mut inverse_mass, mut phi_q) = ([S::lit(0.0); {nq}], [[S::lit(0.0); {nq}]; {nc}]);
-            self.reciprocal_mass(&mut inverse_mass);
-            self.jacobian(t, &q, &mut phi_q);
-            absolute::accelerate(t, &inverse_mass, &force, &gamma, &phi_q)
-        }}
-    }}
-
-    impl<S: Real> State<S> {{
-        /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-        fn solved(&self) -> ([S; {nq}], [S; {nc}]) {{
-            let (mut dx, mut lambda) = ([S::lit(0.0); {length}], [S::lit(0.0); {nc}]);
-            let x = {absolute};
-            let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
-            if !rt::Health(health).is_good() {{
-                if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {{
-                    return (solution.a, solution.lambda);
-                }}
-            }}
-            let (_, a): ([S; {nq}], [S; {nq}]) = absolute::split(&dx);
-            (a, lambda)
-        }}
-
-        /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
-        pub fn undetermined(&self) -> [bool; {nc}] {{
-            match self.mechanism.accelerate(self.time, &self.input, &{absolute}) {{
-                Ok(solution) => solution.undetermined,
-                Err(_) => [true; {nc}],
-            }}
-        }}
-    }}
-
-"
-    ));
 }

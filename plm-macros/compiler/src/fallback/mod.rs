@@ -48,6 +48,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         ground: Vec::new(),
         parts: Vec::new(),
         rows: Vec::new(),
+        compliant: Vec::new(),
         loads: Vec::new(),
         states,
         outputs,

@@ -12,9 +12,10 @@ mod function;
 mod ldl;
 mod order;
 mod outputs;
+mod pattern;
 mod reduced;
 mod sides;
 
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};
-pub(crate) use reduced::{Assembled, Chart, Reduced, formulate as reduce};
+pub(crate) use reduced::{Assembled, Augmented, Chart, Part, Reduced, Term, formulate as reduce};

@@ -41,6 +41,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Body(body) => self.declare_body(scope, body),
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),
                 ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, (left, right), part),
+                ItemKind::Require(name, condition) => self.declare_requirement(scope, name, condition),
                 ItemKind::Load(load) => self.declare_load(scope, load, part),
                 ItemKind::Node(node) => self.declare_node(scope, node),
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs),

@@ -1,6 +1,7 @@
 //! What the use of a part sets: parameters, inputs, choices and starts of states, also of the parts that it contains.
 
 use super::Resolver;
+use super::compliance::WORDS;
 use super::scope::ScopeId;
 use crate::diag::{Code, help_similar};
 use crate::syntax::ast::{Definition, Field, Instance, Item, ItemKind};
@@ -33,6 +34,11 @@ impl<'a> Resolver<'a> {
         found
     }
 
+    /// Does the definition of a part have a field of this name?
+    pub(super) fn has_field(&self, id: usize, name: &str) -> bool {
+        self.instances[id].definition.items.iter().any(|item| field_name(&item.kind) == Some(name))
+    }
+
     /// Every field that is set must exist, and be set once.
     pub(super) fn check_fields(&mut self, id: usize) {
         let (definition, outer) = (self.instances[id].definition, self.instances[id].outer);
@@ -61,7 +67,11 @@ impl<'a> Resolver<'a> {
             definition = inner;
         }
         let text = last.ident.text.as_str();
-        let known: Vec<&str> = definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+        let mut known: Vec<&str> =
+            definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+        if definition.is_joint {
+            known.extend(WORDS);
+        }
         if !known.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);

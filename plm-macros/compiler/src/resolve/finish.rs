@@ -22,12 +22,15 @@ impl<'a> Resolver<'a> {
         let mut loads = self.evaluate_loads();
         let mut states = self.finish_states();
         let mut outputs = self.evaluate_outputs();
-        self.put_late(&mut states, &mut loads, &mut outputs);
+        let mut sides = self.finish_requirements();
+        self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
+        let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
         if self.sink.has_errors() {
             return None;
         }
+        let (rows, compliant) = rows.ok()?;
         Some(Model {
             name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
             visibility: mechanism.visibility.clone(),
@@ -43,11 +46,12 @@ impl<'a> Resolver<'a> {
             bodies: bodies.ok()?,
             ground: ground.ok()?,
             parts: self.parts,
-            rows: rows.ok()?,
+            rows,
+            compliant,
             loads,
             states,
             outputs,
-            sides: Vec::new(),
+            sides,
             allowed: self.allowed,
         })
     }

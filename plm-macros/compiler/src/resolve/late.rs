@@ -7,7 +7,7 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::node::NodeState;
 use crate::diag::Code;
-use crate::model::{Load, Output, State};
+use crate::model::{Load, Output, Side, State};
 use crate::span::Span;
 
 /// A value that a symbol stood for.
@@ -21,7 +21,13 @@ struct Late {
 
 impl Resolver<'_> {
     /// Puts rates and sums where symbols stood for them.
-    pub(super) fn put_late(&mut self, states: &mut [State], loads: &mut [Load], outputs: &mut [Output]) {
+    pub(super) fn put_late(
+        &mut self,
+        states: &mut [State],
+        loads: &mut [Load],
+        outputs: &mut [Output],
+        sides: &mut [Side],
+    ) {
         if states.len() < self.states.len() || self.sink.has_errors() {
             return;
         }
@@ -30,6 +36,7 @@ impl Resolver<'_> {
         places.extend(states.iter_mut().map(|state| &mut state.rate));
         places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
         places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
+        places.extend(sides.iter_mut().map(|side| &mut side.difference));
         let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
         self.add_rates_of_sums(&roots, &mut late);
         if late.is_empty() || !self.close(&mut late) {

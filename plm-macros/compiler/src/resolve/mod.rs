@@ -6,6 +6,7 @@
 //! and only a true circle is an error.
 
 mod body;
+mod compliance;
 mod condition;
 mod declare;
 mod expect;
@@ -20,6 +21,7 @@ mod member;
 mod node;
 mod output;
 mod rate;
+mod require;
 mod row;
 mod scope;
 mod shape;
@@ -39,6 +41,7 @@ use body::BodyState;
 use frame::PortState;
 use instance::InstanceState;
 use node::NodeState;
+use require::Requirement;
 use row::{LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use value::Value;
@@ -91,6 +94,7 @@ struct Resolver<'a> {
     instances: Vec<InstanceState<'a>>,
     parts: Vec<model::Part>,
     rows: Vec<RowState<'a>>,
+    requirements: Vec<Requirement<'a>>,
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
@@ -165,6 +169,7 @@ impl<'a> Resolver<'a> {
             instances: Vec::new(),
             parts: Vec::new(),
             rows: Vec::new(),
+            requirements: Vec::new(),
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),

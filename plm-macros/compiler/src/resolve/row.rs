@@ -15,7 +15,7 @@ use crate::units::Dimension;
 /// A constraint row on the way to its residual.
 #[derive(Debug)]
 pub(super) struct RowState<'a> {
-    scope: ScopeId,
+    pub(super) scope: ScopeId,
     left: &'a ast::Expr,
     right: &'a ast::Expr,
     /// Full name, `shoulder.x`.

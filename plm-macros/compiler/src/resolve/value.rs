@@ -26,6 +26,8 @@ impl Reads {
     pub(super) const SCHEDULED: Reads = Reads(1 | 4);
     /// What a constraint may hold.
     pub(super) const GEOMETRY: Reads = Reads(1 | 4 | 16);
+    /// What is known at a state: everything but the unknowns of the equations of motion.
+    pub(super) const KNOWN: Reads = Reads(1 | 2 | 4 | 8 | 16 | 32);
     /// Everything.
     pub(super) const ALL: Reads = Reads(255);
 

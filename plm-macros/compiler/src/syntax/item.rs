@@ -33,6 +33,7 @@ const WORDS: &[(&str, Option<Context>)] = &[
     ("body", None),
     ("node", None),
     ("constraint", None),
+    ("require", None),
     ("output", None),
     ("repeat", None),
 ];
@@ -83,6 +84,7 @@ impl Cursor<'_> {
             "ground" => self.ground().map(ItemKind::Ground),
             "body" => self.body().map(ItemKind::Body),
             "constraint" => self.constraint(),
+            "require" => self.requirement(),
             "output" => self.outputs().map(ItemKind::Output),
             "repeat" => self.repeat(context).map(ItemKind::Repeat),
             "node" => self.node().map(ItemKind::Node),

@@ -21,6 +21,7 @@
 //!       | "body" name "{" { field | port | start } "}"
 //!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
 //!       | "constraint" NAME ":" expr "=" expr ";"
+//!       | "require" NAME ":" expr ";"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
 //! field  := ("mass" | "inertia" | "centre" | "drawing_angle") ":" expr ";" | "coordinates" ":" NAME ";"

@@ -159,6 +159,16 @@ impl Cursor<'_> {
         Ok(ItemKind::Constraint(name, left, right))
     }
 
+    /// `require name: condition;`
+    pub(super) fn requirement(&mut self) -> Parse<ItemKind> {
+        self.advance();
+        let name = self.indexed_name("the name of the requirement")?;
+        self.punct(':', "`:`")?;
+        let condition = self.value_expr();
+        self.end_of(&condition)?;
+        Ok(ItemKind::Require(name, condition))
+    }
+
     /// Does `force on name` stand here, and not a part of that name?
     pub(super) fn is_load(&self) -> bool {
         self.peek().is_some_and(|token| token.kind == TokenKind::Ident)

@@ -43,6 +43,12 @@ const VISCOSITY: Dimension = Dimension { m: -1, kg: 1, s: -1, a: 0, k: 0, rad: 0
 const VOLUME: Dimension = Dimension { m: 3, kg: 0, s: 0, a: 0, k: 0, rad: 0 };
 const TEMPERATURE: Dimension = Dimension { m: 0, kg: 0, s: 0, a: 0, k: 1, rad: 0 };
 
+// Written out, so that V and A stay free.
+const CURRENT: Dimension = Dimension { m: 0, kg: 0, s: 0, a: 1, k: 0, rad: 0 };
+const VOLTAGE: Dimension = Dimension { m: 2, kg: 1, s: -3, a: -1, k: 0, rad: 0 };
+const RESISTANCE: Dimension = Dimension { m: 2, kg: 1, s: -3, a: -2, k: 0, rad: 0 };
+const INDUCTANCE: Dimension = Dimension { m: 2, kg: 1, s: -2, a: -2, k: 0, rad: 0 };
+
 const TABLE: &[Unit] = &[
     row("m", "the metre", (1, 1), Dimension::LENGTH),
     row("mm", "the millimetre", (1, 1000), Dimension::LENGTH),
@@ -70,6 +76,10 @@ const TABLE: &[Unit] = &[
     row("bar", "the bar", (100_000, 1), PRESSURE),
     row("cP", "the centipoise", (1, 1000), VISCOSITY),
     row("K", "the kelvin", (1, 1), TEMPERATURE),
+    row("ampere", "the ampere", (1, 1), CURRENT),
+    row("volt", "the volt", (1, 1), VOLTAGE),
+    row("ohm", "the ohm", (1, 1), RESISTANCE),
+    row("henry", "the henry", (1, 1), INDUCTANCE),
 ];
 
 /// The unit of a name.

@@ -6,6 +6,7 @@ use core::fmt::Debug;
 
 use self::tableau::{A2, A3, A4, A5, A6, A7, C2, C3, C4, C5, D, E};
 use super::embedded::{Embedded, Limits, Pair};
+use super::rates::Rates;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
@@ -59,18 +60,18 @@ impl Pair for DormandPrince5 {
         x: &M::X,
         first: &M::X,
         k: &mut Stages<M::X>,
-        mut rate: impl FnMut(M::S, &M::X, &mut M::X),
+        mut rates: impl Rates<M>,
     ) -> M::X {
         let at = |c: f64| M::S::lit(c).mul_add(h, t);
         let (k1, mut k2) = (first, *first);
         k.k1 = *first;
-        rate(at(C2), &x.moved(h, A2, [k1]), &mut k2);
-        rate(at(C3), &x.moved(h, A3, [k1, &k2]), &mut k.k3);
-        rate(at(C4), &x.moved(h, A4, [k1, &k2, &k.k3]), &mut k.k4);
-        rate(at(C5), &x.moved(h, A5, [k1, &k2, &k.k3, &k.k4]), &mut k.k5);
-        rate(t + h, &x.moved(h, A6, [k1, &k2, &k.k3, &k.k4, &k.k5]), &mut k.k6);
+        rates.at(at(C2), &x.moved(h, A2, [k1]), &mut k2);
+        rates.at(at(C3), &x.moved(h, A3, [k1, &k2]), &mut k.k3);
+        rates.at(at(C4), &x.moved(h, A4, [k1, &k2, &k.k3]), &mut k.k4);
+        rates.at(at(C5), &x.moved(h, A5, [k1, &k2, &k.k3, &k.k4]), &mut k.k5);
+        rates.at(t + h, &x.moved(h, A6, [k1, &k2, &k.k3, &k.k4, &k.k5]), &mut k.k6);
         let end = x.moved(h, A7, [k1, &k.k3, &k.k4, &k.k5, &k.k6]);
-        rate(t + h, &end, &mut k.k7);
+        rates.at(t + h, &end, &mut k.k7);
         end
     }
 

@@ -11,10 +11,10 @@ use self::control::Control;
 use self::dense::Span;
 use self::start::first_step;
 use super::adaptive::{next_step, rate_here, shortest};
-use super::{Course, Method, drift_of_size, excess, larger, not_finite};
+use super::{Course, Method, Watched, drift_of_size, excess, larger, not_finite};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Drift, Health, System};
+use crate::system::{Drift, System};
 use crate::vector::Vector;
 
 /// A pair of Runge-Kutta formulas: steps chosen by the error, dense output.
@@ -110,10 +110,9 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x) = (course.time, course.x);
         if !self.careful {
-            let mut worst = Health::perfect();
-            let (system, held) = (course.system, &course.held);
-            let end =
-                P::step::<M>(t, h, &x, rate, k, |t, x, dx| worst = worst.worst(system.rate(t, held, x, dx)));
+            let mut rates = Watched::new(course.system, &course.held);
+            let end = P::step::<M>(t, h, &x, rate, k, &mut rates);
+            let worst = rates.worst;
             course.stats.evaluations += P::EVALUATIONS;
             if worst.is_good() {
                 return Ok(Trial { x: end, by_rank: false });
@@ -132,7 +131,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x, before) = (course.time, course.x, course.stats.by_rank);
         let mut outcome = Ok(());
-        let end = P::step::<M>(t, h, &x, rate, k, |t, x, dx| {
+        let end = P::step::<M>(t, h, &x, rate, k, |t: M::S, x: &M::X, dx: &mut M::X| {
             if outcome.is_ok() {
                 outcome = course.rate(t, x, dx);
             }

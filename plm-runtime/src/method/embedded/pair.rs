@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 
+use crate::method::Rates;
 use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
@@ -27,14 +28,14 @@ pub trait Pair: Copy + Debug {
     /// Stages to write to.
     fn blank<X: Copy + Debug>(x: X) -> Self::Stages<X>;
 
-    /// The state at `t + h` from `x` at `t`, where the rate is `first`; `rate(t, x, dx)` writes a rate.
+    /// The state at `t + h` from `x` at `t`, where the rate is `first`; `rates` computes the others.
     fn step<M: System>(
         t: M::S,
         h: M::S,
         x: &M::X,
         first: &M::X,
         k: &mut Self::Stages<M::X>,
-        rate: impl FnMut(M::S, &M::X, &mut M::X),
+        rates: impl Rates<M>,
     ) -> M::X;
 
     /// The rate at the end of a step, if it is one of the stages.

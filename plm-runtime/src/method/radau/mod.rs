@@ -10,10 +10,9 @@ use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
 use self::tableau::{C, ERROR};
 use super::adaptive::{next_step, rate_here};
-use super::jacobian::Matrix;
 use super::{Course, Method, drift_of_size, excess, larger};
 use crate::fault::Fault;
-use crate::linalg::Dense as _;
+use crate::linalg::Derivatives as _;
 use crate::linear::Linear;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
@@ -41,7 +40,7 @@ pub struct RadauIia5<M: Linear> {
     /// The rate at the current state, unless that has been changed.
     rate: Option<M::X>,
     /// Derivatives of the rate, at the current state or before.
-    by_x: Option<Matrix<M>>,
+    by_x: Option<M::Derivatives>,
     /// The derivatives are those at the current state.
     by_x_here: bool,
     factors: Option<Factors<M>>,
@@ -138,8 +137,8 @@ impl<M: Linear> RadauIia5<M> {
         let by_x = match &mut self.by_x {
             Some(by_x) => by_x,
             none => {
-                let mut by_x = M::X::zeros();
-                course.jacobian(&mut by_x, None)?;
+                let mut by_x = M::Derivatives::zeros();
+                course.differentiate(&mut by_x, None)?;
                 (self.by_x_here, self.factors) = (true, None);
                 none.insert(by_x)
             }

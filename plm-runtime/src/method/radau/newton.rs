@@ -1,10 +1,10 @@
 //! The stages of a step by simplified Newton iteration.
 
 use super::tableau::{ALPHA, BETA, C, GAMMA, T, T_INVERSE};
-use crate::linalg::{Complex, Dense as _};
+use crate::linalg::{Complex, Derivatives as _};
 use crate::linear::Linear;
 use crate::method::Course;
-use crate::method::jacobian::{Matrix, Resolvent};
+use crate::method::jacobian::Resolvent;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
@@ -24,26 +24,22 @@ pub(super) struct Factors<M: Linear> {
 
 impl<M: Linear> Factors<M> {
     /// For steps of `h`; none if a matrix is singular.
-    pub(super) fn new(course: &mut Course<'_, M>, by_x: &Matrix<M>, h: M::S) -> Option<Self> {
+    pub(super) fn new(course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> Option<Self> {
         course.stats.factorisations += 1;
         let over_h = |value: f64| M::S::lit(value) / h;
         let pair = Complex { re: over_h(ALPHA), im: over_h(BETA) };
-        Some(Self {
-            h,
-            real: M::X::resolvent(by_x, over_h(GAMMA), M::NQ)?,
-            complex: M::X::resolvent(by_x, pair, M::NQ)?,
-        })
+        Some(Self { h, real: by_x.resolvent(over_h(GAMMA), M::NQ)?, complex: by_x.resolvent(pair, M::NQ)? })
     }
 
     /// (gamma/h I - J)^-1 r.
-    pub(super) fn solve(&self, by_x: &Matrix<M>, r: &M::X) -> M::X {
+    pub(super) fn solve(&self, by_x: &M::Derivatives, r: &M::X) -> M::X {
         let mut k = *r;
-        M::X::resolve(&self.real, by_x, |i| r.at(i), |i, s| k.set(i, s));
+        by_x.resolve(&self.real, M::NQ, |i| r.at(i), |i, s| k.set(i, s));
         k
     }
 
     /// The Newton correction of the transformed stages `w`, where their rates are `g`.
-    fn correction(&self, by_x: &Matrix<M>, w: &[M::X; 3], g: &[M::X; 3]) -> [M::X; 3] {
+    fn correction(&self, by_x: &M::Derivatives, w: &[M::X; 3], g: &[M::X; 3]) -> [M::X; 3] {
         let [gamma, alpha, beta] = [GAMMA, ALPHA, BETA].map(|value| M::S::lit(value) / self.h);
         let pair = |i: usize| Complex {
             re: g[1].at(i) - (alpha * w[1].at(i) - beta * w[2].at(i)),
@@ -52,7 +48,7 @@ impl<M: Linear> Factors<M> {
         let mut dw = *w;
         dw[0] = self.solve(by_x, &g[0].map2(&w[0], |g, w| g - gamma * w));
         let [_, re, im] = &mut dw;
-        M::X::resolve(&self.complex, by_x, pair, |i, k| {
+        by_x.resolve(&self.complex, M::NQ, pair, |i, k| {
             re.set(i, k.re);
             im.set(i, k.im);
         });
@@ -99,7 +95,7 @@ pub(super) enum Outcome<X> {
 /// count by `weight`; what is still to come is then below `tolerance`.
 pub(super) fn iterate<M: Linear>(
     course: &mut Course<'_, M>,
-    by_x: &Matrix<M>,
+    by_x: &M::Derivatives,
     factors: &Factors<M>,
     mut z: [M::X; 3],
     (weight, tolerance): (&M::X, M::S),

@@ -44,6 +44,11 @@ impl Chain {
         self.terms.iter().map(|(&(class, slide), &vector)| (class, slide, vector))
     }
 
+    /// How many of its vectors move.
+    pub(crate) fn moving(&self) -> usize {
+        self.terms.keys().filter(|key| **key != (0, None)).count()
+    }
+
     /// The classes that it holds, ascending.
     pub(crate) fn classes(&self) -> Vec<usize> {
         let mut classes: Vec<usize> = self.terms.keys().map(|&(class, _)| class).collect();

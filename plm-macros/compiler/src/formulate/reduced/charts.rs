@@ -118,7 +118,7 @@ pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
     let rows = coordinates
         .rows
         .iter()
-        .map(|row| Equation { unknowns: row.terms.iter().map(|term| term.0).collect(), rows: 1 });
+        .map(|row| Equation { unknowns: row.held.iter().map(|held| held.0).collect(), rows: 1 });
     loops.chain(rows).collect()
 }
 

@@ -9,7 +9,7 @@ use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
 use super::plane::{self, Vec2};
-use super::rows::{self, Linear};
+use super::rows::{self, Explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
@@ -58,8 +58,8 @@ pub(crate) struct Coordinates {
     pub(crate) order: Vec<Hold>,
     /// Independent loops: vectors that sum to zero.
     pub(crate) closures: Vec<Chain>,
-    /// Rows that are no joint's, linear in the unknowns.
-    pub(crate) rows: Vec<Linear>,
+    /// Rows that are no joint's, explicit in an unknown.
+    pub(crate) rows: Vec<Explicit>,
     /// The joints that each loop goes through, by their places in [`Coordinates::joints`].
     pub(crate) loops: Vec<Vec<usize>>,
     /// The joints that close them.
@@ -77,6 +77,14 @@ pub(crate) struct Hold {
 }
 
 impl Coordinates {
+    /// Does anything move with the time, whatever the coordinates do?
+    pub(crate) fn moves_with(&self, time: Expr, graph: &mut Graph) -> bool {
+        let chains = self.closures.iter().chain(&self.centres);
+        let vectors = chains.flat_map(|chain| chain.terms().flat_map(|(_, _, vector)| vector));
+        let all: Vec<Expr> = vectors.chain(self.rows.iter().map(|row| row.phi)).collect();
+        graph.symbols(&all).contains(&time)
+    }
+
     /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors
@@ -117,11 +125,12 @@ impl Coordinates {
             }
             coordinates.closures.push(closure);
         }
+        coordinates.shorten_closures(graph);
         for row in &model.rows {
             if model.parts[row.part].pair.is_none() {
-                let linear = rows::linear(model, &coordinates, row.phi, graph);
+                let explicit = rows::explicit(model, &coordinates, row.phi, graph);
                 let own = || format!("`{}` constrains in a way of its own", model.parts[row.part].name.text);
-                coordinates.rows.push(linear.ok_or_else(own)?);
+                coordinates.rows.push(explicit.ok_or_else(own)?);
             }
         }
         Ok(coordinates)
@@ -149,6 +158,26 @@ impl Coordinates {
             let outward = self.joints[joint].b.body == Some(hold.body);
             self.add_across(&mut centre, model, graph, joint, !outward);
             self.centres[hold.body] = centre;
+        }
+    }
+
+    /// Adds loops to others where that leaves fewer vectors that move: three bodies on one pin hang on each other in the order
+    /// of their joints, though each two of them are as near.
+    fn shorten_closures(&mut self, graph: &mut Graph) {
+        let count = self.closures.len();
+        let all: Vec<(usize, usize, bool)> = (0..count)
+            .flat_map(|i| (0..count).flat_map(move |j| [(i, j, false), (i, j, true)]))
+            .filter(|(i, j, _)| i != j)
+            .collect();
+        // Every change shortens a loop, so there is an end.
+        while let Some((i, shorter)) = all.iter().find_map(|&(i, j, negative)| {
+            let mut sum = self.closures[i].clone();
+            for (class, slide, vector) in self.closures[j].terms() {
+                sum.add(graph, class, slide, vector, negative);
+            }
+            (sum.moving() < self.closures[i].moving()).then_some((i, sum))
+        }) {
+            self.closures[i] = shorter;
         }
     }
 

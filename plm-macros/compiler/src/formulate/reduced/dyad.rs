@@ -15,10 +15,13 @@
 
 use plm_cas::{Expr, Graph};
 
+use super::bases::Base;
 use super::chain::Chain;
 use super::coordinates::{Coordinates, Unknown};
+use super::link::{Link, Own};
 use super::motion::Motion;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 
 /// A block of two unknowns that has a closed form.
 #[derive(Clone, Copy, Debug)]
@@ -122,6 +125,7 @@ impl Dyad {
         coordinates: &Coordinates,
         motion: &mut Motion,
         predicted: Option<Expr>,
+        time: Expr,
         graph: &mut Graph,
     ) -> Solution {
         let chain = &coordinates.closures[self.closure];
@@ -129,9 +133,13 @@ impl Dyad {
         let known = named(graph, known, &format!("loop_{}", self.closure));
         let root = Root { closure: self.closure, predicted };
         match self.kind {
-            Kind::Angles(classes) => self.circles(chain, classes, known, &root, motion, graph),
+            Kind::Angles(classes) => {
+                let link = Link::of(chain, self, motion, time, graph);
+                self.circles(chain, classes, (known, link), &root, motion, graph)
+            }
             Kind::Across { class, along } => {
-                self.line_and_circle(chain, [class, along], known, &root, motion, graph)
+                let link = Link::of(chain, self, motion, time, graph);
+                self.line_and_circle(chain, [class, along], (known, link), &root, motion, graph)
             }
             Kind::Along { class } => self.line_that_turns(chain, class, known, &root, motion, graph),
             Kind::Slides(classes) => self.lines(chain, classes, known, motion, graph),
@@ -159,7 +167,7 @@ impl Dyad {
         }
         let determinant = plane::cross(graph, columns[0], columns[1]);
         let square = graph.powi(determinant, 2);
-        Solution { determinant, square, scale, columns, arms: Vec::new() }
+        Solution { determinant, square, scale, columns, arms: Vec::new(), link: None }
     }
 
     /// RRR.
@@ -167,7 +175,7 @@ impl Dyad {
         &self,
         chain: &Chain,
         [a, b]: [usize; 2],
-        known: Vec2,
+        (known, link): (Vec2, Option<Link>),
         root: &Root,
         motion: &mut Motion,
         graph: &mut Graph,
@@ -185,18 +193,28 @@ impl Dyad {
         let (square, determinant) = root.of(square, graph);
         let reciprocal = graph.recip(mm);
         let reciprocal = graph.define(&format!("inverse_{}", self.closure), reciprocal);
-        let (along, across) = (plane::scale(graph, n, known), plane::left(graph, known));
-        let across = plane::scale(graph, determinant, across);
-        let sum = plane::add(graph, along, across);
-        let p = plane::scale(graph, reciprocal, sum);
+        let ways = plane::scale(graph, reciprocal, [n, determinant]);
+        let ways = named(graph, ways, &format!("way_{}", self.closure));
+        let p = plane::turn(graph, ways, known);
         let p = motion.name_arm(self.unknowns[0], p, graph);
         let sum = plane::add(graph, known, p);
         let r = motion.name_arm(self.unknowns[1], plane::negated(graph, sum), graph);
         motion.turn_class(self.unknowns[0], a, axis(graph, p, arms[0], aa), graph);
         motion.turn_class(self.unknowns[1], b, axis(graph, r, arms[1], bb), graph);
+        for (class, vector, own, square) in [(a, p, arms[0], aa), (b, r, arms[1], bb)] {
+            motion.bases.insert_arm(chain, class, Base { vector, own, square });
+        }
         let columns = [plane::left(graph, p), plane::left(graph, r)];
         let scale = graph.mul(aa, bb);
-        Solution { determinant, square, scale, columns, arms: vec![(a, p), (b, r)] }
+        // From `m p = n`.
+        let sum = graph.add(n, aa);
+        let unit = [graph.one(), graph.zero()];
+        let own = Own { p: a, r: (b, unit), pp: aa, pr: graph.neg(sum), rr: Some(bb) };
+        if let Some(link) = &link {
+            link.meet(self, &own, (ways, determinant), motion, graph);
+        }
+        let link = link.map(|link| (link, own));
+        Solution { determinant, square, scale, columns, arms: vec![(a, p), (b, r)], link }
     }
 
     /// RRP and PRR.
@@ -204,7 +222,7 @@ impl Dyad {
         &self,
         chain: &Chain,
         [class, along]: [usize; 2],
-        known: Vec2,
+        (known, link): (Vec2, Option<Link>),
         root: &Root,
         motion: &mut Motion,
         graph: &mut Graph,
@@ -223,8 +241,15 @@ impl Dyad {
         let sum = across(graph, [determinant, offset], e);
         let p = motion.name_arm(angle, plane::negated(graph, sum), graph);
         motion.turn_class(angle, class, axis(graph, p, arm, aa), graph);
-        let columns = [plane::left(graph, p), e];
-        Solution { determinant, square, scale: aa, columns, arms: vec![(class, p)] }
+        motion.bases.insert_arm(chain, class, Base { vector: p, own: arm, square: aa });
+        let r = [e[1], graph.neg(e[0])];
+        let own = Own { p: class, r: (0, r), pp: aa, pr: offset, rr: None };
+        if let Some(link) = &link {
+            let ways = plane::negated(graph, [determinant, offset]);
+            link.meet(self, &own, (ways, determinant), motion, graph);
+        }
+        let (columns, link) = ([plane::left(graph, p), e], link.map(|link| (link, own)));
+        Solution { determinant, square, scale: aa, columns, arms: vec![(class, p)], link }
     }
 
     /// RPR.
@@ -254,7 +279,7 @@ impl Dyad {
         motion.turn_class(angle, class, axis(graph, p, arm, mm), graph);
         let columns = [plane::left(graph, p), motion.turned(graph, class, e)];
         let scale = graph.powi(motion.length, 2);
-        Solution { determinant, square, scale, columns, arms: vec![(class, p)] }
+        Solution { determinant, square, scale, columns, arms: vec![(class, p)], link: None }
     }
 
     /// PRP and RPP.
@@ -275,7 +300,7 @@ impl Dyad {
             motion.set_slide(unknown, value, graph);
         }
         let square = graph.powi(determinant, 2);
-        Solution { determinant, square, scale: graph.one(), columns, arms: Vec::new() }
+        Solution { determinant, square, scale: graph.one(), columns, arms: Vec::new(), link: None }
     }
 }
 
@@ -303,42 +328,6 @@ impl Root {
     fn distance(&self, vector: Vec2, graph: &mut Graph) -> Expr {
         let square = plane::dot(graph, vector, vector);
         graph.define(&format!("distance_{}", self.closure), square)
-    }
-}
-
-/// What a dyad's solution leaves for velocities and for the choice of charts.
-#[derive(Clone, Debug)]
-pub(crate) struct Solution {
-    /// `D`, m^2, m or 1; of a group without mirror images 1, or 0 where it is not closed.
-    pub(crate) determinant: Expr,
-    /// `D^2`; negative where the loop cannot be closed.
-    pub(crate) square: Expr,
-    /// `D^2` in the best of poses: `square / scale` is the square of a sine, a cosine, or a length over the scene's.
-    pub(crate) scale: Expr,
-    /// The loop's Jacobian by the two unknowns.
-    pub(crate) columns: [Vec2; 2],
-    /// The vectors of the loop that turn with the unknown classes.
-    pub(crate) arms: Vec<(usize, Vec2)>,
-}
-
-impl Solution {
-    /// Of a group without mirror images that a sign could tell apart: the square of its measure, and whether it is closed.
-    pub(crate) fn of_measure(measure: Expr, closed: Expr, graph: &mut Graph) -> Solution {
-        let (one, open) = (graph.one(), graph.int(-1));
-        let columns = [[graph.zero(); 2]; 2];
-        Solution {
-            determinant: graph.select(closed, one, graph.zero()),
-            square: graph.select(closed, measure, open),
-            scale: one,
-            columns,
-            arms: Vec::new(),
-        }
-    }
-
-    /// A loop that has nothing to decide.
-    pub(crate) fn certain(graph: &Graph) -> Solution {
-        let (zero, one) = ([graph.zero(); 2], graph.one());
-        Solution { determinant: one, square: one, scale: one, columns: [zero; 2], arms: Vec::new() }
     }
 }
 

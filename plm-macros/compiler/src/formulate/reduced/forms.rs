@@ -3,18 +3,19 @@
 
 use plm_cas::{Expr, Tape};
 
+use super::charts::Scheme;
 use super::coordinates::Coordinates;
 use super::memory::Memory;
 use super::motion::Motion;
-use super::{Layout, charts};
+use super::{Layout, augmented, charts};
 use crate::check;
 use crate::derive::derive;
 use crate::diag::Diagnostics;
 use crate::front;
 use crate::token::Sources;
 
-/// The largest difference of two forms over the largest acceleration, at so many random states.
-fn difference(declaration: &str, states: u64) -> f64 {
+/// Reads the declaration of a tree and hands on its layout.
+fn with_layout<T>(declaration: &str, then: impl FnOnce(Layout, &Motion, &Scheme) -> T) -> T {
     let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
     sources.add_text("scene", declaration);
     let mut model = front::read(&mut sources, &mut sink).model(&mut sink).unwrap();
@@ -25,7 +26,7 @@ fn difference(declaration: &str, states: u64) -> f64 {
     let memory = Memory::new(&coordinates, 0, &[], &mut graph);
     let length = graph.one();
     let motion = Motion::new(&model, &coordinates, &scheme, &memory, length, &mut graph);
-    let mut layout = Layout {
+    let layout = Layout {
         model: &model,
         equations: &equations,
         coordinates: &coordinates,
@@ -33,9 +34,19 @@ fn difference(declaration: &str, states: u64) -> f64 {
         length,
         graph: &mut graph,
     };
-    let forms = layout.forms(&motion, &scheme);
+    then(layout, &motion, &scheme)
+}
+
+/// The largest difference of two forms over the largest acceleration, at so many random states.
+fn difference(declaration: &str, states: u64) -> f64 {
+    with_layout(declaration, |layout, motion, scheme| difference_at(layout, motion, scheme, states))
+}
+
+fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u64) -> f64 {
+    let forms = layout.forms(motion, scheme);
     assert_eq!(forms.len(), 2);
-    let defaults = check::defaults(&model, &graph);
+    let Layout { model, graph, .. } = layout;
+    let defaults = check::defaults(model, graph);
     let mut random = 1_u64;
     let mut worst = 0.0_f64;
     for _ in 0..states {
@@ -47,7 +58,7 @@ fn difference(declaration: &str, states: u64) -> f64 {
         }
         let [dense, articulated] = [&forms[0], &forms[1]].map(|(_, form)| {
             let roots: Vec<Expr> = form.results.iter().map(|&(_, value)| value).collect();
-            Tape::new(&graph, &roots).eval(&values).unwrap()
+            Tape::new(graph, &roots).eval(&values).unwrap()
         });
         let size = dense.iter().fold(0.0_f64, |size, a| size.max(a.abs()));
         for (a, b) in dense.iter().zip(&articulated) {
@@ -120,13 +131,40 @@ fn welded_free_and_on_a_moving_pivot() {
     );
 }
 
+fn chain(bars: u32) -> String {
+    format!(
+        "Chain {{ gravity: 9.81 m/s^2;
+        ground {{ port o: (0, 0) m; }}
+        repeat i in 0..{bars} {{ body bar[i] {{ mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; }} }}
+        revolute pin[0](ground.o, bar[0].a);
+        repeat i in 1..{bars} {{ revolute pin[i](bar[i-1].b, bar[i].a) {{ stiffness: 3 N*m/rad; }} }} }}"
+    )
+}
+
 #[test]
 fn a_chain() {
-    agree(
-        "Chain { gravity: 9.81 m/s^2;
-        ground { port o: (0, 0) m; }
-        repeat i in 0..12 { body bar[i] { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; } }
-        revolute pin[0](ground.o, bar[0].a);
-        repeat i in 1..12 { revolute pin[i](bar[i-1].b, bar[i].a); } }",
-    );
+    agree(&chain(12));
+}
+
+/// Operations for the coefficients, products of a decomposition, and those of a solution, along a chain.
+#[test]
+fn implicit_methods_work_in_proportion_to_the_bodies() {
+    let cost = |bars: u32| {
+        with_layout(&chain(bars), |Layout { model, equations, coordinates, graph, .. }, motion, _| {
+            let augmented = augmented::laid_out(model, equations, coordinates, motion, graph);
+            let pivots = &augmented.pattern.pivots;
+            let products = pivots.iter().map(|pivot| pivot.below.len() * (1 + pivot.right.len()));
+            let coefficients = augmented.coefficients.tape(graph).count().total();
+            [coefficients, products.sum(), augmented.terms.len() + augmented.pattern.places.len()]
+        })
+    };
+    let counts = [8, 16, 32].map(cost);
+    println!("{counts:?}");
+    for [few, some, many] in [0, 1, 2].map(|k| counts.map(|count| count[k])) {
+        let (per_bar, later) = ((some - few) as f64 / 8.0, (many - some) as f64 / 16.0);
+        assert!(
+            (later / per_bar - 1.0).abs() < 0.02,
+            "{few}, {some}, {many}: {per_bar} then {later} per bar"
+        );
+    }
 }

@@ -4,19 +4,20 @@
 use plm_cas::{Expr, Graph};
 
 use super::coordinates::{Coordinates, Unknown};
-use super::dyad::{Dyad, Solution};
+use super::dyad::Dyad;
 use super::loops;
 use super::memory::Memory;
 use super::motion::Motion;
 use super::newton::Newton;
 use super::rows;
 use super::single::Single;
+use super::solution::Solution;
 use crate::topology::Block;
 
 /// Unknowns that follow from those before.
 #[derive(Clone, Debug)]
 pub(crate) enum Group {
-    /// One unknown of a linear row: the place of the row in [`Coordinates::rows`].
+    /// One unknown of an explicit row: the place of the row in [`Coordinates::rows`].
     Row { row: usize, unknown: usize },
     /// Two unknowns of a loop.
     Dyad(Dyad),
@@ -31,7 +32,10 @@ impl Group {
     pub(crate) fn of(coordinates: &Coordinates, block: &Block, graph: &mut Graph) -> Option<Group> {
         let loops = coordinates.closures.len();
         match (block.equations.as_slice(), block.unknowns.as_slice()) {
-            (&[row], &[unknown]) if row >= loops => Some(Group::Row { row: row - loops, unknown }),
+            (&[row], &[unknown]) if row >= loops => {
+                let row = row - loops;
+                coordinates.rows[row].gives(unknown).then_some(Group::Row { row, unknown })
+            }
             (&[closure], &[first, second]) if closure < loops => {
                 Dyad::of(coordinates, closure, [first, second], graph).map(Group::Dyad)
             }
@@ -104,7 +108,7 @@ impl Group {
             }
             Group::Dyad(dyad) => {
                 let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
-                let solution = dyad.solve(coordinates, motion, predicted, graph);
+                let solution = dyad.solve(coordinates, motion, predicted, time, graph);
                 loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
                 solution
             }

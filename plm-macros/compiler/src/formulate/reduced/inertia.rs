@@ -16,12 +16,14 @@ use super::plane::{self, Vec2};
 use crate::model::Model;
 
 /// `M a = Q` for the second derivatives `a` of the coordinates.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Dense {
     /// Lower entries of M, (row, column) with `row >= column`; what is absent is zero.
     pub(crate) mass: BTreeMap<(usize, usize), Expr>,
-    /// Forces less what the velocities ask for.
+    /// Forces; without a pace, less what the velocities ask for.
     pub(crate) force: Vec<Expr>,
+    /// With a pace, what the velocities ask for over its square.
+    pub(crate) turning: Vec<Expr>,
 }
 
 /// `factor R(theta_class) vector`.
@@ -46,16 +48,20 @@ pub(crate) fn dense(
     let mut mass: BTreeMap<(usize, usize), Products> = BTreeMap::new();
     let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
     let mut inertial: Vec<Products> = (0..count).map(|_| Products::new()).collect();
+    let mut turning: Vec<Products> = (0..count).map(|_| Products::new()).collect();
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
         let columns = partial_velocities(coordinates, motion, &coordinates.centres[body], graph);
+        let weight = [Term { class: 0, factor: model.gravity, vector: [graph.zero(), graph.one()] }];
         let bias = bias(model, motion, &coordinates.centres[body], graph);
         for (k, (i, left)) in columns.iter().enumerate() {
             for (j, right) in &columns[..=k] {
                 let entry = mass.entry((*i, *j)).or_default();
-                multiply(graph, entry, declared.mass, left, right);
+                multiply(motion, entry, declared.mass, (left, right), graph);
             }
-            multiply(graph, &mut inertial[*i], declared.mass, left, &bias);
+            multiply(motion, &mut inertial[*i], declared.mass, (left, &weight), graph);
+            let moving = if motion.pace.is_some() { &mut turning } else { &mut inertial };
+            multiply(motion, &mut moving[*i], declared.mass, (left, &bias), graph);
             let [fx, fy, _] = force[body];
             for term in left {
                 let along = motion.turned(graph, term.class, term.vector);
@@ -84,29 +90,50 @@ pub(crate) fn dense(
         let applied = graph.sum(&applied);
         graph.sub(applied, against)
     });
-    Dense { mass: entries, force: force.collect() }
+    let force = force.collect();
+    let turning = turning.into_iter().map(|products| collect(graph, motion, products)).collect();
+    Dense { mass: entries, force, turning }
 }
 
-/// The equations of the coordinates alone: `K^T M K` and `K^T (Q - M b)`.
+impl Dense {
+    /// Forces less what the velocities ask for.
+    pub(crate) fn right_hand_side(&self, motion: &Motion, graph: &mut Graph) -> Vec<Expr> {
+        let Some(pace) = motion.pace else { return self.force.clone() };
+        let square = graph.powi(pace, 2);
+        let each = self.force.iter().zip(&self.turning).enumerate().map(|(i, (&force, &turning))| {
+            // By names, so that what waits for the velocity is done last.
+            let force = graph.define(&format!("still_{i}"), force);
+            let turning = graph.define(&format!("turning_{i}"), turning);
+            let turning = graph.mul(square, turning);
+            graph.sub(force, turning)
+        });
+        each.collect()
+    }
+}
+
+/// The equations of the coordinates alone: `K^T M K` and `K^T Q - (M K)^T b`.
 pub(crate) fn along_drivers(dense: &Dense, motion: &Motion, graph: &mut Graph) -> Dense {
     let (n, drivers) = (dense.force.len(), motion.drivers.len());
     let gains = |driver: usize| (0..n).map(|unknown| motion.gain[unknown][driver]).collect::<Vec<Expr>>();
-    let pushed = times(dense, &motion.bias, graph);
-    let left: Vec<Expr> =
-        dense.force.iter().zip(&pushed).map(|(&force, &push)| graph.sub(force, push)).collect();
-    let (mut mass, mut force) = (BTreeMap::new(), Vec::new());
+    let (mut mass, mut force, mut turning) = (BTreeMap::new(), Vec::new(), Vec::new());
     for j in 0..drivers {
         let column = gains(j);
-        let moved = times(dense, &column, graph);
+        let moved = times(dense, &column, graph).into_iter().enumerate();
+        let moved = moved.map(|(i, entry)| graph.define(&format!("momentum_{j}_{i}"), entry));
+        let moved: Vec<Expr> = moved.collect();
         for i in j..drivers {
             let entry = product(graph, &gains(i), &moved);
             if i == j || !graph.is_zero(entry) {
                 mass.insert((i, j), entry);
             }
         }
-        force.push(product(graph, &column, &left));
+        let own = product(graph, &column, &dense.force);
+        let (asked, pushed) = (product(graph, &column, &dense.turning), product(graph, &moved, &motion.bias));
+        let paced = motion.pace.is_some();
+        force.push(if paced { own } else { graph.sub(own, pushed) });
+        turning.push(graph.add(asked, pushed));
     }
-    Dense { mass, force }
+    Dense { mass, force, turning }
 }
 
 /// `M u`.
@@ -148,11 +175,11 @@ fn partial_velocities(
     columns.into_iter().collect()
 }
 
-/// The acceleration of a place while the second derivatives of the coordinates are zero, less that of gravity.
+/// The acceleration of a place while the second derivatives of the coordinates are zero; with a pace, over its square.
 fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec<Term> {
-    let mut terms = vec![Term { class: 0, factor: model.gravity, vector: [graph.zero(), graph.one()] }];
+    let mut terms = Vec::new();
     for (class, slide, vector) in place.terms() {
-        let omega = motion.omega[class];
+        let omega = motion.turning[class];
         let squared = graph.powi(omega, 2);
         let inward = vector.map(|component| graph.neg(component));
         let factor = match slide {
@@ -162,7 +189,7 @@ fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec
         terms.push(Term { class, factor, vector: inward });
         if let Some(slide) = slide {
             // Coriolis: 2 omega s'.
-            let turning = graph.mul(omega, motion.rate[slide]);
+            let turning = graph.mul(omega, motion.sliding(slide));
             let factor = graph.add(turning, turning);
             terms.push(Term { class, factor, vector: plane::left(graph, vector) });
         }
@@ -176,12 +203,25 @@ fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec
     terms
 }
 
-/// Adds the products of two sums of vectors, times a mass.
-fn multiply(graph: &mut Graph, into: &mut Products, mass: Expr, left: &[Term], right: &[Term]) {
+/// Adds the products of two sums of vectors, times a mass; those of two classes over the classes' bases.
+fn multiply(
+    motion: &Motion,
+    into: &mut Products,
+    mass: Expr,
+    (left, right): (&[Term], &[Term]),
+    graph: &mut Graph,
+) {
     for a in left {
         for b in right {
-            let along = plane::dot(graph, a.vector, b.vector);
-            let across = plane::cross(graph, a.vector, b.vector);
+            let over_base = |term: &Term, graph: &mut Graph| {
+                if a.class == b.class {
+                    term.vector
+                } else {
+                    motion.over_base(term.class, term.vector, graph)
+                }
+            };
+            let (u, w) = (over_base(a, graph), over_base(b, graph));
+            let (along, across) = (plane::dot(graph, u, w), plane::cross(graph, u, w));
             let factor = graph.mul(a.factor, b.factor);
             let (dots, crosses) = into.entry((a.class, b.class, factor)).or_default();
             dots.push(graph.mul(mass, along));
@@ -190,8 +230,8 @@ fn multiply(graph: &mut Graph, into: &mut Products, mass: Expr, left: &[Term], r
     }
 }
 
-/// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are cosine and sine of the angle from the class of `u`
-/// to that of `w`.
+/// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are scalar and cross product of the bases of the class of
+/// `u` and of that of `w`.
 fn collect(graph: &mut Graph, motion: &Motion, products: Products) -> Expr {
     let mut terms = Vec::new();
     for ((a, b, factor), (dots, crosses)) in products {
@@ -199,9 +239,7 @@ fn collect(graph: &mut Graph, motion: &Motion, products: Products) -> Expr {
         let along = if a == b {
             dots
         } else {
-            let (from, to) = (motion.axis[a], motion.axis[b]);
-            let cosine = plane::dot(graph, from, to);
-            let sine = plane::cross(graph, from, to);
+            let [cosine, sine] = motion.products_of_bases(a, b, graph);
             let (first, second) = (graph.mul(cosine, dots), graph.mul(sine, crosses));
             graph.sub(first, second)
         };

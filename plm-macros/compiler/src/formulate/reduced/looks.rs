@@ -4,9 +4,9 @@ use plm_cas::{Expr, Graph};
 
 use super::charts::Scheme;
 use super::coordinates::Unknown;
-use super::dyad::Solution;
 use super::memory::Memorable;
 use super::motion::Motion;
+use super::solution::Solution;
 use super::{Layout, measure, stored};
 use crate::derive::Equations;
 use crate::formulate::function::{Function, Place};

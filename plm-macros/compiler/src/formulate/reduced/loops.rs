@@ -9,9 +9,10 @@ use plm_cas::{Expr, Graph};
 
 use super::chain::Chain;
 use super::coordinates::Coordinates;
-use super::dyad::{Dyad, Solution};
+use super::dyad::Dyad;
 use super::motion::Motion;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 
 /// Unknowns of one closure that have been found.
 pub(crate) struct Found<'a> {
@@ -45,6 +46,9 @@ pub(crate) fn differentiate_dyad(
 ) {
     let reciprocal = graph.recip(solution.determinant);
     let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
+    if let Some((link, own)) = &solution.link {
+        return link.differentiate(coordinates, motion, (dyad, own), reciprocal, graph);
+    }
     let [first, second] = solution.columns;
     let cramer = |sum: Vec2, graph: &mut Graph| {
         let minors = [plane::cross(graph, second, sum), plane::cross(graph, sum, first)];
@@ -141,15 +145,17 @@ impl<'a> Flow<'a> {
         plane::add(graph, self.ground_rate, drifts)
     }
 
-    /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known.
+    /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known. With a pace, over
+    /// its square.
     pub(crate) fn bias(&self, motion: &Motion, time: Expr, graph: &mut Graph) -> Vec2 {
         let mut sum = weighted(graph, &self.known, |unknown| motion.bias[unknown]);
         for &(class, arm) in &self.arms {
-            let squared = graph.powi(motion.omega[class], 2);
+            let turning = motion.turning[class];
+            let squared = graph.powi(turning, 2);
             let inward = plane::scale(graph, squared, arm);
             sum = [0, 1].map(|i| graph.sub(sum[i], inward[i]));
-            let coriolis = sliding(self.closure, class, motion, graph);
-            let twice = graph.add(motion.omega[class], motion.omega[class]);
+            let coriolis = sliding(self.closure, class, motion, &|slide| motion.sliding(slide), graph);
+            let twice = graph.add(turning, turning);
             let across = plane::left(graph, coriolis);
             let across = plane::scale(graph, twice, across);
             sum = plane::add(graph, sum, across);
@@ -177,7 +183,7 @@ pub(crate) fn determinant_rate(
         }
         let class = dyad.classes()[k];
         let turning = plane::scale(graph, motion.omega[class], across);
-        let along = sliding(closure, class, motion, graph);
+        let along = sliding(closure, class, motion, &|slide| motion.rate[slide], graph);
         let along = plane::left(graph, along);
         plane::add(graph, turning, along)
     };
@@ -187,13 +193,19 @@ pub(crate) fn determinant_rate(
     graph.add(first, second)
 }
 
-/// Velocity of a loop's vector in the axes of its class, turned into absolute ones.
-fn sliding(closure: &Chain, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
+/// Velocity of a loop's vector in the axes of its class, turned into absolute ones, by the rates of slides.
+fn sliding(
+    closure: &Chain,
+    class: usize,
+    motion: &Motion,
+    rate: &dyn Fn(usize) -> Expr,
+    graph: &mut Graph,
+) -> Vec2 {
     let mut sum = [graph.zero(); 2];
     for (slide, vector) in closure.of_class(class) {
         if let Some(slide) = slide {
             let along = motion.turned(graph, class, vector);
-            let along = plane::scale(graph, motion.rate[slide], along);
+            let along = plane::scale(graph, rate(slide), along);
             sum = plane::add(graph, sum, along);
         }
     }

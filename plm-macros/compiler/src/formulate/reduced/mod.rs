@@ -2,35 +2,41 @@
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod articulated;
+mod augmented;
+mod bases;
 mod chain;
 mod charts;
 mod coordinates;
+mod dense;
 mod dyad;
 mod elimination;
 #[cfg(test)]
 mod forms;
 mod groups;
 mod inertia;
+mod link;
 mod looks;
 mod loops;
 mod memory;
 mod motion;
 mod newton;
 mod plane;
+mod reactions;
 mod redundant;
 mod rows;
 mod single;
+mod solution;
 
 use plm_cas::{Expr, Graph};
 
+use self::augmented::augmented;
+pub(crate) use self::augmented::{Augmented, Part, Term};
 use self::charts::Scheme;
 use self::coordinates::{Coordinates, Unknown};
 use self::groups::Group;
-use self::inertia::Dense;
 use self::memory::Memory;
 use self::motion::Motion;
 use super::function::{Function, Place, Section};
-use super::ldl::factorise;
 use super::sides;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -95,10 +101,14 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
+    /// What implicit methods solve in place of df/dx; for trees of many bodies.
+    pub(crate) augmented: Option<Augmented>,
     /// `g`, the guards of conditions.
     pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
+    /// `a` of all bodies and `lambda` of all rows; of trees alone.
+    pub(crate) reactions: Option<Function>,
     /// `x` of a state in absolute coordinates.
     pub(crate) project: Function,
     /// `memory` of a state, returning the same as `rate`; of loops alone.
@@ -189,6 +199,8 @@ impl Layout<'_> {
         let motion = Motion::new(model, coordinates, scheme, self.memory, self.length, self.graph);
         let loops = scheme.loops().next().is_some();
         let (method, rate) = self.rate(&motion, scheme);
+        let tree = scheme.groups.is_empty();
+        let augmented = tree.then(|| augmented(model, equations, coordinates, &motion, self.graph)).flatten();
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -197,6 +209,7 @@ impl Layout<'_> {
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
         let survey = loops.then(|| self.survey(scheme));
+        let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
                 group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect();
@@ -214,6 +227,8 @@ impl Layout<'_> {
             y_dot: of_drivers(&motion.rate),
             method,
             rate,
+            reactions,
+            augmented,
             guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
             project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
@@ -242,7 +257,7 @@ impl Layout<'_> {
             if !tree {
                 dense = inertia::along_drivers(&dense, motion, self.graph);
             }
-            let solution = accelerations(motion, &dense, self.graph);
+            let solution = dense::accelerations(motion, &dense, self.graph);
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }
         if tree {
@@ -270,7 +285,7 @@ impl Layout<'_> {
 }
 
 /// The smallest square of the measures of some loops.
-fn measure(solutions: &[dyad::Solution], graph: &mut Graph) -> Expr {
+fn measure(solutions: &[solution::Solution], graph: &mut Graph) -> Expr {
     let mut worst: Option<Expr> = None;
     for solution in solutions {
         let own = graph.div(solution.square, solution.scale);
@@ -294,61 +309,6 @@ fn loads(model: &Model, motion: &Motion, graph: &mut Graph) -> Vec<[Expr; 3]> {
     let sums: Vec<Expr> = terms.iter().flatten().map(|sum| graph.sum(sum)).collect();
     let sums = graph.substitute(&sums, &motion.substitution);
     sums.chunks_exact(3).map(|sum| [sum[0], sum[1], sum[2]]).collect()
-}
-
-/// Solves `M a = Q`, and how a person would write that down.
-fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr>, Vec<Section>) {
-    let names: Vec<String> =
-        motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
-    let mut mass = dense.mass.clone();
-    for (&(i, j), entry) in &mut mass {
-        *entry = graph.define(&format!("m_{i}_{j}"), *entry);
-    }
-    let force: Vec<Expr> = dense
-        .force
-        .iter()
-        .enumerate()
-        .map(|(i, &force)| graph.define(&format!("force_{i}"), force))
-        .collect();
-    let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect();
-    let at = |key| mass.get(&key).copied();
-    let solution = match (force.as_slice(), at((1, 0))) {
-        (&[], _) => Vec::new(),
-        // The mass is known before the forces, which wait for velocities: let its division begin early.
-        (&[force], _) => {
-            let one = graph.one();
-            let reciprocal = graph.div(one, mass[&(0, 0)]);
-            let reciprocal = graph.define("reciprocal", reciprocal);
-            vec![graph.mul(force, reciprocal)]
-        }
-        // One division instead of two in a row.
-        (&[first, second], Some(coupling)) => {
-            let (m00, m11) = (mass[&(0, 0)], mass[&(1, 1)]);
-            let numerators = [
-                minor(graph, [first, coupling], [second, m11]),
-                minor(graph, [m00, first], [coupling, second]),
-            ];
-            let determinant = minor(graph, [m00, coupling], [coupling, m11]);
-            let one = graph.one();
-            let reciprocal = graph.div(one, determinant);
-            let reciprocal = graph.define("reciprocal", reciprocal);
-            numerators.iter().map(|&numerator| graph.mul(numerator, reciprocal)).collect()
-        }
-        _ => {
-            let factor = factorise(graph, force.len(), &mass);
-            let (solution, trace) = factor.solve(graph, &force, &names);
-            roots.extend(factor.trace);
-            roots.extend(trace);
-            solution
-        }
-    };
-    let named = solution.iter().zip(&names).map(|(&value, name)| graph.define(name, value));
-    (named.collect(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
-}
-
-/// Determinant of two rows.
-fn minor(graph: &mut Graph, a: [Expr; 2], b: [Expr; 2]) -> Expr {
-    plane::cross(graph, a, b)
 }
 
 /// Pose and velocity of every body.

@@ -2,12 +2,13 @@
 
 use plm_cas::{Expr, Graph};
 
+use super::bases::Bases;
 use super::chain::Chain;
 use super::charts::Scheme;
 use super::coordinates::{Coordinates, Heading, Unknown};
-use super::dyad::Solution;
 use super::memory::Memory;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 use crate::model::{FrameRef, Model};
 
 /// Values of the unknowns and of all that follows from them, as expressions.
@@ -27,12 +28,20 @@ pub(crate) struct Motion {
     pub(crate) gain: Vec<Vec<Expr>>,
     /// `k`.
     pub(crate) drift: Vec<Expr>,
-    /// Second derivative of each unknown while those of the coordinates are zero.
+    /// Second derivative of each unknown while those of the coordinates are zero; with a pace, over its square.
     pub(crate) bias: Vec<Expr>,
+    /// The rate of the one coordinate on which everything depends, if there is nothing else that moves: all rates are gains
+    /// times the pace, all that velocities ask for is a function of the pose times its square. Such a function need not
+    /// wait for the velocity.
+    pub(crate) pace: Option<Expr>,
     /// Cosine and sine of each class.
     pub(crate) axis: Vec<Vec2>,
+    /// Vectors that turn with the classes, and their products.
+    pub(crate) bases: Bases,
     /// Angular velocity of each class.
     pub(crate) omega: Vec<Expr>,
+    /// The same; with a pace, over it.
+    pub(crate) turning: Vec<Expr>,
     /// G of each body.
     pub(crate) position: Vec<Vec2>,
     /// Velocity of G of each body.
@@ -54,8 +63,10 @@ impl Motion {
         graph: &mut Graph,
     ) -> Motion {
         let mut motion = Motion::still(model, coordinates, length, graph);
+        let paced = scheme.drivers.len() == 1 && !coordinates.moves_with(model.time, graph);
         for (place, &unknown) in scheme.drivers.iter().enumerate() {
             let (value, rate) = symbols(model, graph, coordinates.unknowns[unknown]);
+            motion.pace = paced.then_some(rate);
             (motion.value[unknown], motion.rate[unknown]) = (value, rate);
             for gains in &mut motion.gain {
                 gains.push(graph.zero());
@@ -65,6 +76,7 @@ impl Motion {
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
                 motion.axis[class] = [graph.cos(value), graph.sin(value)];
                 motion.omega[class] = rate;
+                motion.turning[class] = if paced { graph.one() } else { rate };
             }
         }
         for group in &scheme.groups {
@@ -106,8 +118,11 @@ impl Motion {
             gain: vec![Vec::new(); coordinates.unknowns.len()],
             drift: zeros.clone(),
             bias: zeros,
+            pace: None,
             axis: vec![[graph.one(), graph.zero()]; classes],
+            bases: Bases::default(),
             omega: vec![graph.zero(); classes],
+            turning: vec![graph.zero(); classes],
             position: Vec::new(),
             velocity: Vec::new(),
             solutions: Vec::new(),
@@ -166,6 +181,15 @@ impl Motion {
         self.rate[unknown] = rate;
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
             self.omega[class] = rate;
+            self.turning[class] = self.sliding(unknown);
+        }
+    }
+
+    /// Rate of an unknown; with a pace, over it.
+    pub(crate) fn sliding(&self, unknown: usize) -> Expr {
+        match (self.pace, self.gain[unknown].first()) {
+            (Some(_), Some(&gain)) => gain,
+            _ => self.rate[unknown],
         }
     }
 
@@ -217,11 +241,6 @@ impl Motion {
             self.position[body] = named(graph, position, ["x", "y"]);
             self.velocity[body] = named(graph, velocity, ["vx", "vy"]);
         }
-    }
-
-    /// A vector in the axes of a class, in absolute axes.
-    pub(crate) fn turned(&self, graph: &mut Graph, class: usize, vector: Vec2) -> Vec2 {
-        plane::turn(graph, self.axis[class], vector)
     }
 
     /// Cosine and sine of a body's own angle.

@@ -9,12 +9,12 @@
 use plm_cas::{Expr, Graph, Number};
 
 use super::coordinates::{Coordinates, Unknown};
-use super::dyad::Solution;
 use super::elimination::{Column, Elimination, Plan};
 use super::loops::Flow;
 use super::memory::Memory;
 use super::motion::Motion;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 use crate::topology::Block;
 
 /// Unknowns that are solved at once; the effort grows with the third power.

@@ -1,109 +1,154 @@
-//! Rows that are linear in the unknowns: prescribed motions, gears.
+//! Rows that give one unknown as a function of others: prescribed motions, gears, a mass on a rod.
 
 use plm_cas::{Expr, Graph};
 
-use super::chain::Chain;
-use super::coordinates::{Coordinates, Heading, Unknown};
+use super::coordinates::{Coordinates, Unknown};
 use super::motion::Motion;
+use super::plane::{self, Vec2};
 use crate::model::Model;
 
-/// `sum of c_j u_j + rest(t) = 0` with constant coefficients.
+/// `c u + rest(t, other unknowns) = 0` for one unknown u at least, with a constant c.
 #[derive(Clone, Debug)]
-pub(crate) struct Linear {
-    /// Unknown and coefficient, ascending.
-    pub(crate) terms: Vec<(usize, Expr)>,
-    /// What depends on the time at most.
-    pub(crate) rest: Expr,
+pub(crate) struct Explicit {
+    /// The row, with a symbol for each unknown.
+    pub(crate) phi: Expr,
+    /// The unknowns that it holds, ascending, and their symbols.
+    pub(crate) held: Vec<(usize, Expr)>,
+    /// The unknowns that it can be solved for, and their coefficients.
+    coefficients: Vec<(usize, Expr)>,
 }
 
-/// The row as a linear one in the unknowns, if it is.
-pub(crate) fn linear(
+impl Explicit {
+    /// Can it be solved for this unknown?
+    pub(crate) fn gives(&self, unknown: usize) -> bool {
+        self.coefficients.iter().any(|(of, _)| *of == unknown)
+    }
+}
+
+/// The row as an explicit one, if it is.
+pub(crate) fn explicit(
     model: &Model,
     coordinates: &Coordinates,
     phi: Expr,
     graph: &mut Graph,
-) -> Option<Linear> {
+) -> Option<Explicit> {
     let symbols: Vec<Expr> =
         (0..coordinates.unknowns.len()).map(|k| graph.symbol(&format!("u_{k}"))).collect();
-    let mut pairs = Vec::new();
-    for (body, declared) in model.bodies.iter().enumerate() {
-        let Heading { class, offset } = coordinates.headings[body];
-        let of_class = coordinates.angle_of_class[class].map_or(graph.zero(), |unknown| symbols[unknown]);
-        let angle = graph.add(of_class, offset);
-        pairs.push((declared.q[2], angle));
-        if let Some([x, y]) = straight(&coordinates.centres[body], &symbols, graph) {
-            pairs.extend([(declared.q[0], x), (declared.q[1], y)]);
-        }
-    }
+    let pairs = poses(model, coordinates, phi, &symbols, graph);
     let phi = graph.substitute(&[phi], &pairs)[0];
     let left = graph.symbols(&[phi]);
-    let of_bodies =
-        |symbol: &Expr| model.bodies.iter().any(|body| body.q.contains(symbol) || body.v.contains(symbol));
-    let of_states = |symbol: &Expr| model.states.iter().any(|state| state.symbol == *symbol);
-    let of_inputs = |symbol: &Expr| model.inputs.iter().any(|input| input.symbol == *symbol);
-    if left.iter().any(|symbol| of_bodies(symbol) || of_states(symbol) || of_inputs(symbol)) {
+    let is_fixed = |symbol: &Expr| {
+        *symbol == model.time
+            || symbols.contains(symbol)
+            || model.params.iter().any(|param| param.symbol == *symbol)
+    };
+    if !left.iter().all(is_fixed) {
         return None;
     }
-    let mut terms = Vec::new();
-    let mut rest = phi;
-    for (unknown, &symbol) in symbols.iter().enumerate() {
+    let held = symbols.iter().enumerate().filter(|(_, symbol)| left.contains(symbol));
+    let held: Vec<(usize, Expr)> = held.map(|(unknown, &symbol)| (unknown, symbol)).collect();
+    let mut coefficients = Vec::new();
+    for &(unknown, symbol) in &held {
         let coefficient = graph.diff(phi, symbol);
-        if graph.is_zero(coefficient) {
-            continue;
+        let changes = graph.symbols(&[coefficient]);
+        if !changes.contains(&model.time) && !held.iter().any(|(_, symbol)| changes.contains(symbol)) {
+            coefficients.push((unknown, coefficient));
         }
-        let held = graph.symbols(&[coefficient]);
-        if held.contains(&model.time) || held.iter().any(|symbol| symbols.contains(symbol)) {
-            return None;
-        }
-        terms.push((unknown, coefficient));
-        rest = graph.substitute(&[rest], &[(symbol, graph.zero())])[0];
     }
-    (!terms.is_empty()).then_some(Linear { terms, rest })
+    (!coefficients.is_empty()).then_some(Explicit { phi, held, coefficients })
 }
 
-/// A place whose vectors are fixed on the ground, or slide along it.
-fn straight(centre: &Chain, symbols: &[Expr], graph: &mut Graph) -> Option<[Expr; 2]> {
-    let mut sum = [graph.zero(); 2];
-    for (class, slide, vector) in centre.terms() {
-        if class != 0 {
-            return None;
+/// What stands for the poses of the bodies that an expression holds.
+fn poses(
+    model: &Model,
+    coordinates: &Coordinates,
+    phi: Expr,
+    symbols: &[Expr],
+    graph: &mut Graph,
+) -> Vec<(Expr, Expr)> {
+    let held = graph.symbols(&[phi]);
+    let mut pairs = Vec::new();
+    for (body, declared) in model.bodies.iter().enumerate() {
+        if !declared.q.iter().any(|symbol| held.contains(symbol)) {
+            continue;
         }
-        let factor = slide.map_or(graph.one(), |slide| symbols[slide]);
-        let along = super::plane::scale(graph, factor, vector);
-        sum = super::plane::add(graph, sum, along);
+        let heading = coordinates.headings[body];
+        let angle =
+            coordinates.angle_of_class[heading.class].map_or(graph.zero(), |unknown| symbols[unknown]);
+        let axis = [graph.cos(angle), graph.sin(angle)];
+        let offset = [graph.cos(heading.offset), graph.sin(heading.offset)];
+        let own = plane::turn(graph, axis, offset);
+        let theta = declared.q[2];
+        pairs.extend([(graph.cos(theta), own[0]), (graph.sin(theta), own[1])]);
+        pairs.push((theta, graph.add(angle, heading.offset)));
+        let place = place(coordinates, body, symbols, graph);
+        pairs.extend([(declared.q[0], place[0]), (declared.q[1], place[1])]);
     }
-    Some(sum)
+    pairs
+}
+
+/// G of a body as a function of the unknowns.
+fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr], graph: &mut Graph) -> Vec2 {
+    let mut sum = [graph.zero(); 2];
+    for (class, slide, vector) in coordinates.centres[body].terms() {
+        let factor = slide.map_or(graph.one(), |slide| symbols[slide]);
+        let vector = plane::scale(graph, factor, vector);
+        let turned = match coordinates.angle_of_class[class] {
+            Some(angle) => {
+                let axis = [graph.cos(symbols[angle]), graph.sin(symbols[angle])];
+                plane::turn(graph, axis, vector)
+            }
+            None => vector,
+        };
+        sum = plane::add(graph, sum, turned);
+    }
+    sum
 }
 
 /// Solves a row for one unknown and writes its value, coefficients and rate.
 pub(crate) fn solve(
     coordinates: &Coordinates,
     motion: &mut Motion,
-    row: &Linear,
+    row: &Explicit,
     unknown: usize,
     time: Expr,
     graph: &mut Graph,
 ) {
-    let rates = [row.rest, graph.diff(row.rest, time)];
-    let curvature = graph.diff(rates[1], time);
+    let Some(own) = row.coefficients.iter().find(|(of, _)| *of == unknown).map(|found| found.1) else {
+        return;
+    };
+    let others: Vec<(usize, Expr)> = row.held.iter().copied().filter(|(of, _)| *of != unknown).collect();
+    let symbol = row.held.iter().find(|(of, _)| *of == unknown).map_or(time, |found| found.1);
+    let zero = graph.zero();
+    let rest = graph.substitute(&[row.phi], &[(symbol, zero)])[0];
+    let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| graph.diff(rest, symbol)).collect();
+    // Along the motion, but for the second derivatives of the other unknowns.
+    let rates = others.iter().map(|&(of, _)| graph.symbol(&format!("u_rate_{of}")));
+    let rates: Vec<Expr> = rates.collect();
+    let mut flow: Vec<(Expr, Expr)> =
+        others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect();
+    flow.push((time, graph.one()));
+    let rate = graph.directional(rest, &flow);
+    let curvature = graph.directional(rate, &flow);
+    let by_time = graph.diff(rest, time);
+
+    let mut pairs = known(coordinates, motion, &others, graph);
+    pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
+    let mut roots = vec![rest, by_time, curvature];
+    roots.extend(&slopes);
+    let roots = graph.substitute(&roots, &pairs);
+    let (&[rest, by_time, curvature], slopes) = roots.split_at(3) else { return };
     let sum = |graph: &mut Graph, start: Expr, of: &dyn Fn(usize) -> Expr| {
         let mut terms = vec![start];
-        let mut own = graph.one();
-        for &(other, coefficient) in &row.terms {
-            if other == unknown {
-                own = coefficient;
-            } else {
-                terms.push(graph.mul(coefficient, of(other)));
-            }
-        }
+        terms.extend(others.iter().zip(slopes).map(|(&(other, _), &slope)| graph.mul(slope, of(other))));
         let sum = graph.sum(&terms);
         let sum = graph.neg(sum);
         graph.div(sum, own)
     };
-    let value = sum(graph, rates[0], &|other| motion.value[other]);
-    let drift = sum(graph, rates[1], &|other| motion.drift[other]);
+    let value = graph.neg(rest);
+    let value = graph.div(value, own);
+    let drift = sum(graph, by_time, &|other| motion.drift[other]);
     let bias = sum(graph, curvature, &|other| motion.bias[other]);
-    let zero = graph.zero();
     for driver in 0..motion.drivers.len() {
         let gain = sum(graph, zero, &|other| motion.gain[other][driver]);
         motion.gain[unknown][driver] = gain;
@@ -114,4 +159,23 @@ pub(crate) fn solve(
         motion.axis[class] = [graph.cos(value), graph.sin(value)];
     }
     motion.set_rate(coordinates, unknown, graph);
+}
+
+/// What stands for the symbols of unknowns that are known.
+fn known(
+    coordinates: &Coordinates,
+    motion: &Motion,
+    others: &[(usize, Expr)],
+    graph: &mut Graph,
+) -> Vec<(Expr, Expr)> {
+    let mut pairs = Vec::new();
+    for &(unknown, symbol) in others {
+        if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+            let along = [graph.one(), graph.zero()];
+            let [cos, sin] = motion.turned(graph, class, along);
+            pairs.extend([(graph.cos(symbol), cos), (graph.sin(symbol), sin)]);
+        }
+        pairs.push((symbol, motion.value[unknown]));
+    }
+    pairs
 }

@@ -6,10 +6,11 @@
 use plm_cas::{Expr, Graph};
 
 use super::coordinates::{Coordinates, Unknown};
-use super::dyad::{Solution, known};
+use super::dyad::known;
 use super::loops::{self, Found};
 use super::motion::Motion;
 use super::plane::{self, Vec2};
+use super::solution::Solution;
 
 /// Relative mismatch of lengths that is tolerated, one in so many.
 const AGREES: i64 = 1_000_000_000;

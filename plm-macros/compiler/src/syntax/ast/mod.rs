@@ -139,6 +139,8 @@ pub enum ItemKind {
     Instance(Instance),
     /// `constraint name: expr = expr;`
     Constraint(IndexedName, Expr, Expr),
+    /// `require name: condition;`
+    Require(IndexedName, Expr),
     /// `force on b from a: expr;`, `torque on b: expr;`, `flow on b from a: expr;`
     Load(Load),
     /// `node name: kind = expr;`

@@ -1,0 +1,165 @@
+//! The equations of motion of a tree before anything is eliminated, linearised: sparse, where df/dx is full.
+//!
+//! With the place `X_b = X_p + D_b(y, t)` of G of each body as seen from the body p that holds it, and the force `f_b` that
+//! comes through its joint with all that hangs on it,
+//!
+//! ```text
+//! A_b - A_p - D_b''                                                    = 0
+//! f_b - m_b (A_b - g) + F_b - sum of f_c over the bodies c held by b   = 0
+//! sum of f_b . dD_b/dy_k over bodies + sum of (I_b y_k'' - tau_b) over those that turn with y_k = 0
+//! ```
+//!
+//! the last for every coordinate: the principle of virtual power (T. R. Kane, D. A. Levinson, Dynamics: Theory and
+//! Applications, 1985, chapter 6) with the work of the bodies summed from the tips inwards. Places and velocities are
+//! unknowns too where a force depends on them. Every equation ties neighbours; eliminated from the tips to the ground it
+//! is the method of articulated bodies.
+
+mod rows;
+mod unknowns;
+
+use std::collections::BTreeMap;
+
+use plm_cas::{Expr, Graph};
+
+use self::rows::Way;
+use self::unknowns::Unknowns;
+use super::coordinates::Coordinates;
+use super::motion::Motion;
+use super::{loads, stored};
+use crate::derive::Equations;
+use crate::formulate::function::{Function, Section};
+use crate::formulate::pattern::Pattern;
+use crate::model::Model;
+
+/// States up to which implicit methods take the full matrix of derivatives.
+const MOST_FULL: usize = 24;
+
+/// What a coefficient multiplies; the words are those of the runtime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Part {
+    Value,
+    Rate,
+    Position,
+    Velocity,
+    Acceleration,
+}
+
+/// A coefficient in an equation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Term {
+    /// Its place among the results of [`Augmented::coefficients`].
+    pub(crate) coefficient: usize,
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    pub(crate) part: Part,
+}
+
+/// The linearised equations.
+#[derive(Debug)]
+pub(crate) struct Augmented {
+    /// `c`: the different coefficients, where the accelerations are known.
+    pub(crate) coefficients: Function,
+    /// Symbols of the second derivatives of the coordinates.
+    pub(crate) accelerations: Vec<Expr>,
+    /// Where they stand.
+    pub(crate) terms: Vec<Term>,
+    /// How they are eliminated.
+    pub(crate) pattern: Pattern,
+}
+
+/// Lays out the linearised equations of a tree; nothing where df/dx is small.
+pub(crate) fn augmented(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    motion: &Motion,
+    graph: &mut Graph,
+) -> Option<Augmented> {
+    if 2 * motion.drivers.len() + equations.x.len() <= MOST_FULL {
+        return None;
+    }
+    Some(laid_out(model, equations, coordinates, motion, graph))
+}
+
+/// The same for any number of states.
+pub(super) fn laid_out(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    motion: &Motion,
+    graph: &mut Graph,
+) -> Augmented {
+    let unknowns = Unknowns::new(model, equations, coordinates, motion, graph);
+    let (ways, mut terms) = rows::terms(model, coordinates, motion, &unknowns, graph);
+    let (pairs, sections) = known(model, coordinates, motion, &unknowns, &ways, graph);
+    let values: Vec<Expr> = terms.values().copied().collect();
+    let values = graph.substitute(&values, &pairs);
+    for (old, value) in terms.values_mut().zip(values) {
+        *old = value;
+    }
+    let (different, terms) = placed(terms, graph);
+    let pattern =
+        Pattern::new(&unknowns.order(coordinates), terms.iter().map(|term| (term.row, term.column)));
+    let results = stored("c", different.iter());
+    let coefficients = Function { sections, results }.optimise(graph);
+    Augmented { coefficients, accelerations: unknowns.accelerations, terms, pattern }
+}
+
+/// What stands for the symbols of accelerations of bodies, outwards, and forces in joints, inwards.
+fn known(
+    model: &Model,
+    coordinates: &Coordinates,
+    motion: &Motion,
+    unknowns: &Unknowns,
+    ways: &[Way],
+    graph: &mut Graph,
+) -> (Vec<(Expr, Expr)>, Vec<Section>) {
+    let applied = loads(model, motion, graph);
+    let zero = graph.zero();
+    let mut pairs = motion.substitution.clone();
+    let (mut outward, mut inward) = (Vec::new(), Vec::new());
+    let mut reached = vec![[zero; 2]; model.bodies.len()];
+    for (hold, way) in coordinates.order.iter().zip(ways) {
+        for i in 0..2 {
+            let start = hold.parent.map_or(zero, |parent| reached[parent][i]);
+            let sum = graph.add(start, way.acceleration[i]);
+            reached[hold.body][i] = graph.define(["a_x", "a_y"][i], sum);
+            outward.push(reached[hold.body][i]);
+        }
+    }
+    let mut passed = vec![[zero; 2]; model.bodies.len()];
+    for hold in coordinates.order.iter().rev() {
+        let body = hold.body;
+        for i in 0..2 {
+            let gravity = if i == 1 { model.gravity } else { zero };
+            let against = graph.add(reached[body][i], gravity);
+            let inertial = graph.mul(model.bodies[body].mass, against);
+            let own = graph.sub(inertial, applied[body][i]);
+            let sum = graph.add(passed[body][i], own);
+            let force = graph.define(["force_x", "force_y"][i], sum);
+            inward.push(force);
+            pairs.push((unknowns.forces[body][i], force));
+            if let Some(parent) = hold.parent {
+                passed[parent][i] = graph.add(passed[parent][i], force);
+            }
+        }
+    }
+    let outward = Section::new("Accelerations of G of the bodies", outward);
+    (pairs, vec![outward, Section::new("Forces in the joints", inward)])
+}
+
+/// Equal coefficients are computed once.
+fn placed(terms: BTreeMap<(usize, usize, Part), Expr>, graph: &Graph) -> (Vec<Expr>, Vec<Term>) {
+    let (mut different, mut places, mut placed) = (Vec::new(), BTreeMap::new(), Vec::new());
+    for ((row, column, part), value) in terms {
+        if graph.is_zero(value) {
+            continue;
+        }
+        let coefficient = *places.entry(value).or_insert_with(|| {
+            different.push(value);
+            different.len() - 1
+        });
+        placed.push(Term { coefficient, row, column, part });
+    }
+    (different, placed)
+}

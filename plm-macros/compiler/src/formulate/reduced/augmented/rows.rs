@@ -1,0 +1,193 @@
+//! The equations, linearised term by term.
+
+use std::collections::BTreeMap;
+
+use plm_cas::{Expr, Graph};
+
+use super::super::coordinates::{Coordinates, Hold};
+use super::super::motion::Motion;
+use super::super::plane::{self, Vec2};
+use super::Part;
+use super::unknowns::{Kind, Unknowns};
+use crate::model::Model;
+
+/// `D_b` and what follows from it.
+pub(super) struct Way {
+    /// The coordinates that it depends on.
+    touched: Vec<usize>,
+    place: Vec2,
+    speed: Vec2,
+    pub(super) acceleration: Vec2,
+}
+
+/// Coefficients by row, column and part.
+type Terms = BTreeMap<(usize, usize, Part), Expr>;
+
+/// The derivatives of all equations, and the way to each body in the order of [`Coordinates::order`].
+pub(super) fn terms(
+    model: &Model,
+    coordinates: &Coordinates,
+    motion: &Motion,
+    unknowns: &Unknowns,
+    graph: &mut Graph,
+) -> (Vec<Way>, Terms) {
+    let mut work = Rows { model, coordinates, motion, unknowns, graph, terms: Terms::new() };
+    let ways: Vec<Way> = coordinates.order.iter().map(|hold| work.way(hold)).collect();
+    work.kinematics(&ways);
+    work.forces();
+    work.virtual_power(&ways);
+    work.states();
+    (ways, work.terms)
+}
+
+/// The equations while they are being linearised.
+struct Rows<'a> {
+    model: &'a Model,
+    coordinates: &'a Coordinates,
+    motion: &'a Motion,
+    unknowns: &'a Unknowns,
+    graph: &'a mut Graph,
+    terms: Terms,
+}
+
+impl Rows<'_> {
+    /// Adds an expression to an equation: its derivatives by everything unknown.
+    fn add(&mut self, row: usize, value: Expr) {
+        let symbols = self.graph.symbols(&[value]);
+        for symbol in symbols {
+            if let Some(&(column, part)) = self.unknowns.column.get(&symbol) {
+                let derivative = self.graph.diff(value, symbol);
+                self.add_term((row, column, part), derivative);
+            }
+        }
+    }
+
+    fn add_term(&mut self, key: (usize, usize, Part), value: Expr) {
+        let old = self.terms.get(&key).copied().unwrap_or(self.graph.zero());
+        let sum = self.graph.add(old, value);
+        self.terms.insert(key, sum);
+    }
+
+    /// From G of the body that holds it, or from the origin, to G of a body.
+    fn way(&mut self, hold: &Hold) -> Way {
+        let place = self.place(hold);
+        let symbols = self.graph.symbols(&place);
+        let touches = |k: &usize| symbols.binary_search(&self.motion.value[*k]).is_ok();
+        let touched: Vec<usize> = (0..self.motion.value.len()).filter(touches).collect();
+        let mut flow = vec![(self.model.time, self.graph.one())];
+        for &k in &touched {
+            let (value, speed) = (self.motion.value[k], self.motion.rate[k]);
+            flow.extend([(value, speed), (speed, self.unknowns.accelerations[k])]);
+        }
+        let mut rate = |of: Vec2| of.map(|component| self.graph.directional(component, &flow));
+        let speed = rate(place);
+        Way { touched, place, speed, acceleration: rate(speed) }
+    }
+
+    fn place(&mut self, hold: &Hold) -> Vec2 {
+        let Rows { model, coordinates, motion, graph, .. } = self;
+        let Some(joint) = hold.joint else {
+            let declared = &model.bodies[hold.body];
+            return [declared.q[0], declared.q[1]];
+        };
+        let joint = coordinates.joints[joint];
+        let (class, mut out) = coordinates.arm(model, graph, joint.a);
+        if let Some(slide) = joint.slide {
+            let (_, axis) = coordinates.axis(model, graph, joint.a);
+            let along = plane::scale(graph, motion.value[slide], axis);
+            out = plane::add(graph, out, along);
+        }
+        let out = motion.turned(graph, class, out);
+        let (class, back) = coordinates.arm(model, graph, joint.b);
+        let back = motion.turned(graph, class, back);
+        let way = [0, 1].map(|i| graph.sub(out[i], back[i]));
+        if joint.b.body == Some(hold.body) { way } else { plane::negated(graph, way) }
+    }
+
+    /// Accelerations, velocities and places of bodies follow from those of the bodies that hold them.
+    fn kinematics(&mut self, ways: &[Way]) {
+        for (hold, way) in self.coordinates.order.iter().zip(ways) {
+            let of = |body: usize, kind: Kind| {
+                let declared = &self.model.bodies[body];
+                let [x, y, _] = match kind {
+                    Kind::Place => declared.q,
+                    Kind::Velocity => declared.v,
+                    _ => declared.a,
+                };
+                [x, y]
+            };
+            let moved = [way.acceleration, way.speed, way.place];
+            for (kind, moved) in [Kind::Acceleration, Kind::Velocity, Kind::Place].into_iter().zip(moved) {
+                let Some(rows) = self.unknowns.of_body[hold.body].get(&kind).copied() else { continue };
+                for i in 0..2 {
+                    let mut value = self.graph.sub(of(hold.body, kind)[i], moved[i]);
+                    if let Some(parent) = hold.parent {
+                        value = self.graph.sub(value, of(parent, kind)[i]);
+                    }
+                    self.add(rows[i], value);
+                }
+            }
+        }
+    }
+
+    /// What a body passes on to its joint.
+    fn forces(&mut self) {
+        let one = self.graph.one();
+        let minus = self.graph.neg(one);
+        for hold in &self.coordinates.order {
+            let declared = &self.model.bodies[hold.body];
+            let rows = self.unknowns.of_body[hold.body][&Kind::Force];
+            let against = self.graph.neg(declared.mass);
+            for i in 0..2 {
+                let (own, _) = self.unknowns.column[&declared.a[i]];
+                self.add_term((rows[i], rows[i], Part::Value), one);
+                self.add_term((rows[i], own, Part::Value), against);
+                if let Some(parent) = hold.parent {
+                    let outer = self.unknowns.of_body[parent][&Kind::Force];
+                    self.add_term((outer[i], rows[i], Part::Value), minus);
+                }
+            }
+        }
+        for load in &self.model.loads {
+            let rows = self.unknowns.of_body[load.body][&Kind::Force];
+            for i in 0..2 {
+                self.add(rows[i], load.force[i]);
+            }
+        }
+    }
+
+    /// One equation for every coordinate.
+    fn virtual_power(&mut self, ways: &[Way]) {
+        for (hold, way) in self.coordinates.order.iter().zip(ways) {
+            let force = self.unknowns.forces[hold.body];
+            for &unknown in &way.touched {
+                let along = way.place.map(|component| self.graph.diff(component, self.motion.value[unknown]));
+                let power = plane::dot(self.graph, force, along);
+                self.add(unknown, power);
+            }
+        }
+        let angle = |body: usize| self.coordinates.angle_of_class[self.coordinates.headings[body].class];
+        for (body, declared) in self.model.bodies.iter().enumerate() {
+            if let Some(angle) = angle(body) {
+                self.add_term((angle, angle, Part::Acceleration), declared.inertia);
+            }
+        }
+        for load in &self.model.loads {
+            if let Some(angle) = angle(load.body) {
+                let against = self.graph.neg(load.force[2]);
+                self.add(angle, against);
+            }
+        }
+    }
+
+    /// Rates of first-order states.
+    fn states(&mut self) {
+        let n = self.coordinates.unknowns.len();
+        let one = self.graph.one();
+        for (k, state) in self.model.states.iter().enumerate() {
+            self.add_term((n + k, n + k, Part::Rate), one);
+            let against = self.graph.neg(state.rate);
+            self.add(n + k, against);
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! What the linearised equations are solved for, and in which order.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use plm_cas::{Expr, Graph};
+
+use super::super::coordinates::{Coordinates, Unknown};
+use super::super::motion::Motion;
+use super::super::plane::Vec2;
+use super::Part;
+use crate::derive::Equations;
+use crate::model::Model;
+
+/// Everything that is solved for, and the symbols that stand for it.
+pub(super) struct Unknowns {
+    /// Second derivatives of the coordinates.
+    pub(super) accelerations: Vec<Expr>,
+    /// Force through the joint of each body.
+    pub(super) forces: Vec<Vec2>,
+    /// What a symbol stands for: unknown and part of it.
+    pub(super) column: BTreeMap<Expr, (usize, Part)>,
+    /// By body: acceleration and force, then place and velocity where they are wanted.
+    pub(super) of_body: Vec<BTreeMap<Kind, [usize; 2]>>,
+    states: usize,
+    count: usize,
+}
+
+/// What is unknown of a body, in the order of elimination.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    Force,
+    Acceleration,
+    Velocity,
+    Place,
+}
+
+impl Unknowns {
+    pub(super) fn new(
+        model: &Model,
+        equations: &Equations,
+        coordinates: &Coordinates,
+        motion: &Motion,
+        graph: &mut Graph,
+    ) -> Unknowns {
+        let n = coordinates.unknowns.len();
+        let bodies = model.bodies.len();
+        let mut unknowns = Unknowns {
+            accelerations: (0..n).map(|_| graph.symbol("acceleration")).collect(),
+            forces: (0..bodies).map(|_| [graph.symbol("force_x"), graph.symbol("force_y")]).collect(),
+            column: BTreeMap::new(),
+            of_body: vec![BTreeMap::new(); bodies],
+            states: equations.x.len(),
+            count: n + equations.x.len(),
+        };
+        for k in 0..n {
+            unknowns.column.insert(motion.value[k], (k, Part::Position));
+            unknowns.column.insert(motion.rate[k], (k, Part::Velocity));
+            unknowns.column.insert(unknowns.accelerations[k], (k, Part::Acceleration));
+        }
+        for (k, &state) in equations.x.iter().enumerate() {
+            unknowns.column.insert(state, (n + k, Part::Value));
+        }
+        for (body, declared) in model.bodies.iter().enumerate() {
+            if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
+                unknowns.column.insert(declared.q[2], (angle, Part::Position));
+                unknowns.column.insert(declared.v[2], (angle, Part::Velocity));
+            }
+            let force = unknowns.forces[body];
+            unknowns.add(body, Kind::Force, force);
+            unknowns.add(body, Kind::Acceleration, [declared.a[0], declared.a[1]]);
+        }
+        unknowns.add_wanted(model, equations, coordinates, graph);
+        unknowns
+    }
+
+    fn add(&mut self, body: usize, kind: Kind, symbols: Vec2) {
+        let own = [self.count, self.count + 1];
+        self.of_body[body].insert(kind, own);
+        for (symbol, unknown) in symbols.into_iter().zip(own) {
+            self.column.insert(symbol, (unknown, Part::Value));
+        }
+        self.count += 2;
+    }
+
+    /// Places and velocities that forces or rates depend on, and those that they follow from.
+    fn add_wanted(&mut self, model: &Model, equations: &Equations, coordinates: &Coordinates, graph: &Graph) {
+        let loads = model.loads.iter().flat_map(|load| load.force);
+        let read: Vec<Expr> = loads.chain(equations.x_dot.iter().copied()).collect();
+        let read: BTreeSet<Expr> = graph.symbols(&read).into_iter().collect();
+        let mut wanted = vec![[false; 2]; model.bodies.len()];
+        for hold in coordinates.order.iter().rev() {
+            let declared = &model.bodies[hold.body];
+            for (k, symbols) in [declared.q, declared.v].into_iter().enumerate() {
+                wanted[hold.body][k] |= symbols[..2].iter().any(|symbol| read.contains(symbol));
+            }
+            // Those of a body that hangs on nothing are coordinates.
+            if hold.joint.is_none() {
+                continue;
+            }
+            for (k, kind) in [Kind::Place, Kind::Velocity].into_iter().enumerate() {
+                if wanted[hold.body][k] {
+                    let [x, y, _] = [declared.q, declared.v][k];
+                    self.add(hold.body, kind, [x, y]);
+                    if let Some(parent) = hold.parent {
+                        wanted[parent][k] = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /// First-order states, then from the tips to the ground what belongs to each body: pivots are sums of positive masses
+    /// and of what h makes of stiffness and damping.
+    pub(super) fn order(&self, coordinates: &Coordinates) -> Vec<usize> {
+        let n = coordinates.unknowns.len();
+        let mut order: Vec<usize> = (n..n + self.states).collect();
+        for hold in coordinates.order.iter().rev() {
+            order.extend(self.of_body[hold.body].values().flatten());
+            let slide = hold.joint.and_then(|joint| coordinates.joints[joint].slide);
+            let own = coordinates.unknowns.iter().enumerate().filter(|(k, unknown)| match **unknown {
+                Unknown::Angle { body, .. } | Unknown::Centre { body, .. } => body == hold.body,
+                Unknown::Slide { .. } => slide == Some(*k),
+            });
+            let mut own: Vec<usize> = own.map(|(k, _)| k).collect();
+            own.sort_by_key(|&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));
+            order.extend(own);
+        }
+        order
+    }
+}

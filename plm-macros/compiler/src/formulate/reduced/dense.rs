@@ -1,0 +1,64 @@
+//! Accelerations from the dense mass matrix.
+
+use plm_cas::{Expr, Graph};
+
+use super::inertia::Dense;
+use super::motion::Motion;
+use super::plane;
+use crate::formulate::function::Section;
+use crate::formulate::ldl::factorise;
+
+/// Solves `M a = Q`, and how a person would write that down.
+pub(super) fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr>, Vec<Section>) {
+    let names: Vec<String> =
+        motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
+    let mut mass = dense.mass.clone();
+    for (&(i, j), entry) in &mut mass {
+        *entry = graph.define(&format!("m_{i}_{j}"), *entry);
+    }
+    let force: Vec<Expr> = dense
+        .right_hand_side(motion, graph)
+        .into_iter()
+        .enumerate()
+        .map(|(i, force)| graph.define(&format!("force_{i}"), force))
+        .collect();
+    let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect();
+    let at = |key| mass.get(&key).copied();
+    let solution = match (force.as_slice(), at((1, 0))) {
+        (&[], _) => Vec::new(),
+        // The mass is known before the forces, which wait for velocities: let its division begin early.
+        (&[force], _) => {
+            let one = graph.one();
+            let reciprocal = graph.div(one, mass[&(0, 0)]);
+            let reciprocal = graph.define("reciprocal", reciprocal);
+            vec![graph.mul(force, reciprocal)]
+        }
+        // One division instead of two in a row.
+        (&[first, second], Some(coupling)) => {
+            let (m00, m11) = (mass[&(0, 0)], mass[&(1, 1)]);
+            let numerators = [
+                minor(graph, [first, coupling], [second, m11]),
+                minor(graph, [m00, first], [coupling, second]),
+            ];
+            let determinant = minor(graph, [m00, coupling], [coupling, m11]);
+            let one = graph.one();
+            let reciprocal = graph.div(one, determinant);
+            let reciprocal = graph.define("reciprocal", reciprocal);
+            numerators.iter().map(|&numerator| graph.mul(numerator, reciprocal)).collect()
+        }
+        _ => {
+            let factor = factorise(graph, force.len(), &mass);
+            let (solution, trace) = factor.solve(graph, &force, &names);
+            roots.extend(factor.trace);
+            roots.extend(trace);
+            solution
+        }
+    };
+    let named = solution.iter().zip(&names).map(|(&value, name)| graph.define(name, value));
+    (named.collect(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
+}
+
+/// Determinant of two rows.
+fn minor(graph: &mut Graph, a: [Expr; 2], b: [Expr; 2]) -> Expr {
+    plane::cross(graph, a, b)
+}

@@ -1,0 +1,52 @@
+//! What the solution of a loop leaves for those who come after.
+
+use plm_cas::{Expr, Graph};
+
+use super::link::{Link, Own};
+use super::plane::Vec2;
+
+/// What a dyad's solution leaves for velocities and for the choice of charts.
+#[derive(Clone, Debug)]
+pub(crate) struct Solution {
+    /// `D`, m^2, m or 1; of a group without mirror images 1, or 0 where it is not closed.
+    pub(crate) determinant: Expr,
+    /// `D^2`; negative where the loop cannot be closed.
+    pub(crate) square: Expr,
+    /// `D^2` in the best of poses: `square / scale` is the square of a sine, a cosine, or a length over the scene's.
+    pub(crate) scale: Expr,
+    /// The loop's Jacobian by the two unknowns.
+    pub(crate) columns: [Vec2; 2],
+    /// The vectors of the loop that turn with the unknown classes.
+    pub(crate) arms: Vec<(usize, Vec2)>,
+    /// The one body that moves a dyad, and the dyad's own vectors.
+    pub(crate) link: Option<(Link, Own)>,
+}
+
+impl Solution {
+    /// Of a group without mirror images that a sign could tell apart: the square of its measure, and whether it is closed.
+    pub(crate) fn of_measure(measure: Expr, closed: Expr, graph: &mut Graph) -> Solution {
+        let (one, open) = (graph.one(), graph.int(-1));
+        let columns = [[graph.zero(); 2]; 2];
+        Solution {
+            determinant: graph.select(closed, one, graph.zero()),
+            square: graph.select(closed, measure, open),
+            scale: one,
+            columns,
+            arms: Vec::new(),
+            link: None,
+        }
+    }
+
+    /// A loop that has nothing to decide.
+    pub(crate) fn certain(graph: &Graph) -> Solution {
+        let (zero, one) = ([graph.zero(); 2], graph.one());
+        Solution {
+            determinant: one,
+            square: one,
+            scale: one,
+            columns: [zero; 2],
+            arms: Vec::new(),
+            link: None,
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Joints that give way: rows that are springs instead of constraints.
+//!
+//! With `lambda = (phi + relaxation phi_dot)/compliance` a row is the force `-phi_q^T lambda`, which a constraint becomes in
+//! the limit of no compliance (J. Garcia de Jalon, E. Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
+//! chapter 5: penalty formulations). So `reaction(row)` keeps its meaning.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+use plm_cas::{Expr, Number};
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Reads};
+use crate::diag::Code;
+use crate::model::{Load, Output, Row, State};
+use crate::syntax::ast::{self, Field};
+use crate::units::Dimension;
+
+const COMPLIANCE: &str = "compliance";
+const ROTARY: &str = "rotary_compliance";
+const RELAXATION: &str = "relaxation";
+
+/// Words that may be set where a joint is used, besides its own parameters.
+pub(super) const WORDS: [&str; 3] = [COMPLIANCE, ROTARY, RELAXATION];
+
+/// The rows of one instance, by their places in the model.
+type OfInstance = Vec<usize>;
+
+impl<'a> Resolver<'a> {
+    /// Makes forces of the rows of joints with a compliance; what is left are constraints. Gives both.
+    pub(super) fn soften(
+        &mut self,
+        mut rows: Vec<Row>,
+        loads: &mut Vec<Load>,
+        states: &mut [State],
+        outputs: &mut [Output],
+    ) -> Eval<(Vec<Row>, Vec<Row>)> {
+        let mut multipliers: BTreeMap<usize, Expr> = BTreeMap::new();
+        let mut sound = Ok(());
+        for instance in 0..self.instances.len() {
+            if WORDS.iter().all(|word| self.word(instance, word).is_none()) {
+                continue;
+            }
+            let within =
+                |row: &usize| self.scopes[self.home(self.rows[*row].scope)].instance == Some(instance);
+            let of_instance: OfInstance = (0..rows.len()).filter(within).collect();
+            let found = self.multipliers(instance, &rows, of_instance);
+            sound = sound.and(found.map(|found| multipliers.extend(found)));
+        }
+        sound?;
+        let mut stands_for = Vec::new();
+        for (&row, &lambda) in &multipliers {
+            let Row { part, phi, lambda: symbol, .. } = rows[row];
+            self.push(phi, lambda, part, loads);
+            // What gives way is no pair that coordinates could follow.
+            self.parts[part].pair = None;
+            rows[row].lambda = lambda;
+            stands_for.push((symbol, lambda));
+        }
+        for load in loads {
+            load.force = load.force.map(|force| self.graph.substitute(&[force], &stands_for)[0]);
+        }
+        for state in states {
+            state.rate = self.graph.substitute(&[state.rate], &stands_for)[0];
+        }
+        for output in outputs {
+            output.components = self.graph.substitute(&output.components, &stands_for);
+        }
+        let (soft, rigid): (Vec<_>, Vec<_>) =
+            rows.into_iter().enumerate().partition(|(row, _)| multipliers.contains_key(row));
+        let of = |rows: Vec<(usize, Row)>| rows.into_iter().map(|(_, row)| row).collect();
+        Ok((of(rigid), of(soft)))
+    }
+
+    /// `lambda` of the rows of an instance that give way.
+    fn multipliers(&mut self, instance: usize, rows: &[Row], own: OfInstance) -> Eval<Vec<(usize, Expr)>> {
+        let (rotary, straight): (OfInstance, OfInstance) =
+            own.into_iter().partition(|&row| rows[row].unit.dimension.same(Dimension::NUMBER));
+        let straight = self.compliances(instance, COMPLIANCE, rows, straight);
+        let rotary = self.compliances(instance, ROTARY, rows, rotary);
+        let relaxation = self.relaxation(instance);
+        let (mut given, relaxation) = (straight?, relaxation?);
+        given.extend(rotary?);
+        if let (Some((field, _)), []) = (relaxation, given.as_slice()) {
+            let outer = self.instances[instance].outer;
+            self.error(outer, Code::MissingValue, field.span(), "a `relaxation` without a `compliance`")
+                .help(format!("write `{{ {COMPLIANCE}: 1e-9 m/N; {RELAXATION}: … }}`"));
+            return Err(Failed);
+        }
+        for (row, value) in &mut given {
+            let phi = rows[*row].phi;
+            let mut sum = phi;
+            if let Some((_, relaxation)) = relaxation {
+                let rate = self.total_derivative(phi);
+                let lagging = self.graph.mul(relaxation, rate);
+                sum = self.graph.add(phi, lagging);
+            }
+            *value = self.graph.div(sum, *value);
+        }
+        Ok(given)
+    }
+
+    /// What a word says of each row of its kind.
+    fn compliances(
+        &mut self,
+        instance: usize,
+        word: &str,
+        rows: &[Row],
+        own: OfInstance,
+    ) -> Eval<Vec<(usize, Expr)>> {
+        let Some((outer, field)) = self.word(instance, word) else { return Ok(Vec::new()) };
+        let expr = &field.value;
+        if own.is_empty() {
+            let kind = if word == ROTARY { "an angle" } else { "a length" };
+            let of = self.instances[instance].name.clone();
+            let message = format!("`{of}` has no constraint that is {kind}, which could have a `{word}`");
+            self.error(outer, Code::UnknownField, field.span(), message);
+            return Err(Failed);
+        }
+        let mut known: BTreeMap<Dimension, Expr> = BTreeMap::new();
+        for &row in &own {
+            let dimension = rows[row].unit.dimension;
+            // phi over lambda; phi lambda is an energy.
+            let wanted = if word == ROTARY {
+                Dimension::ANGLE.over(Dimension::TORQUE)
+            } else {
+                dimension.power(2).over(Dimension::TORQUE)
+            };
+            if let Entry::Vacant(unknown) = known.entry(dimension) {
+                let value = self.eval_number(outer, expr, wanted, Reads::FIXED)?;
+                self.above_zero(outer, (word, expr), value, false)?;
+                unknown.insert(value);
+            }
+        }
+        Ok(own.into_iter().map(|row| (row, known[&rows[row].unit.dimension])).collect())
+    }
+
+    /// The time in which a row that gives way settles.
+    fn relaxation(&mut self, instance: usize) -> Eval<Option<(&'a Field, Expr)>> {
+        let Some((outer, field)) = self.word(instance, RELAXATION) else { return Ok(None) };
+        let expr = &field.value;
+        let value = self.eval_number(outer, expr, Dimension::TIME, Reads::FIXED)?;
+        self.above_zero(outer, (RELAXATION, expr), value, true)?;
+        Ok(Some((field, value)))
+    }
+
+    /// A number that is known now must be positive, or zero where that has a meaning.
+    fn above_zero(
+        &mut self,
+        scope: ScopeId,
+        (word, expr): (&str, &ast::Expr),
+        value: Expr,
+        or_zero: bool,
+    ) -> Eval<()> {
+        let wrong = |number: &Number| number.is_negative() || (number.is_zero() && !or_zero);
+        let Some(number) = self.graph.as_number(value).filter(wrong) else { return Ok(()) };
+        let found = super::expect::literal_text(expr).unwrap_or_else(|| number.to_f64().to_string());
+        let wanted = if or_zero { "must not be negative" } else { "must be positive" };
+        let diagnostic =
+            self.error(scope, Code::NotPositive, expr.span, format!("the {word} {wanted}, found {found}"));
+        if !or_zero {
+            diagnostic.help("leave it out: without a compliance the joint is rigid");
+        }
+        Err(Failed)
+    }
+
+    /// A word that is set where a joint is used, unless its definition has a parameter of that name.
+    fn word(&self, instance: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
+        let is_word = self.instances[instance].definition.is_joint && !self.has_field(instance, word);
+        if is_word { self.field(instance, word) } else { None }
+    }
+
+    /// The force `-phi_q^T lambda` on every body that a row holds.
+    fn push(&mut self, phi: Expr, lambda: Expr, part: usize, loads: &mut Vec<Load>) {
+        for body in 0..self.bodies.len() {
+            let mut force = [self.graph.zero(); 3];
+            for (axis, entry) in self.graph.gradient(phi, &self.bodies[body].q) {
+                let along = self.graph.mul(entry, lambda);
+                force[axis] = self.graph.neg(along);
+            }
+            if force != [self.graph.zero(); 3] {
+                loads.push(Load { body, part, force });
+            }
+        }
+    }
+}

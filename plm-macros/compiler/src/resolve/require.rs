@@ -1,0 +1,98 @@
+//! Requirements: what must hold for the model to mean anything.
+
+use plm_cas::Expr;
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Condition, Eval, Failed, Reads};
+use crate::diag::Code;
+use crate::model::Side;
+use crate::span::Span;
+use crate::syntax::ast;
+
+/// A requirement that was declared.
+pub(super) struct Requirement<'a> {
+    scope: ScopeId,
+    condition: &'a ast::Expr,
+    /// Full name, `cylinder.cap.above_vacuum`.
+    name: String,
+    span: Span,
+}
+
+impl<'a> Resolver<'a> {
+    /// `require name: condition;`
+    pub(super) fn declare_requirement(
+        &mut self,
+        scope: ScopeId,
+        name: &'a ast::IndexedName,
+        condition: &'a ast::Expr,
+    ) {
+        if self.needs_index(scope, name) {
+            return;
+        }
+        let Ok(key) = self.key(scope, name) else { return };
+        let (full, span) = (format!("{}{key}", self.prefix(scope)), name.ident.span);
+        if let Some(first) = self.requirements.iter().find(|known| known.name == full) {
+            let first = first.span;
+            self.duplicate(scope, &key, span, first);
+            return;
+        }
+        self.requirements.push(Requirement { scope, condition, name: full, span });
+    }
+
+    /// Requirements as sides that must not change.
+    pub(super) fn finish_requirements(&mut self) -> Vec<Side> {
+        let mut sides = Vec::new();
+        for Requirement { scope, condition, name, .. } in std::mem::take(&mut self.requirements) {
+            // A mistake has been reported; what else is wrong is found all the same.
+            let Ok(differences) = self.requirement(scope, condition) else { continue };
+            for difference in differences {
+                let symbol = self.graph.symbol(&format!("side_{}", sides.len()));
+                sides.push(Side { symbol, difference, instant: None, name: name.clone(), must_hold: true });
+            }
+        }
+        sides
+    }
+
+    /// What is positive as long as a condition holds.
+    fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Vec<Expr>> {
+        let (condition, reads) = self.condition(scope, expr)?;
+        let beyond = reads.beyond(Reads::KNOWN);
+        if beyond != Reads::NOTHING {
+            let message = format!("a requirement reads {}", beyond.describe());
+            self.error(scope, Code::NotConstant, expr.span, message)
+                .note(format!("it may read {}", Reads::KNOWN.describe()));
+            return Err(Failed);
+        }
+        let mut differences = Vec::new();
+        if self.positive(&condition, &mut differences) {
+            return Ok(differences);
+        }
+        let message = match condition {
+            Condition::Known(_) => "a requirement that never holds",
+            _ => "a requirement is a comparison, or several with `and`",
+        };
+        self.error(scope, Code::WrongKind, expr.span, message);
+        Err(Failed)
+    }
+
+    /// Adds what is positive where a condition holds; false if that cannot be said, or never holds.
+    fn positive(&mut self, condition: &Condition, differences: &mut Vec<Expr>) -> bool {
+        match condition {
+            Condition::Known(holds) => *holds,
+            Condition::Less(low, high) => {
+                differences.push(self.graph.sub(*high, *low));
+                true
+            }
+            Condition::Not(inner) => match &**inner {
+                Condition::Less(low, high) => {
+                    differences.push(self.graph.sub(*low, *high));
+                    true
+                }
+                _ => false,
+            },
+            Condition::All(inner) => inner.iter().all(|one| self.positive(one, differences)),
+            Condition::Any(_) => false,
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Augmented linear systems whose pattern the compiler found: elimination in work that grows with what is there.
+
+use core::marker::PhantomData;
+
+use super::complex::Entry;
+use super::resolvent::{Dense, Derivatives};
+use crate::scalar::Real;
+use crate::vector::Vector;
+
+/// What a coefficient of an augmented system multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The unknown itself: a first-order state, or one that is neither state nor coordinate.
+    Value,
+    /// The rate of a first-order state.
+    Rate,
+    /// A coordinate.
+    Position,
+    /// Its rate.
+    Velocity,
+    /// Its second derivative.
+    Acceleration,
+}
+
+/// A coefficient in an equation.
+#[derive(Clone, Copy, Debug)]
+pub struct Term {
+    /// Place of the coefficient.
+    pub coefficient: u32,
+    /// The equation.
+    pub row: u32,
+    /// The unknown: coordinates first, then first-order states, then all others.
+    pub column: u32,
+    /// Where both meet among the entries.
+    pub entry: u32,
+    /// What of the unknown is multiplied.
+    pub part: Part,
+}
+
+/// An entry below a pivot, in its column.
+#[derive(Clone, Copy, Debug)]
+pub struct Below {
+    /// The equation.
+    pub row: u32,
+    /// Place of the entry.
+    pub entry: u32,
+    /// Place of the entry of this unknown in the equation of the pivot; beyond the end if there is none.
+    pub across: u32,
+}
+
+/// A pivot, with what stands below and right of it when its turn comes.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivot {
+    /// The equation, and the unknown that it is solved for.
+    pub row: u32,
+    /// Place of the entry.
+    pub entry: u32,
+    /// Where the pivot's part of [`Pattern::below`] begins and ends.
+    pub below: [u32; 2],
+    /// The same of [`Pattern::right`].
+    pub right: [u32; 2],
+    /// Where its part of [`Pattern::targets`] begins: below by below, right by right.
+    pub targets: u32,
+}
+
+/// Which entries there are, and in which order unknowns are eliminated.
+#[derive(Clone, Copy, Debug)]
+pub struct Pattern {
+    /// Number of coordinates.
+    pub coordinates: u32,
+    /// Number of first-order states.
+    pub states: u32,
+    /// All coefficients where they stand.
+    pub terms: &'static [Term],
+    /// The pivots in the order of elimination.
+    pub pivots: &'static [Pivot],
+    /// Entries below pivots.
+    pub below: &'static [Below],
+    /// Entries right of pivots: unknown, place.
+    pub right: &'static [[u32; 2]],
+    /// Places of the entries that elimination changes.
+    pub targets: &'static [u32],
+}
+
+/// The pattern that belongs to a mechanism.
+pub trait Patterned: Copy {
+    /// The pattern.
+    const PATTERN: Pattern;
+}
+
+/// Linearised equations of motion before anything is eliminated, as `COEFFICIENTS` numbers.
+///
+/// Beside coordinates and first-order states they hold unknowns that tie neighbours only (accelerations of bodies, forces
+/// in joints), so that there are few entries, and eliminating outwards to inwards makes few more: along a chain the work
+/// grows with the number of bodies, where df/dx is full (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, 8.8, on
+/// branch-induced sparsity; I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 10).
+#[derive(Clone, Copy, Debug)]
+pub struct Sparse<S, P, const COEFFICIENTS: usize, const ENTRIES: usize, const UNKNOWNS: usize> {
+    /// The coefficients.
+    pub coefficients: [S; COEFFICIENTS],
+    pattern: PhantomData<P>,
+}
+
+/// An eliminated augmented system for one lambda.
+#[derive(Clone, Copy, Debug)]
+pub struct Eliminated<T, const ENTRIES: usize> {
+    /// L below the pivots, U right of them, reciprocals in their place.
+    entries: [T; ENTRIES],
+    /// 1 / lambda.
+    inverse: T,
+}
+
+/// Pivots below this multiple of rounding, measured by what they were made of, are nothing but rounding.
+const ROUNDING: f64 = 64.0;
+
+impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U: usize> Derivatives<S, X>
+    for Sparse<S, P, C, E, U>
+{
+    type Resolvent<T: Entry<S>> = Eliminated<T, E>;
+
+    fn zeros() -> Self {
+        Self { coefficients: [S::ZERO; C], pattern: PhantomData }
+    }
+
+    /// With the unknowns v for q' = v, lambda q - v = r_q, and s for the first-order states, an equation
+    /// `c_q q + c_v v + c_a v' + c_s s + c_r s' + c z = 0` of the derivatives says
+    /// `(c_q / lambda + c_v + lambda c_a) v + (c_s + lambda c_r) s + c z = -c_q r_q / lambda + c_a r_v + c_r r_s`.
+    fn resolvent<T: Entry<S>>(&self, lambda: T, _nq: usize) -> Option<Eliminated<T, E>> {
+        let inverse = lambda.reciprocal();
+        let mut entries = [T::real(S::ZERO); E];
+        for term in P::PATTERN.terms {
+            let coefficient = T::real(self.coefficients.at(term.coefficient as usize));
+            let value = match term.part {
+                Part::Value | Part::Velocity => coefficient,
+                Part::Rate | Part::Acceleration => coefficient * lambda,
+                Part::Position => coefficient * inverse,
+            };
+            if let Some(entry) = entries.get_mut(term.entry as usize) {
+                *entry = *entry + value;
+            }
+        }
+        eliminate::<S, T, E, U>(&P::PATTERN, &mut entries)?;
+        Some(Eliminated { entries, inverse })
+    }
+
+    fn resolve<T: Entry<S>>(
+        &self,
+        resolvent: &Eliminated<T, E>,
+        nq: usize,
+        mut r: impl FnMut(usize) -> T,
+        mut each: impl FnMut(usize, T),
+    ) {
+        let Pattern { coordinates, states, terms, .. } = P::PATTERN;
+        let (n, zero) = (coordinates as usize, T::real(S::ZERO));
+        let mut b = [zero; U];
+        for term in terms {
+            let column = term.column as usize;
+            let known = match term.part {
+                Part::Value | Part::Velocity => continue,
+                Part::Position => zero - r(column) * resolvent.inverse,
+                Part::Acceleration | Part::Rate => r(nq + column),
+            };
+            if let Some(b) = b.get_mut(term.row as usize) {
+                *b = *b + T::real(self.coefficients.at(term.coefficient as usize)) * known;
+            }
+        }
+        substitute(&P::PATTERN, &resolvent.entries, &mut b);
+        for (i, v) in b.iter().enumerate().take(n) {
+            each(i, (r(i) + *v) * resolvent.inverse);
+        }
+        for (i, k) in b.iter().enumerate().take(n + states as usize) {
+            each(nq + i, *k);
+        }
+    }
+
+    fn full(&mut self) -> Option<&mut X::Matrix> {
+        None
+    }
+}
+
+/// The entry at a place; zero beyond the end.
+fn at<S: Real, T: Entry<S>>(entries: &[T], place: u32) -> T {
+    entries.get(place as usize).copied().unwrap_or(T::real(S::ZERO))
+}
+
+/// A part of a list; nothing if it is beyond the end.
+fn part<T>(list: &[T], [from, to]: [u32; 2]) -> &[T] {
+    list.get(from as usize..to as usize).unwrap_or(&[])
+}
+
+/// L U in the order of the pattern; none where a pivot is nothing but rounding, or not finite.
+fn eliminate<S: Real, T: Entry<S>, const E: usize, const U: usize>(
+    pattern: &Pattern,
+    entries: &mut [T; E],
+) -> Option<()> {
+    let mut made_of = [S::ZERO; U];
+    for pivot in pattern.pivots {
+        let size = at::<S, T>(entries, pivot.entry).size();
+        let made_of_it = made_of.get(pivot.row as usize).copied().unwrap_or(S::ZERO);
+        if !size.is_finite() || size <= S::lit(ROUNDING) * S::EPSILON * made_of_it {
+            return None;
+        }
+        let reciprocal = at::<S, T>(entries, pivot.entry).reciprocal();
+        *entries.get_mut(pivot.entry as usize)? = reciprocal;
+        let right = part(pattern.right, pivot.right);
+        let mut targets = pattern.targets.get(pivot.targets as usize..)?;
+        for below in part(pattern.below, pivot.below) {
+            let factor = at::<S, T>(entries, below.entry) * reciprocal;
+            *entries.get_mut(below.entry as usize)? = factor;
+            if let Some(made_of) = made_of.get_mut(below.row as usize) {
+                *made_of = made_of.max((factor * at::<S, T>(entries, below.across)).size());
+            }
+            let (own, rest) = targets.split_at_checked(right.len())?;
+            targets = rest;
+            for ([_, place], target) in right.iter().zip(own) {
+                let across = at::<S, T>(entries, *place);
+                let target = entries.get_mut(*target as usize)?;
+                *target = target.less_product(factor, across);
+            }
+        }
+    }
+    Some(())
+}
+
+/// Solves L U y = b in place.
+fn substitute<S: Real, T: Entry<S>, const U: usize>(pattern: &Pattern, entries: &[T], b: &mut [T; U]) {
+    for pivot in pattern.pivots {
+        let known = at::<S, T>(b, pivot.row);
+        for below in part(pattern.below, pivot.below) {
+            if let Some(b) = b.get_mut(below.row as usize) {
+                *b = b.less_product(at::<S, T>(entries, below.entry), known);
+            }
+        }
+    }
+    for pivot in pattern.pivots.iter().rev() {
+        let mut rest = at::<S, T>(b, pivot.row);
+        for [column, place] in part(pattern.right, pivot.right) {
+            rest = rest.less_product(at::<S, T>(entries, *place), at::<S, T>(b, *column));
+        }
+        if let Some(b) = b.get_mut(pivot.row as usize) {
+            *b = rest * at::<S, T>(entries, pivot.entry);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Who computes the rates that a formula asks for.
+
+use crate::system::{Health, System};
+
+/// The rates at the stages of a formula.
+///
+/// Where a rate is short ([`System::SHORT`]), formulas hold a copy of it for every stage: numbers stay in registers, and
+/// compilers do not pack positions with velocities into vectors, which would let the pose of a stage wait for an
+/// acceleration that it does not need. That takes more than a closure, of which nobody can ask to be copied.
+pub trait Rates<M: System> {
+    /// Writes the rate `dx` at `(t, x)`.
+    fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X);
+}
+
+/// The stages of a formula by their numbers: a copy of the body for each if `short`, a loop otherwise.
+macro_rules! each_stage {
+    ($short:expr, $stage:ident in [$($number:literal),*] $body:block) => {
+        if $short {
+            $({
+                let $stage = $number;
+                $body
+            })*
+        } else {
+            for $stage in [$($number),*] $body
+        }
+    };
+}
+pub(crate) use each_stage;
+
+impl<M: System, F: FnMut(M::S, &M::X, &mut M::X)> Rates<M> for F {
+    #[inline]
+    fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {
+        self(t, x, dx);
+    }
+}
+
+/// The rates of a system, without a second try where they are unhealthy.
+pub(crate) struct Watched<'a, M: System> {
+    system: &'a M,
+    held: &'a M::U,
+    /// The worst health so far.
+    pub(crate) worst: Health<M::S>,
+}
+
+impl<'a, M: System> Watched<'a, M> {
+    pub(crate) fn new(system: &'a M, held: &'a M::U) -> Self {
+        Self { system, held, worst: Health::perfect() }
+    }
+}
+
+impl<M: System> Rates<M> for &mut Watched<'_, M> {
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {
+        self.worst = self.worst.worst(self.system.rate(t, self.held, x, dx));
+    }
+}

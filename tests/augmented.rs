@@ -1,0 +1,136 @@
+//! Implicit methods on large trees: the augmented system against the full matrix of derivatives.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+
+use plm::runtime::linalg::{Complex, Dense, Derivatives};
+use plm::runtime::{Linear, System, Vector};
+use plm::{Dop853, Mechanism, Moment, RadauIia5, Ros34Pw2};
+
+/// A chain that holds a bit of everything: revolutes with springs, a slide, a slot, welds, a body that hangs on nothing, a
+/// spring from end to end, a drag by the place and velocity of a body, a pivot that moves, first-order states.
+mod zoo {
+    plm::mechanism! {
+        pub Zoo {
+            gravity: 9.81 m/s^2;
+            param stiffness: N/m = 40 N/m;
+            input push: N = 2 N;
+            ground { port o: (0.1 m*sin(3 rad/s*t), 0.05 m*cos(2 rad/s*t)); port rail: (0.3, 1) m, angle: 20 deg; }
+            repeat i in 0..9 {
+                body bar[i] {
+                    mass: 0.3 kg + i*0.1 kg; inertia: 0.01 kg*m^2;
+                    port a: (-0.2, 0.01) m; port b: (0.15, 0.02) m;
+                    start angle: 20 deg + i*25 deg, locked; start omega: 1 rad/s - i*0.7 rad/s, locked;
+                }
+            }
+            body shoe { mass: 0.5 kg; inertia: 0.02 kg*m^2; port in: (0.05, 0) m, angle: 30 deg; port out: (0, 0.1) m, angle: -35 deg; }
+            body tip { mass: 0.2 kg; inertia: 0.01 kg*m^2; port in: (0.1, 0) m; port seam: (0, 0.1) m, angle: 40 deg; start angle: 1 rad, locked; start omega: 2 rad/s, locked; }
+            body cap { mass: 0.1 kg; inertia: 0.001 kg*m^2; port seam: (0.02, 0.03) m, angle: 10 deg; }
+            body block { mass: 1 kg; inertia: 0.01 kg*m^2; port rail: (0, 0) m; port pin: (0, -0.05) m; }
+            body load { mass: 0.4 kg; inertia: 0.01 kg*m^2; port pin: (0.1, 0.1) m; start angle: 2 rad, locked; }
+            body bird { mass: 0.3 kg; inertia: 0.01 kg*m^2; port hook: (0.05, 0.02) m; start x: 2 m, locked; start vy: 1 m/s, locked; start omega: 3 rad/s, locked; }
+            revolute pin[0](ground.o, bar[0].a) { stiffness: 3 N*m/rad; damping: 0.1 N*m*s/rad; }
+            repeat i in 1..9 { revolute pin[i](bar[i].a, bar[i-1].b) { stiffness: 2 N*m/rad; damping: 0.05 N*m*s/rad; } }
+            prismatic sleeve(bar[4].b, shoe.in) { stiffness: 200 N/m; damping: 3 N*s/m; }
+            pin_slot slot(shoe.out, tip.in) { stiffness: 150 N/m; }
+            weld seam(tip.seam, cap.seam);
+            prismatic rail(block.rail, ground.rail) { stiffness: stiffness; drive: filtered; }
+            revolute bell(load.pin, block.pin);
+            spring leash(bar[8].b, bird.hook) { stiffness: 50 N/m; damping: 0.4 N*s/m; free_length: 0.4 m; }
+            force drag(cap.seam) { x: -0.3 N*s/m*cap.vx - 2 N/m*cap.y; y: -0.1 N*s^2/m^2*cap.vy*abs(cap.vy); }
+            state filtered: N = 3 N;
+            rate filtered = (push - filtered + 1 N/m*tip.x)/0.2 s;
+        }
+    }
+}
+
+/// A chain of so many bars, with springs and dampers in its hinges.
+macro_rules! chain {
+    ($module:ident, $bars:tt) => {
+        mod $module {
+            plm::mechanism! {
+                pub Chain {
+                    gravity: 9.81 m/s^2;
+                    ground { port o: (0, 0) m; }
+                    repeat i in 0..$bars {
+                        body bar[i] {
+                            mass: 1 kg / $bars; inertia: 1 kg*m^2 / (12 * $bars^3);
+                            port a: (-0.5 / $bars, 0) m; port b: (0.5 / $bars, 0) m;
+                            start x: (i + 0.5) / $bars * 1 m;
+                        }
+                    }
+                    revolute pin[0](ground.o, bar[0].a) { damping: 1e-3 N*m*s/rad; }
+                    repeat i in 1..$bars {
+                        revolute pin[i](bar[i-1].b, bar[i].a) { stiffness: 0.1 N*m/rad; damping: 1e-3 N*m*s/rad; }
+                    }
+                }
+            }
+        }
+    };
+}
+chain!(chain16, 16);
+chain!(chain32, 32);
+
+/// The largest difference of (lambda I - J)^-1 r between the full matrix and the augmented system, over the largest k.
+fn difference<M>(mechanism: M, time: f64, lambda: Complex<f64>) -> f64
+where
+    M: Mechanism<S = f64, X: Dense<f64, Matrix: Derivatives<f64, <M as System>::X>>> + Linear,
+{
+    let mut sim = mechanism.start().unwrap();
+    sim.step(time).unwrap();
+    let state = sim.state();
+    let (t, held, x) = (state.time(), state.held(), *state.x());
+    let (mut full, mut sparse) = (M::X::zeros(), M::Derivatives::zeros());
+    assert!(sparse.full().is_none(), "a mechanism of this size has an augmented system");
+    assert!(mechanism.jacobian(t, &held, &x, &mut full, None).is_good());
+    assert!(mechanism.differentiate(t, &held, &x, &mut sparse, None).is_good());
+    let r = |i: usize| Complex { re: f64::from(i as u32 % 7) - 2.5, im: f64::from(i as u32 % 5) - 1.5 };
+    let mut found = [vec![], vec![]];
+    let resolvent = full.resolvent(lambda, M::NQ).unwrap();
+    full.resolve(&resolvent, M::NQ, r, |i, k| found[0].push((i, k)));
+    let resolvent = sparse.resolvent(lambda, M::NQ).unwrap();
+    sparse.resolve(&resolvent, M::NQ, r, |i, k| found[1].push((i, k)));
+    assert_eq!(found[0].len(), M::X::LEN);
+    let size = found[0].iter().fold(0.0_f64, |size, (_, k)| size.max(k.re.hypot(k.im)));
+    let gaps = found[0].iter().zip(&found[1]).map(|((i, a), (j, b))| {
+        assert_eq!(i, j);
+        (a.re - b.re).hypot(a.im - b.im)
+    });
+    gaps.fold(0.0, f64::max) / size
+}
+
+#[test]
+fn the_augmented_system_solves_what_the_full_matrix_does() {
+    for lambda in [
+        Complex { re: 1e4, im: 0.0 },
+        Complex { re: 300.0, im: 350.0 },
+        Complex { re: 30.0, im: -20.0 },
+        Complex { re: 4.0, im: 3.0 },
+    ] {
+        let found = [
+            difference(zoo::Zoo::new(), 0.1, lambda),
+            difference(chain16::Chain::new(), 0.3, lambda),
+            difference(chain32::Chain::new(), 0.3, lambda),
+        ];
+        assert!(found.iter().all(|gap| *gap < 1e-10), "{lambda:?}: {found:?}");
+    }
+}
+
+#[test]
+fn implicit_methods_carry_a_large_tree() {
+    // With everything in it: the time too.
+    let mut known = zoo::Zoo::new().start_with(Dop853::new(1e-12)).unwrap();
+    known.step(0.5).unwrap();
+    let mut radau = zoo::Zoo::new().start_with(RadauIia5::new(1e-9)).unwrap();
+    radau.step(0.5).unwrap();
+    let off = |x: &[f64]| known.state().x().iter().zip(x).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
+    assert!(off(radau.state().x()) < 1e-6, "{:e}", off(radau.state().x()));
+    // Derivatives that were wrong would cost iterations: a step of two takes 7 rates.
+    let stats = radau.stats();
+    assert!(stats.rejected < 10 && stats.evaluations < 9 * stats.steps, "{stats:?}");
+    // Order 3, which derivatives by the time that are wrong would spoil.
+    let [coarse, fine] = [400, 800].map(|steps| {
+        let mut sim = zoo::Zoo::new().start_with(Ros34Pw2::new(0.5 / f64::from(steps))).unwrap();
+        sim.step(0.5).unwrap();
+        off(sim.state().x())
+    });
+    assert!((6.5..10.0).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
+}
