@@ -24,15 +24,17 @@ pub use self::report::{Change, Freedom, Residual, Unbalanced, What};
 use self::rest::{Point, Rest};
 
 /// Steps after which no equilibrium is to be expected any more.
-const MOST_STEPS: u32 = 100;
+const MOST_STEPS: u32 = 150;
 /// How often the search begins again: on the sides that conditions have where it ended, or sent on along the forces.
-const MOST_ROUNDS: u32 = 40;
+const MOST_ROUNDS: u32 = 30;
 /// How far it is sent on: rad, and parts of the mechanism's size.
 const PUSH: f64 = 0.1;
 /// Scaled steps below this are rounding: 1e-12 m, 1e-4 Pa.
 const RESTS: f64 = 1e-9;
 /// Scaled forces and rates below this are balanced.
 const BALANCED: f64 = 1e-7;
+/// How often a step is halved that does not lead nearer.
+const HALVINGS: u32 = 12;
 /// The farthest that a body moves in a step: rad, and parts of the mechanism's size.
 const FARTHEST: f64 = 0.3;
 
@@ -53,7 +55,8 @@ pub trait Stabilise: Statics + Linear<Lifted<1>: Statics> + System<S = f64> {
         for round in 1..=MOST_ROUNDS {
             let (rest, start) = Rest::at_start(mechanism)?;
             let task = Task::new(rest, &start).ok_or(singular)?;
-            let most = if round < MOST_ROUNDS { MOST_STEPS } else { 0 };
+            // The last round only looks.
+            let most = if round < MOST_ROUNDS { MOST_STEPS.saturating_sub(iterations) } else { 0 };
             let (look, steps) = descend(&task, start, most).ok_or(singular)?;
             iterations += steps;
             mechanism = task.rest.started_at(&look.point);
@@ -136,7 +139,7 @@ fn pushed<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Point> {
 fn improve<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Look> {
     let reach = reach(task, &look.step.0);
     let mut part = if reach > FARTHEST { FARTHEST / reach } else { 1.0 };
-    for _ in 0..30 {
+    for _ in 0..HALVINGS {
         let mut to = look.point.clone();
         to.q += part * &look.step.0;
         to.x += part * &look.step.1;

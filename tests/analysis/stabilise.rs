@@ -664,3 +664,44 @@ fn an_integral_that_never_rests_is_told_and_changes_nothing() {
     // 20 L/min at 1 bar, by the root of 25 bar.
     assert_close(residual.value, 5.0 * 20e-3 / 60.0, 1e-4);
 }
+
+mod systems {
+    plm::mechanism! {
+        /// Systems 2 and 3 of section 3.1 side by side, with the springs of the library.
+        pub Systems23 {
+            gravity: 9.81 m/s^2;
+            ground { port left: (0, 0) m, axis: 90 deg; port right: (1, 0) m, axis: 90 deg; }
+            body second { mass: 20 kg; inertia: 0.01 kg*m^2; port foot: (-0.5, 0) m; start y: 1 m, locked; }
+            body third { mass: 20 kg; inertia: 0.01 kg*m^2; port foot: (-0.5, 0) m; start x: 1 m; start y: 1 m, locked; }
+            prismatic guide2(ground.left, second.foot);
+            prismatic guide3(ground.right, third.foot);
+            slider_ground floor();
+            force_state_spring sd0000(floor.slider, guide2.slider) { stiffness: 10000 N/m; damping: 197.98 N/(m/s); }
+            slider_spring sd000a(floor.slider, guide3.slider) {
+                stiffness: 10000 N/m;
+                damping: 197.98 N/(m/s);
+                preload: 5000 N;
+            }
+            output sd0000.force, sd000a.force;
+        }
+    }
+}
+
+#[test]
+fn only_the_spring_with_a_force_state_keeps_its_height() {
+    let mut systems = systems::Systems23::new();
+    let found = systems.stabilise().unwrap();
+    assert_needs(&found, "third.y", 196.2);
+    assert_eq!((value(&found, "second.y"), value(&found, "third.y")), (1.0, 1.0));
+    let mut sim = found.start().unwrap();
+    assert_close(sim.sd0000_force(), 196.2, 1e-9);
+    // Locks hold at the start alone: the third falls to where the second would be with a spring of its kind.
+    sim.step(6.0).unwrap();
+    assert_close(sim.second().y, 1.0, 1e-8);
+    assert_close(sim.third().y, 0.98038, 1e-7);
+    systems.start.second.y.locked = false;
+    systems.start.third.y.locked = false;
+    let found = systems.stabilise().unwrap().balanced().unwrap();
+    assert_close(value(&found, "second.y"), 0.98038, 1e-12);
+    assert_close(value(&found, "third.y"), 0.98038, 1e-12);
+}
