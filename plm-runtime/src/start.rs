@@ -84,6 +84,16 @@ impl<S: Copy> BodyStart<S> {
     }
 }
 
+impl<S> BodyStart<S> {
+    /// Gives `each` every start value with its name.
+    pub fn each(&mut self, names: [&'static str; 6], each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+        let Self { x, y, angle, vx, vy, omega } = self;
+        for (name, start) in names.into_iter().zip([x, y, angle, vx, vy, omega]) {
+            each(name, start);
+        }
+    }
+}
+
 /// All start values of a mechanism: the generated `Starts`.
 pub trait StartValues<S>: Copy {
     /// Gives `each` every start value with its name: `arm.x`, `arm.y`, `arm.angle`, `arm.vx`, `arm.vy`, `arm.omega` of each

@@ -1,3 +1,5 @@
+//! What is special about a state: whether it follows the coordinates, whether anything reads it.
+//!
 //! States that follow the coordinates: their rate is a multiple of the rate of coordinates, so that at every pose they
 //! have the value to which the way there brings them.
 //!
@@ -16,8 +18,10 @@ use super::scales::Scales;
 const STEPS: u32 = 32;
 /// Departure from proportionality that rounding explains.
 const ROUNDING: f64 = 1e-9;
-/// Points at which the rates are looked at.
+/// Points at which the rates are looked at: the start, and some beside it.
 const PROBES: usize = 3;
+/// How far they are apart, in scaled units: 0.1 m, 0.1 rad, 100 bar.
+const REACH: f64 = 100.0;
 
 /// Which states follow the coordinates: their rate vanishes at rest whatever coordinates, states and multipliers are, and is
 /// linear in the velocities.
@@ -26,7 +30,7 @@ pub(super) fn following<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Sc
     let mut moves = std::vec![false; Rest::<M>::NX];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
-        let reach = if probe == 0 { 0.0 } else { 100.0 };
+        let reach = if probe == 0 { 0.0 } else { REACH };
         let point = beside(start, scales, reach, &mut fractions);
         let a = DVector::from_fn(Rest::<M>::NQ, |_, _| fractions.next());
         let b = DVector::from_fn(Rest::<M>::NQ, |_, _| fractions.next());
@@ -43,6 +47,20 @@ pub(super) fn following<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Sc
         }
     }
     follows.iter().zip(moves).map(|(follows, moves)| *follows && moves).collect()
+}
+
+/// Which states nothing reads, neither forces nor rates: integrals that somebody wants to see.
+pub(super) fn unread<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Scales) -> Vec<bool> {
+    let mut unread = std::vec![true; Rest::<M>::NX];
+    let mut fractions = Fractions(0.0);
+    for probe in 0..PROBES {
+        let reach = if probe == 0 { 0.0 } else { REACH };
+        let by_x = rest.by_x(&beside(start, scales, reach, &mut fractions));
+        for (i, unread) in unread.iter_mut().enumerate() {
+            *unread &= by_x.force.column(i).iter().chain(by_x.rate.column(i).iter()).all(|of| *of == 0.0);
+        }
+    }
+    unread
 }
 
 /// The rates of all states by the velocities along `directions`, in columns.

@@ -1,15 +1,15 @@
 //! One look at a point: how far it is from rest, and the step that is said to lead there.
 //!
 //! Three things are wanted, each as far as those before it allow: the joints stay closed; forces balance, with what locks
-//! have to give, and states that are free come to rest; locks need no force, and states that are locked come to rest by
-//! themselves. Of all steps that do so the shortest is taken.
+//! have to give, and states that are free come to rest; locks need no force, and states that are locked, or that nothing
+//! reads, come to rest by themselves. Of all steps that do so the shortest is taken.
 
 use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::Stabilise;
-use super::invariant::{following, rates_along};
+use super::invariant::{following, rates_along, unread};
 use super::rank::{Ranked, null_space};
 use super::rest::{Point, Rest, Rows};
 use super::scales::{Locks, Scales};
@@ -23,15 +23,19 @@ pub(super) struct Task<M: Stabilise> {
     pub(super) follows: Vec<bool>,
     /// States that are moved, by index.
     pub(super) free: Vec<usize>,
+    /// States that stay, by index: locked ones, and integrals that nothing reads.
+    pub(super) kept: Vec<usize>,
 }
 
 impl<M: Stabilise> Task<M> {
     pub(super) fn new(rest: Rest<M>, start: &Point) -> Option<Self> {
         let scales = Scales::of(&rest, start);
         let locks = Locks::of(*rest.mechanism());
-        let mut task = Self { rest, scales, locks, follows: Vec::new(), free: Vec::new() };
+        let mut task = Self { rest, scales, locks, follows: Vec::new(), free: Vec::new(), kept: Vec::new() };
         task.follows = task.following(start)?;
-        task.free = (0..Rest::<M>::NX).filter(|i| !task.locks.x[*i] && !task.follows[*i]).collect();
+        let unread = unread(&task.rest, start, &task.scales);
+        let others = (0..Rest::<M>::NX).filter(|i| !task.follows[*i]);
+        (task.kept, task.free) = others.partition(|i| task.locks.x[*i] || unread[*i]);
         Some(task)
     }
 
@@ -196,7 +200,7 @@ impl Balance {
         (by_q, by_x): (&Rows<DMatrix<f64>>, &Rows<DMatrix<f64>>),
         rate: &DVector<f64>,
     ) -> (Levels, DVector<f64>) {
-        let Task { scales, locks, free, .. } = task;
+        let Task { scales, free, kept, .. } = task;
         let force = &by_q.force * &moves.q + &by_x.force * &moves.x;
         let force = scaled(&force, |i| 1.0 / scales.force[i], |_| 1.0);
         let reaction = -self.inverse.solve_all(&force);
@@ -204,14 +208,13 @@ impl Balance {
         let sizes = DVector::from_fn(rate.len(), |i, _| change.row(i).amax().max(1e-9 * scales.x[i]));
         let change = scaled(&change, |i| 1.0 / sizes[i], |_| 1.0);
         let left = rate.component_div(&sizes);
-        let held: Vec<usize> = (0..rate.len()).filter(|i| locks.x[*i]).collect();
         // What joints and locks do not carry of a change of the forces.
         let uncarried = &force + &self.carries * &reaction;
         let of_locks = reaction.rows(Rest::<M>::NC, self.of_locks.len()).into_owned();
         let first =
             Level::new([&uncarried, &change.select_rows(free)], [&self.left, &left.select_rows(free)]);
         let second =
-            Level::new([&of_locks, &change.select_rows(&held)], [&self.of_locks, &left.select_rows(&held)]);
+            Level::new([&of_locks, &change.select_rows(kept)], [&self.of_locks, &left.select_rows(kept)]);
         (Levels([first, second]), sizes)
     }
 }

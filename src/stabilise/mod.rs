@@ -24,15 +24,17 @@ pub use self::report::{Change, Freedom, Residual, Unbalanced, What};
 use self::rest::{Point, Rest};
 
 /// Steps after which no equilibrium is to be expected any more.
-const MOST_STEPS: u32 = 100;
-/// How often a search that ended where nothing balances is sent on along the forces.
-const MOST_PUSHES: u32 = 20;
-/// How often conditions may change their sides.
-const MOST_SIDES: u32 = 10;
+const MOST_STEPS: u32 = 150;
+/// How often the search begins again: on the sides that conditions have where it ended, or sent on along the forces.
+const MOST_ROUNDS: u32 = 30;
+/// How far it is sent on: rad, and parts of the mechanism's size.
+const PUSH: f64 = 0.1;
 /// Scaled steps below this are rounding: 1e-12 m, 1e-4 Pa.
 const RESTS: f64 = 1e-9;
 /// Scaled forces and rates below this are balanced.
 const BALANCED: f64 = 1e-7;
+/// How often a step is halved that does not lead nearer.
+const HALVINGS: u32 = 12;
 /// The farthest that a body moves in a step: rad, and parts of the mechanism's size.
 const FARTHEST: f64 = 0.3;
 
@@ -47,23 +49,32 @@ pub trait Stabilise: Statics + Linear<Lifted<1>: Statics> + System<S = f64> {
     /// # Errors
     /// When the mechanism cannot be assembled; [`Cause::Singular`] when its equations are not finite there.
     fn stabilise(self) -> Result<Equilibrium<Self>, Fault> {
-        let (mut mechanism, mut iterations) = (self, 0);
+        let singular = Fault::new(0.0, Cause::Singular { rows: Rest::<Self>::NC });
         let (_, before) = Rest::at_start(self)?;
-        for _ in 0..MOST_SIDES {
+        let (mut mechanism, mut iterations, mut stopped) = (self, 0, None);
+        for round in 1..=MOST_ROUNDS {
             let (rest, start) = Rest::at_start(mechanism)?;
-            let singular = Fault::new(0.0, Cause::Singular { rows: Rest::<Self>::NC });
             let task = Task::new(rest, &start).ok_or(singular)?;
-            let (look, steps) = search(&task, start).ok_or(singular)?;
+            // The last round only looks.
+            let most = if round < MOST_ROUNDS { MOST_STEPS.saturating_sub(iterations) } else { 0 };
+            let (look, steps) = descend(&task, start, most).ok_or(singular)?;
             iterations += steps;
             mechanism = task.rest.started_at(&look.point);
-            // Conditions are on the sides that the start had; at the equilibrium they may be on others.
-            if steps == 0 || <Self::G as Vector<f64>>::LEN == 0 {
-                return Ok(
-                    Found { task: &task, look: &look, before: &before }.equilibrium(mechanism, iterations)
-                );
+            // Conditions are on the sides that the start had; where it ended they may be on others.
+            if steps > 0 && <Self::G as Vector<f64>>::LEN > 0 {
+                continue;
             }
+            let found = Found { task: &task, look: &look, before: &before };
+            let found = found.equilibrium(mechanism, iterations);
+            if look.first <= BALANCED {
+                return Ok(found);
+            }
+            // No step helps where forces have a maximum, as on a pendulum held level. They still show a way.
+            stopped.get_or_insert(found);
+            let Some(point) = pushed(&task, &look) else { break };
+            mechanism = task.rest.started_at(&point);
         }
-        Err(Fault::new(0.0, Cause::NotConverged { step: 0.0 }))
+        stopped.ok_or(singular)
     }
 }
 
@@ -102,48 +113,33 @@ impl<M: Stabilise> Equilibrium<M> {
     }
 }
 
-/// From a start to where no step leads further: the last look, and the number of steps. None if something is not finite.
-fn search<M: Stabilise>(task: &Task<M>, mut start: Point) -> Option<(Look, u32)> {
+/// Steps from a start as long as they lead nearer to rest, and their number. None if something is not finite.
+fn descend<M: Stabilise>(task: &Task<M>, mut start: Point, most: u32) -> Option<(Look, u32)> {
     task.close(&mut start)?;
-    let (first, mut steps) = descend(task, Look::at(task, start)?, 0);
-    if first.first <= BALANCED {
-        return Some((first, steps));
-    }
-    // No step helps where forces have a maximum, as on a pendulum held level. They still show a way.
-    let (mut point, stopped) = (first.point.clone(), steps);
-    let mut pushed = first.pushed.clone();
-    for _ in 0..MOST_PUSHES {
-        let mut to = point.clone();
-        to.q += 0.3 * FARTHEST / scaled_reach(task, &pushed).max(f64::MIN_POSITIVE) * &pushed;
-        if !task.close(&mut to)? {
-            break;
-        }
-        carry(&task.rest, &task.follows, &point, &mut to);
-        let (look, all) = descend(task, Look::at(task, to)?, steps);
-        steps = all;
-        if look.first <= BALANCED {
-            return Some((look, steps));
-        }
-        (point, pushed) = (look.point, look.pushed);
-    }
-    Some((first, stopped))
-}
-
-/// Steps as long as they lead nearer to rest.
-fn descend<M: Stabilise>(task: &Task<M>, mut look: Look, mut steps: u32) -> (Look, u32) {
-    while steps < MOST_STEPS && look.length > RESTS {
+    let (mut look, mut steps) = (Look::at(task, start)?, 0);
+    while steps < most && look.length > RESTS {
         let Some(next) = improve(task, &look) else { break };
         look = next;
         steps += 1;
     }
-    (look, steps)
+    Some((look, steps))
+}
+
+/// The point moved on along the forces that nothing balances; none if they move nothing.
+fn pushed<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Point> {
+    let reach = Some(reach(task, &look.pushed)).filter(|reach| *reach > 0.0)?;
+    let mut to = look.point.clone();
+    to.q += PUSH / reach * &look.pushed;
+    let closed = task.close(&mut to)?;
+    carry(&task.rest, &task.follows, &look.point, &mut to);
+    closed.then_some(to)
 }
 
 /// The step, or as much of it as is an improvement.
 fn improve<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Look> {
-    let reach = scaled_reach(task, &look.step.0);
+    let reach = reach(task, &look.step.0);
     let mut part = if reach > FARTHEST { FARTHEST / reach } else { 1.0 };
-    for _ in 0..30 {
+    for _ in 0..HALVINGS {
         let mut to = look.point.clone();
         to.q += part * &look.step.0;
         to.x += part * &look.step.1;
@@ -169,7 +165,7 @@ fn is_better(next: &Look, look: &Look, part: f64) -> bool {
 }
 
 /// The largest turn, rad, or displacement over the size of the mechanism.
-fn scaled_reach<M: Stabilise>(task: &Task<M>, moved: &nalgebra::DVector<f64>) -> f64 {
+fn reach<M: Stabilise>(task: &Task<M>, moved: &nalgebra::DVector<f64>) -> f64 {
     let size = |k: usize| if k % 3 == 2 { 1.0 } else { task.scales.length };
     (0..moved.len()).map(|k| moved[k].abs() / size(k)).fold(0.0, f64::max)
 }

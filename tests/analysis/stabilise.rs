@@ -569,3 +569,139 @@ fn what_falls_is_told() {
     assert_eq!((residual.name.as_str(), residual.what), ("stone.y", What::Force));
     assert_close(residual.value, -3.0 * 9.81, 1e-9);
 }
+
+mod landing {
+    plm::mechanism! {
+        /// A mass that nothing holds, above a stop that begins at 0.1 m.
+        pub Landing {
+            gravity: 10 m/s^2;
+            param jump: N = 0 N;
+            ground { port rail: (0, 0) m, axis: 90 deg; }
+            body mass { mass: 20 kg; inertia: 1 kg*m^2; port rail: (0, 0) m, angle: 90 deg; start y: 0.5 m; }
+            prismatic guide(ground.rail, mass.rail) {
+                drive: if guide.displacement < 0.1 m then jump + 1e4 N/m*(0.1 m - guide.displacement) else 0 N;
+            }
+        }
+    }
+}
+
+#[test]
+fn what_falls_is_followed_to_its_stop() {
+    let found = landing::Landing::new().stabilise().unwrap().balanced().unwrap();
+    assert_close(value(&found, "mass.y"), 0.1 - 200.0 / 1e4, 1e-9);
+    // A stop that pushes with more than the weight as soon as it is touched leaves no place to rest.
+    let found = landing::Landing { jump: 300.0, ..landing::Landing::new() }.stabilise().unwrap();
+    let [residual] = &found.residuals[..] else { panic!("{:?}", found.residuals) };
+    assert_eq!((residual.name.as_str(), residual.what), ("mass.y", What::Force));
+}
+
+mod servo_arm {
+    plm::mechanism! {
+        /// The manual's 3.2.1 with the library's cylinder, lines and servo-valve, and integrals that nothing reads.
+        pub ServoArm {
+            gravity: 9.81 m/s^2;
+            param leak: 1 = 0;
+            ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }
+            body arm {
+                mass: 100 kg;
+                inertia: 0.01 kg*m^2;
+                port jack: (-0.5, 0) m;
+                port o0: (-0.8, 0) m;
+                start angle: 20 deg, locked;
+            }
+            revolute hinge(ground.o0, arm.o0);
+            jack ram(ground.foot, arm.jack) { free_length: 0.22 m; }
+            cylinder press(ram.slider) {
+                piston_diameter: 50 mm;
+                rod_diameter: 30 mm;
+                stroke: 0.35 m;
+                friction: 1000 N/(m/s);
+                chamber2.pressure: 5 bar, locked;
+            }
+            oil_line line1(press.port1);
+            oil_line line2(press.port2) { inlet.pressure: 5 bar; }
+            servo_valve valve(pump.port, line1.port, line2.port, tank.port) { frequency: 20 Hz; }
+            oil_source pump() { pressure: 30 bar; }
+            oil_tank tank() { pressure: 5 bar; }
+            // Past everything, from the pump to the tank.
+            orifice past(pump.port, tank.port) { opening: leak; }
+            state drawn: L = 0;
+            rate drawn = pump.flow;
+            output press.force, press.pressure1 in bar;
+        }
+    }
+}
+
+#[test]
+fn the_parts_of_the_library_come_to_rest() {
+    let found = servo_arm::ServoArm::new().stabilise().unwrap().balanced().unwrap();
+    assert!(found.free.is_empty(), "{:?}", found.free);
+    assert_close(value(&found, "press.chamber1.pressure") / 1e5, 27.258_755_030_885_03, 1e-9);
+    let mut sim = found.start().unwrap();
+    assert_close(sim.press_force(), 4_723.925_503_721_555, 1e-9);
+    sim.step(0.2).unwrap();
+    assert!((sim.arm().angle - 20_f64.to_radians()).abs() < 1e-9);
+    // Nothing locked: one level of pressure, and the height that goes with it.
+    let mut free = servo_arm::ServoArm::new();
+    free.start.press_chamber2_pressure.locked = false;
+    let found = free.stabilise().unwrap().balanced().unwrap();
+    let [freedom] = &found.free[..] else { panic!("{:?}", found.free) };
+    let names = [
+        "press.chamber1.pressure",
+        "press.chamber2.pressure",
+        "line1.inlet.pressure",
+        "line2.inlet.pressure",
+    ];
+    assert_eq!((freedom.count, &freedom.names[..]), (1, &names[..]));
+}
+
+#[test]
+fn an_integral_that_never_rests_is_told_and_changes_nothing() {
+    let found = servo_arm::ServoArm { leak: 1.0, ..servo_arm::ServoArm::new() }.stabilise().unwrap();
+    assert_close(value(&found, "press.chamber1.pressure") / 1e5, 27.258_755_030_885_03, 1e-9);
+    let [residual] = &found.residuals[..] else { panic!("{:?}", found.residuals) };
+    assert_eq!((residual.name.as_str(), residual.what), ("drawn", What::State));
+    // 20 L/min at 1 bar, by the root of 25 bar.
+    assert_close(residual.value, 5.0 * 20e-3 / 60.0, 1e-4);
+}
+
+mod systems {
+    plm::mechanism! {
+        /// Systems 2 and 3 of section 3.1 side by side, with the springs of the library.
+        pub Systems23 {
+            gravity: 9.81 m/s^2;
+            ground { port left: (0, 0) m, axis: 90 deg; port right: (1, 0) m, axis: 90 deg; }
+            body second { mass: 20 kg; inertia: 0.01 kg*m^2; port foot: (-0.5, 0) m; start y: 1 m, locked; }
+            body third { mass: 20 kg; inertia: 0.01 kg*m^2; port foot: (-0.5, 0) m; start x: 1 m; start y: 1 m, locked; }
+            prismatic guide2(ground.left, second.foot);
+            prismatic guide3(ground.right, third.foot);
+            slider_ground floor();
+            force_state_spring sd0000(floor.slider, guide2.slider) { stiffness: 10000 N/m; damping: 197.98 N/(m/s); }
+            slider_spring sd000a(floor.slider, guide3.slider) {
+                stiffness: 10000 N/m;
+                damping: 197.98 N/(m/s);
+                preload: 5000 N;
+            }
+            output sd0000.force, sd000a.force;
+        }
+    }
+}
+
+#[test]
+fn only_the_spring_with_a_force_state_keeps_its_height() {
+    let mut systems = systems::Systems23::new();
+    let found = systems.stabilise().unwrap();
+    assert_needs(&found, "third.y", 196.2);
+    assert_eq!((value(&found, "second.y"), value(&found, "third.y")), (1.0, 1.0));
+    let mut sim = found.start().unwrap();
+    assert_close(sim.sd0000_force(), 196.2, 1e-9);
+    // Locks hold at the start alone: the third falls to where the second would be with a spring of its kind.
+    sim.step(6.0).unwrap();
+    assert_close(sim.second().y, 1.0, 1e-8);
+    assert_close(sim.third().y, 0.98038, 1e-7);
+    systems.start.second.y.locked = false;
+    systems.start.third.y.locked = false;
+    let found = systems.stabilise().unwrap().balanced().unwrap();
+    assert_close(value(&found, "second.y"), 0.98038, 1e-12);
+    assert_close(value(&found, "third.y"), 0.98038, 1e-12);
+}

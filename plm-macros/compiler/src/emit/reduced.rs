@@ -186,7 +186,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     absolute(text, emission);
 }
 
-/// The state in absolute coordinates: for the reactions of loops, and for starts.
+/// The state in absolute coordinates, which rung 5 gives the reactions of loops at, and equilibria and starts are told in.
 fn absolute(text: &mut String, emission: &Emission) {
     let Emission { equations, .. } = emission;
     let (nq, nx) = (equations.q.len(), equations.x.len());

@@ -4,6 +4,9 @@ use super::bodies::{Shape, write};
 use super::{Emission, Origin, defaults, docs, push};
 use crate::formulate::coordinate_name;
 
+/// Statements of a block; rustc recurses over longer ones.
+const MOST_LINES: usize = 200;
+
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
     at_rest(&mut text, emission);
@@ -39,22 +42,25 @@ fn at_rest(text: &mut String, emission: &Emission) {
 /// `StartValues`: names and values one by one, and as text.
 fn start_values(text: &mut String, emission: &Emission) {
     let Emission { model, fields, .. } = emission;
-    let mut lines = String::new();
-    for (body, field) in model.bodies.iter().zip(&fields.bodies) {
-        for value in ["x", "y", "angle", "vx", "vy", "omega"] {
-            let name = format!("{}.{value}", body.name.text);
-            push(&mut lines, format_args!("            each({name:?}, &mut self.{field}.{value});\n"));
-        }
-    }
-    for (state, field) in model.states.iter().zip(&fields.states) {
-        push(&mut lines, format_args!("            each({:?}, &mut self.{field});\n", state.name.text));
-    }
+    let bodies = model.bodies.iter().zip(&fields.bodies).map(|(body, field)| {
+        let names =
+            ["x", "y", "angle", "vx", "vy", "omega"].map(|value| format!("{}.{value}", body.name.text));
+        format!("            self.{field}.each({names:?}, &mut *each);\n")
+    });
+    let states = model.states.iter().zip(&fields.states);
+    let states =
+        states.map(|(state, field)| format!("            each({:?}, &mut self.{field});\n", state.name.text));
+    let lines: Vec<String> = bodies.chain(states).collect();
+    let blocks: Vec<String> = lines.chunks(MOST_LINES).map(|lines| lines.concat()).collect();
+    let lines = blocks.join("            }\n            {\n");
     push(
         text,
         format_args!(
             "    impl<S: Scalar> rt::StartValues<S> for Starts<S> {{
         fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {{
-{lines}        }}
+            {{
+{lines}            }}
+        }}
     }}
 
     impl<S: Scalar> core::fmt::Display for Starts<S> {{
@@ -81,14 +87,18 @@ fn placed(text: &mut String, emission: &Emission) {
         push(
             &mut lines,
             format_args!(
-                "            start.{field} = start.{field}.with_centre_at([{x}, {y}], {}, {});\n",
+                "                {field}: self.start.{field}.with_centre_at([{x}, {y}], {}, {}),\n",
                 triple(q),
                 triple(v)
             ),
         );
     }
     for (k, field) in fields.states.iter().enumerate() {
-        push(&mut lines, format_args!("            start.{field}.value = x[{}];\n", 2 * nq + k));
+        let value = 2 * nq + k;
+        push(
+            &mut lines,
+            format_args!("                {field}: Start {{ value: x[{value}], ..self.start.{field} }},\n"),
+        );
     }
     let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
     push(
@@ -97,8 +107,8 @@ fn placed(text: &mut String, emission: &Emission) {
             "    impl<S: Real> {name}<S> {{
         fn placed(&self, x: &[S; {length}]) -> Starts<S> {{
             let lit = S::lit;
-            let mut start = self.start;
-{lines}            start
+            Starts {{
+{lines}            }}
         }}
     }}
 
