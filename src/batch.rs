@@ -19,14 +19,14 @@ use rayon::prelude::*;
 /// What is to be run: one point for each run.
 #[derive(Clone, Debug)]
 pub struct Points<P> {
-    points: Vec<P>,
+    list: Vec<P>,
     threads: usize,
     shows_progress: bool,
 }
 
 /// One run for each element.
-pub fn points<P>(points: impl IntoIterator<Item = P>) -> Points<P> {
-    Points { points: points.into_iter().collect(), threads: 0, shows_progress: true }
+pub fn points<P>(list: impl IntoIterator<Item = P>) -> Points<P> {
+    Points { list: list.into_iter().collect(), threads: 0, shows_progress: true }
 }
 
 /// One run for each pair; the second varies fastest.
@@ -54,8 +54,8 @@ impl<P: Clone + Send> Points<P> {
 
     /// Runs all points; `run` builds, starts and steps a mechanism, and gives what is worth keeping.
     pub fn run<T: Send>(self, run: impl Fn(P) -> Result<T, Fault> + Sync) -> Runs<P, T> {
-        let Points { points, threads, shows_progress } = self;
-        let bar = if shows_progress { progress_bar(points.len()) } else { ProgressBar::hidden() };
+        let Points { list, threads, shows_progress } = self;
+        let bar = if shows_progress { progress_bar(list.len()) } else { ProgressBar::hidden() };
         let one = |(index, parameters): (usize, P)| {
             let point = parameters.clone();
             let result = match catch_unwind(AssertUnwindSafe(|| run(point))) {
@@ -66,7 +66,7 @@ impl<P: Clone + Send> Points<P> {
             Run { index, parameters, result }
         };
         // A run can take a second: threads take them one by one.
-        let all = || points.into_par_iter().enumerate().with_max_len(1).map(one).collect();
+        let all = || list.into_par_iter().enumerate().with_max_len(1).map(one).collect();
         let runs = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
             Ok(pool) => pool.install(all),
             Err(_) => all(),
