@@ -25,8 +25,8 @@ pub struct Points<P> {
 }
 
 /// One run for each element.
-pub fn points<P>(points: impl IntoIterator<Item = P>) -> Points<P> {
-    Points { list: points.into_iter().collect(), threads: 0, shows_progress: true }
+pub fn points<P>(list: impl IntoIterator<Item = P>) -> Points<P> {
+    Points { list: list.into_iter().collect(), threads: 0, shows_progress: true }
 }
 
 /// One run for each pair; the second varies fastest.
