@@ -1,6 +1,6 @@
 //! Conditions of a declaration: where forces jump, and times that are known.
 
-use plm::{Dop853, Fault, Gauss, Method, RadauIia5, Rk4, Ros34Pw2};
+use plm::{Cause, Dop853, Fault, Gauss, Method, RadauIia5, Rk4, Ros34Pw2};
 
 /// A block that a constant force pushes back to the middle from either side: parabolas.
 mod bang {
@@ -174,7 +174,7 @@ falling!(falling_by_rows, absolute);
 
 #[test]
 fn a_run_ends_where_a_requirement_does() {
-    let fault = |time| (Fault::of_part(time, "above", plm::Cause::Required)).to_string();
+    let fault = |time| Fault::of_part(time, "above", Cause::Required).to_string();
     let mut sim = falling_by_tree::Falling::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step(0.99).unwrap();
     let found = sim.step(1.0).unwrap_err();
