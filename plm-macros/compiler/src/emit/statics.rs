@@ -51,7 +51,7 @@ fn start_values(text: &mut String, emission: &Emission) {
     let states =
         states.map(|(state, field)| format!("            each({:?}, &mut self.{field});\n", state.name.text));
     let lines: Vec<String> = bodies.chain(states).collect();
-    let blocks: Vec<String> = lines.chunks(MOST_LINES).map(|lines| lines.concat()).collect();
+    let blocks: Vec<String> = lines.chunks(MOST_LINES).map(<[String]>::concat).collect();
     let lines = blocks.join("            }\n            {\n");
     push(
         text,
