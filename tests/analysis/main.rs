@@ -4,6 +4,8 @@
 
 mod auto;
 mod linearise;
+mod linkages;
+mod pressures;
 mod stabilise;
 
 use plm::runtime::{Dual, Health, Linear, Ports, System, Vector};
