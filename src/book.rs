@@ -22,6 +22,11 @@ pages! {
     Equations = "theory/equations.md";
 }
 
+#[cfg(feature = "analysis")]
+pages! {
+    Modes = "running/modes.md";
+}
+
 #[cfg(feature = "lanes")]
 pages! {
     Lanes = "running/lanes.md";

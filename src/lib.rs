@@ -33,6 +33,8 @@
 
 // Emitted paths begin with `::plm`, in this package's own tests too.
 extern crate self as plm;
+#[cfg(feature = "std")]
+extern crate std;
 
 pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
@@ -43,19 +45,31 @@ pub use plm_runtime::{
     Operations, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, to_absolute,
     to_relative,
 };
+#[cfg(feature = "analysis")]
+mod auto;
 #[cfg(feature = "batch")]
 pub mod batch;
 #[cfg(doctest)]
 mod book;
 #[cfg(feature = "lanes")]
 mod lanes;
-#[cfg(feature = "linearise")]
+#[cfg(feature = "analysis")]
 mod linearise;
+#[cfg(feature = "analysis")]
+mod stabilise;
+#[cfg(feature = "std")]
+mod starts;
 
+#[cfg(feature = "analysis")]
+pub use auto::{Auto, Choice, Pace, StartAuto};
 #[cfg(feature = "lanes")]
 pub use lanes::{Batch, F64x8};
-#[cfg(feature = "linearise")]
+#[cfg(feature = "analysis")]
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
+#[cfg(feature = "analysis")]
+pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What};
+#[cfg(feature = "std")]
+pub use starts::{BadStarts, StartProblem, read_starts};
 
 #[cfg(feature = "view")]
 pub use plm_view as view;

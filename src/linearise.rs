@@ -1,6 +1,5 @@
 //! A mechanism near a state as a linear system: matrices, eigenvalues, damping, frequencies.
 
-extern crate std;
 use std::vec::Vec;
 
 use nalgebra::{Complex, DMatrix};

@@ -42,6 +42,14 @@ impl<S: Real> BodyStart<S> {
         let omega = self.omega.value;
         [moved(self.vx, -(omega * dy)), moved(self.vy, omega * dx), self.omega]
     }
+
+    /// The start of O that puts G, at `centre` in the body's axes, to a pose (x, y, angle) and gives it a velocity
+    /// (vx, vy, omega); locks stay.
+    #[must_use]
+    pub fn with_centre_at(self, centre: [S; 2], [x, y, angle]: [S; 3], [vx, vy, omega]: [S; 3]) -> Self {
+        let [dx, dy] = turned(centre, angle);
+        self.at([x - dx, y - dy, angle], [vx + omega * dy, vy - omega * dx, omega])
+    }
 }
 
 fn moved<S: Scalar>(start: Start<S>, by: S) -> Start<S> {
@@ -57,5 +65,18 @@ mod tests {
         let start = BodyStart { omega: Start::free(2.0), vx: Start::locked(1.0), ..BodyStart::default() };
         let [vx, vy, omega] = start.velocity_of_centre([0.5, 0.0], 0.0);
         assert_eq!((vx, vy, omega), (Start::locked(1.0), Start::free(1.0), Start::free(2.0)));
+    }
+
+    #[test]
+    fn the_start_of_a_centre_leads_to_that_centre() {
+        let (centre, pose, velocity) = ([0.5, -0.25], [1.0, 2.0, 0.7], [0.1, -0.2, 3.0]);
+        let start = BodyStart { x: Start::locked(9.0), ..BodyStart::default() };
+        let start = start.with_centre_at(centre, pose, velocity);
+        let near = |got: [Start<f64>; 3], want: [f64; 3]| {
+            got.iter().zip(want).all(|(got, want)| (got.value - want).abs() < 1e-15)
+        };
+        assert!(near(start.of_centre(centre), pose));
+        assert!(near(start.velocity_of_centre(centre, 0.7), velocity));
+        assert!(start.x.locked && !start.y.locked);
     }
 }

@@ -17,6 +17,7 @@
 //! | [`ports`] | inputs and outputs by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`statics`] | what vanishes at an equilibrium |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
 //! Symbols: q coordinates, v = q', a = v', phi(t, q) = 0 constraints, phi_q their Jacobian, phi_q v = nu,
@@ -41,6 +42,7 @@ pub mod ports;
 pub mod scalar;
 pub mod sim;
 pub mod start;
+pub mod statics;
 pub mod system;
 pub mod vector;
 
@@ -57,6 +59,7 @@ pub use operations::Operations;
 pub use ports::Ports;
 pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Sim, Snapshot, Stats};
-pub use start::{BodyStart, Start};
+pub use start::{BodyStart, Start, StartValues};
+pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, System};
 pub use vector::Vector;

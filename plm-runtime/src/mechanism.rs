@@ -60,7 +60,15 @@ pub trait Mechanism: System<S: Real> + Copy {
     /// As [`start_state`](Self::start_state).
     fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {
         use crate::scalar::Scalar as _;
-        let time = Self::S::lit(0.0);
+        self.start_at(Self::S::lit(0.0), method)
+    }
+
+    /// Assembles the mechanism at a time, in s, and makes it ready to run from there: to go on with old final values where
+    /// something depends on the time.
+    ///
+    /// # Errors
+    /// As [`start_state`](Self::start_state).
+    fn start_at<I: Method<Self>>(self, time: Self::S, method: I) -> Result<Sim<Self, I>, Fault> {
         let (held, x) = self.start_state(time)?;
         Ok(Sim::new(Self::State::new(self, held, time, x), method))
     }

@@ -1,5 +1,9 @@
 //! Where a body starts, and what assembly may not change.
 
+use core::fmt;
+
+use crate::scalar::Scalar;
+
 /// A start value, and whether assembly must keep it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start<S> {
@@ -62,4 +66,40 @@ impl<S> BodyStart<S> {
             omega: self.omega.map(&f),
         }
     }
+}
+
+impl<S: Copy> BodyStart<S> {
+    /// The same locks with other values.
+    #[must_use]
+    pub fn at(self, [x, y, angle]: [S; 3], [vx, vy, omega]: [S; 3]) -> Self {
+        let put = |start: Start<S>, value| Start { value, ..start };
+        Self {
+            x: put(self.x, x),
+            y: put(self.y, y),
+            angle: put(self.angle, angle),
+            vx: put(self.vx, vx),
+            vy: put(self.vy, vy),
+            omega: put(self.omega, omega),
+        }
+    }
+}
+
+/// All start values of a mechanism: the generated `Starts`.
+pub trait StartValues<S>: Copy {
+    /// Gives `each` every start value with its name: `arm.x`, `arm.y`, `arm.angle`, `arm.vx`, `arm.vy`, `arm.omega` of each
+    /// body, then the first-order states.
+    fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>));
+}
+
+/// Writes start values one a line, `arm.angle = 0.7853981633974483`, SI units, in so many digits that they come back as
+/// they are. Locks are not written: they belong to the declaration.
+///
+/// # Errors
+/// Those of the formatter.
+pub fn write_starts<S: Scalar>(mut starts: impl StartValues<S>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut outcome = Ok(());
+    starts.each(&mut |name, start| {
+        outcome = outcome.and_then(|()| writeln!(f, "{name} = {:?}", start.value.to_f64()));
+    });
+    outcome
 }

@@ -23,3 +23,4 @@ mod robust;
 mod rungs;
 mod scenes;
 mod sides;
+mod starts;

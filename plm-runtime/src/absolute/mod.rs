@@ -17,7 +17,7 @@ mod settle;
 pub use accelerate::{Acceleration, accelerate};
 pub use assemble::assemble;
 pub use assembly::{Assembly, Status};
-pub use settle::{drift, residuals, settle, settle_state};
+pub use settle::{balance, drift, residuals, settle, settle_state};
 
 use crate::scalar::Real;
 use crate::start::Start;

@@ -3,7 +3,7 @@
 use super::newton::projection_step;
 use super::{Absolute, join, split};
 use crate::fault::{Cause, Fault};
-use crate::linalg::largest;
+use crate::linalg::{add, largest};
 use crate::scalar::Real;
 use crate::system::Drift;
 
@@ -73,6 +73,23 @@ pub fn residuals<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usi
 ) {
     let (q, v) = split(x);
     m.phi(t, &q).into_iter().chain(m.phi_dot(t, &q, &v)).for_each(row);
+}
+
+/// What is left of the applied forces where joints carry `lambda`: phi_q^T lambda - Q.
+pub fn balance<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    lambda: &[S; NC],
+    force: &[S; NQ],
+) -> [S; NQ] {
+    let mut phi_q = [[S::lit(0.0); NQ]; NC];
+    m.phi_q(t, q, &mut phi_q);
+    let mut left = force.map(|force| -force);
+    for (row, lambda) in phi_q.iter().zip(lambda) {
+        add(&mut left, *lambda, row);
+    }
+    left
 }
 
 /// Is the residual small enough for joints of the given size (m, or m/s) to count as closed?

@@ -19,6 +19,7 @@ mod piece;
 mod reduced;
 mod sides;
 mod solved;
+mod statics;
 mod system;
 mod types;
 
@@ -95,6 +96,7 @@ const STATE_METHODS: &[&str] = &[
     "branches",
     "find",
     "observed",
+    "starts",
 ];
 
 impl Fields {
@@ -139,6 +141,7 @@ pub(crate) fn emit(
     let mut implementation = defaults::emit(&emission);
     implementation.push_str(&system::emit(&emission));
     implementation.push_str(&linear::emit(&emission));
+    implementation.push_str(&statics::emit(&emission));
     implementation.push_str(&bodies::emit(&emission));
     implementation.push_str(&reduced::emit(&emission));
     augmented::emit(&mut implementation, &emission);

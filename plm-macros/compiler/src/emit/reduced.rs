@@ -183,12 +183,10 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
             parts(emission, chart),
         ),
     );
-    if emission.reactions().is_none() {
-        absolute(text, emission);
-    }
+    absolute(text, emission);
 }
 
-/// The state in absolute coordinates, which rung 5 gives the reactions of loops at.
+/// The state in absolute coordinates: for the reactions of loops, and for starts.
 fn absolute(text: &mut String, emission: &Emission) {
     let Emission { equations, .. } = emission;
     let (nq, nx) = (equations.q.len(), equations.x.len());
@@ -197,7 +195,7 @@ fn absolute(text: &mut String, emission: &Emission) {
         text,
         format_args!(
             "    impl<S: Real> State<S> {{
-        /// The state in absolute coordinates, for reactions.
+        /// The state in absolute coordinates.
         fn absolute(&self) -> [S; {absolute}] {{
             let (q, v) = self.pose();
             let mut x = [S::lit(0.0); {absolute}];

@@ -34,6 +34,8 @@ pub(crate) struct Absolute {
     pub(crate) free: Function,
     /// Rates of the first-order states alone, for the fallback.
     pub(crate) x_dot: Function,
+    /// `force` and `x_dot` without accelerations, in which multipliers are unknowns: for equilibria.
+    pub(crate) at_rest: Function,
     /// `g`, the guards of conditions.
     pub(crate) guards: Function,
     /// `at` and `slope` of conditions that depend on the time alone.
@@ -75,6 +77,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
         inverse_mass: Function::of_results(stored("inverse_mass", &inverse_mass)),
         free: Function::of_results(free),
         x_dot: Function::of_results(stored("x_dot", &x_dot)),
+        at_rest: at_rest(equations, graph),
         guards: sides::guards(model, &[], graph),
         instants: sides::instants(model, graph),
         outputs: outputs::formulate(model, equations, &read, graph),
@@ -95,9 +98,30 @@ impl Absolute {
             inverse_mass: self.inverse_mass.optimise(graph),
             free: self.free.optimise(graph),
             x_dot: self.x_dot.optimise(graph),
+            at_rest: self.at_rest.optimise(graph),
             ..self
         }
     }
+}
+
+/// All forces, those that read multipliers included, and the rates, where nothing accelerates.
+fn at_rest(equations: &Equations, graph: &mut Graph) -> Function {
+    let mut force = equations.force.clone();
+    for signal in &equations.signals {
+        for &(k, gain) in &signal.gain {
+            let added = graph.mul(gain, signal.symbol);
+            force[k] = graph.add(force[k], added);
+        }
+    }
+    let count = force.len();
+    let mut values = force;
+    values.extend(&equations.x_dot);
+    let zero = graph.zero();
+    let rest: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, zero)).collect();
+    let values = graph.substitute(&values, &rest);
+    let places = (0..count).map(|k| Place::Element("force", k));
+    let places = places.chain((0..equations.x.len()).map(|k| Place::Element("x_dot", k)));
+    Function::of_results(places.zip(values).collect())
 }
 
 /// `gamma`, with Baumgarte's feedback where the model asks for it.

@@ -1,7 +1,10 @@
-//! Linearisation against analytic frequencies and dampings, on systems written as generated code is.
+//! Analysis on hosts: linearisation, equilibria, methods that are chosen. Here linearisation of systems written as
+//! generated code is, against analytic frequencies and dampings.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-mod generated;
+mod auto;
+mod linearise;
+mod stabilise;
 
 use plm::runtime::{Dual, Health, Linear, Ports, System, Vector};
 use plm::{Fault, Linearisation, Mechanism, Moment, Real, linearise};

@@ -1,0 +1,46 @@
+//! A mechanism at rest: what must vanish at an equilibrium, in absolute coordinates on every rung.
+
+use crate::mechanism::Mechanism;
+use crate::start::StartValues;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// The equations of a mechanism as they are before it is solved for accelerations; implemented by generated code.
+pub trait Statics: Mechanism {
+    /// A state in absolute coordinates: [q, v, first-order states], SI units.
+    type Full: Vector<<Self as System>::S>;
+    /// A number for each constraint row.
+    type Rows: Vector<<Self as System>::S>;
+    /// The start values.
+    type Starts: StartValues<<Self as System>::S>;
+
+    /// Name of each coordinate, as `arm.x`, `arm.angle`: three for each body.
+    const COORDINATES: &'static [&'static str];
+    /// Name of each constraint row, as `shoulder.x`.
+    const ROWS: &'static [&'static str];
+    /// Name of each first-order state, and its SI unit.
+    const STATES: &'static [(&'static str, &'static str)];
+
+    /// The state of a moment in absolute coordinates.
+    fn full(state: &Self::State) -> Self::Full;
+
+    /// Gives `each` in turn: the forces phi_q^T lambda - Q (N, N, N m per body), phi, phi_q v - nu, and the rates of the
+    /// first-order states. Accelerations are taken as zero where forces or rates read them.
+    fn equations(
+        &self,
+        t: Self::S,
+        held: &Self::U,
+        x: &Self::Full,
+        lambda: &Self::Rows,
+        each: &mut impl FnMut(Self::S),
+    );
+
+    /// The start values as they are set: those of each body (x, y, angle, vx, vy, omega), then first-order states.
+    fn starts_mut(&mut self) -> &mut Self::Starts;
+
+    /// Start values that lead to a state; locks stay as they are set.
+    fn starts_at(&self, x: &Self::Full) -> Self::Starts;
+
+    /// Size of the mechanism, m.
+    fn size(&self) -> Self::S;
+}
