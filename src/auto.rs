@@ -12,8 +12,8 @@ use crate::runtime::method::RadauIia5;
 /// How many times faster than the motion that is followed something has to die out until the stiff method costs less.
 ///
 /// The explicit method needs twelve evaluations a step, and steps of at most 6.4 over the fastest decay, whatever the tolerance
-/// is; the work of Radau IIA doubles for about a thousandth of the tolerance. Where both cost alike is measured
-/// (examples/auto.rs): at 1e-8 it is 140 times in a creeping mass (two states), 65 in a chain (eight), 55 in a hydraulic
+/// is; the work of Radau IIA more than doubles for a thousandth of the tolerance. Where both cost alike is measured
+/// (examples/auto.rs): at 1e-8 it is 140 times in a creeping mass (two states), 80 in a chain (eight), 60 in a hydraulic
 /// arm (six).
 fn even(rtol: f64) -> f64 {
     100.0 * (1e-8 / rtol).powf(0.1)
