@@ -10,7 +10,7 @@
 //! Readings: the results "are the same" only if the jack has the friction of 1000 N/(m/s) too, which Table 5 leaves out:
 //! with the 1 bar of the valve the piston comes to rest 2.1 mm further in without it. The manual prints no other number.
 
-use plm::{Dop853, Fault};
+use plm::{Dop853, Fault, Stabilise};
 
 use super::balance::{self, Ledger, RTOL};
 use super::connect_plm_hyd::{self, ConnectPlmHyd};
@@ -80,17 +80,9 @@ plm::mechanism! {
     }
 }
 
-/// The arm at rest, as in ConnectPlmHyd.
+/// The manual's stabilising run.
 fn at_rest(arm: &ConnectPlmHcd) -> Result<ConnectPlmHcd, Fault> {
-    let with = |pressure: f64| {
-        let mut arm = *arm;
-        arm.start.cap_pressure.value = pressure;
-        arm.start.line1_inlet_pressure.value = pressure;
-        arm
-    };
-    let [low, high] = [0.0, 1e5].map(|pressure| with(pressure).start().map(|sim| sim.arm_alpha()));
-    let (low, high) = (low?, high?);
-    Ok(with(1e5 * low / (low - high)))
+    Ok(arm.stabilise()?.mechanism)
 }
 
 /// The run of 4 s with and without friction, beside that of ConnectPlmHyd.

@@ -16,9 +16,9 @@
 //! needs 0.83 bar or less; here 0.5 bar. The stop is then hit so hard that oil without gas would be torn to below vacuum,
 //! which is an error that names the chamber; 0.1 % of gas keeps it whole.
 //!
-//! The pressures at rest are found from the acceleration of the arm, which is affine in the one that is not locked.
+//! The pressures at rest are those of the stabilising run, with the manual's locks.
 
-use plm::{Dop853, Fault};
+use plm::{Dop853, Fault, Stabilise};
 
 use super::balance::{self, Ledger, RTOL};
 use super::sheet::Reading::{Approximate, Rounded, Truncated};
@@ -97,17 +97,9 @@ plm::mechanism! {
     }
 }
 
-/// The arm at rest: p1 such that it does not accelerate.
+/// The manual's stabilising run: the angle and p2 are locked, and what is left finds its rest.
 pub fn at_rest(arm: &ConnectPlmHyd) -> Result<ConnectPlmHyd, Fault> {
-    let with = |pressure: f64| {
-        let mut arm = *arm;
-        arm.start.press_chamber1_pressure.value = pressure;
-        arm.start.line1_inlet_pressure.value = pressure;
-        arm
-    };
-    let [low, high] = [0.0, 1e5].map(|pressure| with(pressure).start().map(|sim| sim.arm_alpha()));
-    let (low, high) = (low?, high?);
-    Ok(with(1e5 * low / (low - high)))
+    Ok(arm.stabilise()?.mechanism)
 }
 
 /// The static run with both values of gravity, the hand calculation, and 4 s of motion with two valves.

@@ -17,7 +17,7 @@
 //! with 1 bar it hits its stop, which takes a trace of gas in the oil. "Starts at ~320 N" is a plot's reading of 335 N. So
 //! these stand beside an independent model of the same parts, and the values that bring the manual's out are added.
 
-use plm::{Dop853, Fault};
+use plm::{Dop853, Fault, Stabilise};
 
 use super::balance::{self, Ledger, RTOL};
 use super::sheet::Reading::{Approximate, Rounded, Truncated};
@@ -114,24 +114,9 @@ plm::mechanism! {
     }
 }
 
-/// The arms at rest: both p1 such that nothing accelerates. Accelerations are affine in them.
+/// The manual's stabilising run: an angle, a position and both p2 are locked.
 fn at_rest(arms: &DoubleArm) -> Result<DoubleArm, Fault> {
-    let with = |[left, right]: [f64; 2]| {
-        let mut arms = *arms;
-        let starts = &mut arms.start;
-        (starts.left_press_chamber1_pressure.value, starts.left_line1_inlet_pressure.value) = (left, left);
-        (starts.right_press_chamber1_pressure.value, starts.right_line1_inlet_pressure.value) =
-            (right, right);
-        arms
-    };
-    let accelerations = |p| with(p).start().map(|sim| [sim.arm_alpha(), sim.sliding()]);
-    let (zero, left, right) =
-        (accelerations([0.0; 2])?, accelerations([1e5, 0.0])?, accelerations([0.0, 1e5])?);
-    let [a, c] = [left[0] - zero[0], left[1] - zero[1]];
-    let [b, d] = [right[0] - zero[0], right[1] - zero[1]];
-    let det = a * d - b * c;
-    let pressures = [(b * zero[1] - d * zero[0]) / det, (c * zero[0] - a * zero[1]) / det];
-    Ok(with(pressures.map(|p| 1e5 * p)))
+    Ok(arms.stabilise()?.mechanism)
 }
 
 /// The static run with both values of gravity, and 4 s of motion with three valves.

@@ -11,7 +11,7 @@
 //! Reading: the text puts the second ground at x = +0.05 m, Table 19 at -0.05 m; the table is used, and the other value is
 //! shown beside it. The manual prints no number; the moments about the pivot give the force that balances the arm.
 
-use plm::{Dop853, Fault};
+use plm::{Dop853, Fault, Stabilise};
 
 use super::balance::{self, Ledger, RTOL};
 use super::sheet::Sheet;
@@ -46,13 +46,6 @@ plm::mechanism! {
     }
 }
 
-/// Angular acceleration at the start with a force in the spring (N), rad/s2.
-fn acceleration(foot: f64, force: f64) -> Result<f64, Fault> {
-    let mut arm = Plmemb01 { foot, ..Plmemb01::new() };
-    arm.start.push.value = force;
-    Ok(arm.start()?.arm_alpha())
-}
-
 /// M g 0.8 m over the lever of the jack about the pivot, N.
 fn by_moments(foot: f64) -> f64 {
     let lever = 0.3 * 0.25 / f64::hypot(0.3 - foot, 0.25);
@@ -63,8 +56,8 @@ fn by_moments(foot: f64) -> f64 {
 pub fn sheet() -> Result<Sheet, Fault> {
     let mut sheet = Sheet::new("PLMEMB01");
     for (foot, name) in [(-0.05, "static force, x = -0.05 m"), (0.05, "static force, x = +0.05 m")] {
-        let (none, unit) = (acceleration(foot, 0.0)?, acceleration(foot, 1.0)?);
-        sheet.theory(name, none / (none - unit), "N", by_moments(foot), 1e-6);
+        let held = Plmemb01 { foot, ..Plmemb01::new() }.stabilise()?.mechanism;
+        sheet.theory(name, held.start.push.value, "N", by_moments(foot), 1e-6);
     }
     let mut sim = Plmemb01::new().start_with(Dop853::new(RTOL))?;
     let balance = balance::run(&mut sim, (8000, 2.5e-4), |s| Ledger {

@@ -11,10 +11,10 @@
 //! Readings: 4086.32 N belongs to the body angle 0, although figure 71 shows 20 deg. The jack holds no constraint, although
 //! 4.2.1 calls it two pivots and a prismatic joint; its force is positive when it pushes. Gravity is 9.81 m/s2.
 //!
-//! The spring is SD0000: its force is a state. At the body angle 0 at rest the angular acceleration is affine in it, so
-//! that two evaluations give the force that balances the arm; with it the run stays where it is.
+//! The spring is SD0000: its force is a state. The stabilising run with the angle locked gives the force that balances the
+//! arm; with it the run stays where it is.
 
-use plm::{Dop853, Fault};
+use plm::{Dop853, Fault, Stabilise};
 
 use super::balance::{self, Ledger, RTOL};
 use super::sheet::Reading::Rounded;
@@ -48,22 +48,11 @@ plm::mechanism! {
     }
 }
 
-/// Angular acceleration at the start with a force in the spring (N), rad/s2.
-fn acceleration(force: f64) -> Result<f64, Fault> {
-    let mut arm = Plmj00::new();
-    arm.start.push.value = force;
-    Ok(arm.start()?.arm_alpha())
-}
-
 /// The static force, a run with it, and a run without.
 pub fn sheet() -> Result<Sheet, Fault> {
     let mut sheet = Sheet::new("PLMJ00");
-    let (none, unit) = (acceleration(0.0)?, acceleration(1.0)?);
-    let force = none / (none - unit);
-    sheet.manual("static force", force, "N", 4086.32, Rounded(0.005));
-
-    let mut held = Plmj00::new();
-    held.start.push.value = force;
+    let held = Plmj00::new().stabilise()?.mechanism;
+    sheet.manual("static force", held.start.push.value, "N", 4086.32, Rounded(0.005));
     let mut sim = held.start_with(Dop853::new(RTOL))?;
     sim.step(1.0)?;
     sheet.theory("body angle after 1 s", sim.arm().angle.to_degrees(), "deg", 0.0, 1e-9);

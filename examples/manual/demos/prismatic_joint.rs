@@ -14,10 +14,10 @@
 //! Reading: the manual's R = 2*0.7*sqrt(1000*20) holds 1000 where K = 10000 N/m; the printed 197.98 is used, so that the
 //! damping ratio is 0.221 rather than 0.7. The body's own angle follows the guide to 90 deg. After the manual's 1 s the
 //! mass still swings by 0.1 mm, hence a second run to its rest. SD0000 starts at 0 N ("ON"), SD000A exerts 5000 N where both
-//! displacements are zero. The stabilising run of step 6, in which only System 2 keeps its height, needs a search for
-//! equilibria.
+//! displacements are zero. In the stabilising run of step 6 only System 2 keeps its height: its force is a state, and finds what
+//! the height needs. Of the others the run says what the lock bears.
 
-use plm::{Dop853, Fault};
+use plm::{Dop853, Fault, Stabilise};
 
 use super::balance::{self, Ledger, RTOL};
 use super::sheet::Reading::{Rounded, Truncated};
@@ -119,6 +119,25 @@ pub fn sheet() -> Result<Sheet, Fault> {
     let end = sim.block().y;
     sheet.manual("dy = 20*9.81/10000", start - end, "m", 0.01962, Rounded(1e-9));
     sheet.manual("y equilibrium", end, "m", 0.98038, Rounded(1e-7));
+    stabilising(&mut sheet)?;
     sheet.balance(balance);
     Ok(sheet)
+}
+
+/// Step 6: with the heights locked, and with none locked.
+fn stabilising(sheet: &mut Sheet) -> Result<(), Fault> {
+    let weight = 20.0 * 9.81;
+    let held = Systems23::new().stabilise()?;
+    let needed = |name: &str| held.residuals.iter().find(|left| left.name == name).map_or(0.0, |left| left.value);
+    sheet.theory("System 2, locked: its lock bears", needed("second.y"), "N", 0.0, 1e-9);
+    sheet.theory("System 3, locked: its lock bears", needed("third.y"), "N", weight, 1e-9);
+    let sim = held.start()?;
+    sheet.theory("System 2, locked: y", sim.second().y, "m", 1.0, 1e-12);
+    sheet.theory("System 2, locked: force of the spring", sim.sd0000_force(), "N", weight, 1e-9);
+    let mut free = Systems23::new();
+    (free.start.second.y.locked, free.start.third.y.locked) = (false, false);
+    let sim = free.stabilise()?.start()?;
+    sheet.theory("System 2, free: y", sim.second().y, "m", 0.98038, 1e-12);
+    sheet.theory("System 3, free: y", sim.third().y, "m", 0.98038, 1e-12);
+    Ok(())
 }
