@@ -47,8 +47,12 @@ pub struct Mode {
 impl Linearisation {
     /// The eigenvalues of A, slow ones first.
     pub fn modes(&self) -> Vec<Mode> {
+        // Pressures beside angles: without balancing (B. N. Parlett, C. Reinsch, Numer. Math. 13, 1969) rounding in the
+        // largest entries would bury the slow modes.
+        let mut balanced = self.a.clone();
+        nalgebra::linalg::balancing::balance_parlett_reinsch(&mut balanced);
         let mut modes: Vec<Mode> =
-            self.a.complex_eigenvalues().iter().map(|lambda| Mode::new(*lambda)).collect();
+            balanced.complex_eigenvalues().iter().map(|lambda| Mode::new(*lambda)).collect();
         modes.sort_by(|a, b| {
             let key = |mode: &Mode| (mode.frequency, mode.eigenvalue.im);
             let ((f, p), (g, q)) = (key(a), key(b));

@@ -9,6 +9,7 @@ mod demos;
 
 mod assembly;
 mod ledger;
+mod modes;
 mod numbers;
 
 use std::sync::OnceLock;

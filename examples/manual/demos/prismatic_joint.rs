@@ -128,7 +128,8 @@ pub fn sheet() -> Result<Sheet, Fault> {
 fn stabilising(sheet: &mut Sheet) -> Result<(), Fault> {
     let weight = 20.0 * 9.81;
     let held = Systems23::new().stabilise()?;
-    let needed = |name: &str| held.residuals.iter().find(|left| left.name == name).map_or(0.0, |left| left.value);
+    let needed =
+        |name: &str| held.residuals.iter().find(|left| left.name == name).map_or(0.0, |left| left.value);
     sheet.theory("System 2, locked: its lock bears", needed("second.y"), "N", 0.0, 1e-9);
     sheet.theory("System 3, locked: its lock bears", needed("third.y"), "N", weight, 1e-9);
     let sim = held.start()?;
