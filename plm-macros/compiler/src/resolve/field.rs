@@ -61,7 +61,9 @@ impl<'a> Resolver<'a> {
             let Some(inner) = inner.and_then(|kind| self.library.get(kind)) else {
                 let (name, text) = (&definition.name.text, &part.ident.text);
                 let message = format!("the part `{name}` contains no `{text}`");
-                self.error(outer, Code::UnknownField, part.ident.span, message);
+                let known = part_names(&definition.items);
+                let diagnostic = self.error(outer, Code::UnknownField, part.ident.span, message);
+                help_similar(diagnostic, text, "part", "parts inside", &known);
                 return;
             };
             definition = inner;
@@ -94,6 +96,16 @@ fn part_named<'a>(items: &'a [Item], name: &str) -> Option<&'a str> {
         ItemKind::Repeat(repeat) => part_named(&repeat.items, name),
         _ => None,
     })
+}
+
+/// Names of the parts among items.
+fn part_names(items: &[Item]) -> Vec<&str> {
+    let names = items.iter().flat_map(|item| match &item.kind {
+        ItemKind::Instance(instance) => vec![instance.name.ident.text.as_str()],
+        ItemKind::Repeat(repeat) => part_names(&repeat.items),
+        _ => Vec::new(),
+    });
+    names.collect()
 }
 
 fn field_name(item: &ItemKind) -> Option<&str> {

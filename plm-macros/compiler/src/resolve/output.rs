@@ -70,9 +70,10 @@ impl<'a> Resolver<'a> {
 
     fn not_a_quantity(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value) -> Failed {
         let what = match found {
-            Value::Instance(_) => "one of its outputs",
-            Value::Body(_) | Value::Frame(_) => "one of its members, `position` or `angle`",
-            _ => "a quantity",
+            Value::Instance(_) => "one of its outputs".to_string(),
+            Value::Body(_) | Value::Frame(_) => "one of its members, `position` or `angle`".to_string(),
+            Value::Node(node) => format!("one of its members: {}", self.members_of_node(*node).join(", ")),
+            _ => "a quantity".to_string(),
         };
         let message = format!("an output is a number or a vector, found {}", found.kind());
         self.error(scope, Code::WrongKind, expr.span, message).help(format!("name {what}"));
