@@ -4,6 +4,7 @@ use plm_cas::Expr;
 
 use super::Resolver;
 use super::function::normal;
+use super::instance::InstanceState;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
@@ -129,12 +130,20 @@ impl<'a> Resolver<'a> {
         }))
     }
 
-    /// An output of a part in use.
+    /// An output of a part in use, or a part that it contains.
     fn output_of(&mut self, scope: ScopeId, instance: usize, member: &'a IndexedName) -> Eval<Option<Value>> {
         let key = self.key(scope, member)?;
         let inside = self.instances[instance].scope;
-        let Some(slot) = self.scopes[inside].outputs.get(key.as_ref()).copied() else { return Ok(None) };
-        self.force(slot, scope, member.ident.span).map(Some)
+        if let Some(slot) = self.scopes[inside].outputs.get(key.as_ref()).copied() {
+            return self.force(slot, scope, member.ident.span).map(Some);
+        }
+        Ok(self.part_inside(inside, &key))
+    }
+
+    /// A part that a part contains.
+    fn part_inside(&self, inside: ScopeId, key: &str) -> Option<Value> {
+        let is_it = |of: &InstanceState| self.home(of.outer) == inside && of.key == key;
+        self.instances.iter().position(is_it).map(Value::Instance)
     }
 
     fn unknown_member(&mut self, scope: ScopeId, value: &Value, member: &IndexedName) -> Failed {

@@ -20,7 +20,9 @@ fn what_acts_on_a_node_adds_up() {
                 force on b from a: (area*c.pressure, 0);
             }
             part pipe(a: oil, b: oil) {
-                flow on b from a: 2e-10 m^3/s/Pa*(a.pressure - b.pressure);
+                let q = 2e-10 m^3/s/Pa*(a.pressure - b.pressure);
+                flow on b from a: q;
+                output flow = q;
             }
             part duo() {
                 chamber left();
@@ -31,7 +33,7 @@ fn what_acts_on_a_node_adds_up() {
             duo two() { left.pressure: 3 bar; right.pressure: 9 bar, locked; }
             bore cap(ground.o, ram.p, two.port);
             pipe further(two.port, two.port);
-            output flow = 0 L/min, ram.x;
+            output between = two.between.flow, ram.x;
         }",
     );
     let mut values = Values::of(&model);
@@ -49,6 +51,7 @@ fn what_acts_on_a_node_adds_up() {
     assert_near(rates[0], 1.7e9 * (-flow - 1e-3 * 0.5) / (50e-6 + 1e-3 * 0.2), "left");
     assert_near(rates[1], 1.7e9 * flow / 50e-6, "right");
     assert_near(values.at(&model, model.loads[0].force[0]), 4e5 * 1e-3, "force");
+    assert_near(output(&model, &values, "between")[0], flow, "flow of a part inside");
     assert_near(output(&model, &values, "ram.x")[0], 0.2, "x");
 }
 
