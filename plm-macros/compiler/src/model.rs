@@ -1,7 +1,8 @@
 //! The resolved mechanism: what the front end hands to derivation.
 //!
 //! Every name is bound, every part is taken apart into constraint rows, loads, states and outputs, every quantity is
-//! in SI, and every expression stands in one [`Graph`]. Nothing after `resolve` changes a `Model`.
+//! in SI, and every expression stands in one [`Graph`]. After `resolve` a
+//! `Model` changes once: derivation puts the sides of conditions in their places.
 //!
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").

@@ -1,9 +1,10 @@
 //! From the tree to the model: names bound, units checked, parts taken apart.
 //!
-//! Two passes. `declare` walks the items in order, unrolls repetitions, opens parts, and binds every name to a value
+//! Three steps. `declare` walks the items in order, unrolls repetitions, opens parts, and binds every name to a value
 //! or to an expression that waits. Then everything that the model needs is evaluated; an expression that waits is
 //! worked out at its first use. So the order of declaration does not matter, a part may read the outputs of another,
-//! and only a true circle is an error.
+//! and only a true circle is an error. Last, rates of states and sums at nodes take the places of the symbols that stood for
+//! them (`late`).
 
 mod body;
 mod compliance;

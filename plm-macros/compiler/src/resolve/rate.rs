@@ -41,7 +41,7 @@ impl<'a> Resolver<'a> {
             reads = reads.and(Reads::ACCELERATION);
         }
         if nature.reads.has(Reads::STATE) {
-            // The rate of a state may read whatever causes motion.
+            // The rate of a state may read anything, what is not known before the motion is solved too.
             reads = reads.and(Reads::ALL);
         }
         Ok(Nature::derived(nature.dimension.over(Dimension::TIME), reads))

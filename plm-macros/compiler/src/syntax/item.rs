@@ -177,7 +177,7 @@ impl Cursor<'_> {
     fn rung(&mut self) -> Parse<ItemKind> {
         self.advance();
         self.punct(':', "`:`")?;
-        let rung = self.ident("`tree` or `absolute`")?;
+        let rung = self.ident("`tree`, `loops` or `absolute`")?;
         self.semicolon()?;
         Ok(ItemKind::Rung(rung))
     }
