@@ -27,6 +27,8 @@ pub struct Model {
     pub graph: Graph,
     /// The symbol of time, s.
     pub time: Expr,
+    /// Symbol of the largest growth of a pivot's reciprocal that does not say that its row depends on others: the scalar's.
+    pub most_growth: Expr,
     /// Gravity, m/s^2, positive downwards along -y.
     pub gravity: Expr,
     /// The rung that the user ordered, and where.

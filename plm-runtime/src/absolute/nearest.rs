@@ -5,6 +5,7 @@ use super::newton::{assembly_step, scale_columns};
 use super::{Absolute, join, split};
 use crate::linalg::largest;
 use crate::scalar::Real;
+use crate::system::Health;
 
 /// Newton steps that are enough from any stage of a step.
 const ITERATIONS: usize = 16;
@@ -49,13 +50,32 @@ pub(crate) fn smallest_pivot<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, c
     t: S,
     q: &[S; NQ],
 ) -> S {
-    let (w, mut dq) = (m.inverse_mass(), [S::ZERO; NQ]);
-    let health = m.min_norm(t, q, &w, &[S::ZERO; NC], &mut dq);
+    let health = pivots(m, t, q);
     if health.is_good() {
         return health.0;
     }
-    let mut phi_q = [[S::ZERO; NQ]; NC];
+    let (w, mut phi_q) = (m.inverse_mass(), [[S::ZERO; NQ]; NC]);
     m.phi_q(t, q, &mut phi_q);
     scale_columns(&mut phi_q, &w.map(S::sqrt));
     Independent::rows(phi_q, S::RANK_TOLERANCE).map_or(S::ZERO, |rows| rows.regularity())
+}
+
+/// By how much the joints may open where they are said to be closed, m: by `rounding`, or by what lengths that repeat each
+/// other may disagree, if some do.
+pub(crate) fn tolerated_gap<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    rounding: S,
+) -> S {
+    if pivots(m, t, q).is_good() { rounding } else { rounding.max(S::lit(8.0 * DISAGREE) * m.length()) }
+}
+
+fn pivots<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+) -> Health<S> {
+    let mut dq = [S::ZERO; NQ];
+    m.min_norm(t, q, &m.inverse_mass(), &[S::ZERO; NC], &mut dq)
 }

@@ -38,13 +38,12 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
         evaluated.dx.is_finite().then_some(evaluated)
     }
 
-    /// An accepted state, led back, and its rate; none where the constraints are not where it is: lengths that repeat each
+    /// Is a state where it was before it was led back? Otherwise the constraints are elsewhere: lengths that repeat each
     /// other disagree.
-    pub(super) fn refine(&self, t: M::S, held: &M::U, x: &[M::S; NX]) -> Option<Evaluated<M::S, NX>> {
-        let evaluated = self.evaluate(t, held, x)?;
+    pub(super) fn is_beside(&self, x: &[M::S; NX], evaluated: &Evaluated<M::S, NX>) -> bool {
         let moved: [M::S; NX] = core::array::from_fn(|i| evaluated.x[i] - x[i]);
-        let near = size(&moved, |i| self.typical_of(i) + x[i].abs()) < M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
-        near.then_some(evaluated)
+        let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
+        size(&moved, |i| self.typical_of(i) + x[i].abs()) < beside
     }
 
     /// Typical size of each number of a state.

@@ -4,9 +4,10 @@ use super::Fine;
 use super::collocation::{NODES, Polynomial, place};
 use super::equations::Equations;
 use super::size;
-use crate::absolute::{Absolute, split};
+use crate::absolute::{Absolute, split, tolerated_gap};
 use crate::linalg::largest;
 use crate::scalar::{Real, Scalar};
+use crate::twofold::Twofold;
 use crate::vector::Vector;
 
 /// Iterations for the nodes; each gains at least a digit where the step is short enough.
@@ -47,9 +48,11 @@ where
     let mut states = nodes.map(|c| guess::<_, NQ, NX>(from, rate, c * h));
     let mut before = M::S::INFINITY;
     for _ in 0..ITERATIONS {
-        let mut rates = [[M::S::ZERO; NX]; NODES];
+        let (mut rates, mut beside) = ([[M::S::ZERO; NX]; NODES], true);
         for (rate, (x, c)) in rates.iter_mut().zip(states.iter().zip(nodes)) {
-            *rate = equations.evaluate(t + c * h, held, x).ok_or(Refused::NotFound)?.dx;
+            let evaluated = equations.evaluate(t + c * h, held, x).ok_or(Refused::NotFound)?;
+            beside &= equations.is_beside(x, &evaluated);
+            *rate = evaluated.dx;
         }
         *evaluations += NODES as u64;
         let polynomial = Polynomial::of(*from, h, &rates);
@@ -66,7 +69,7 @@ where
         }
         let rounded = moved < M::S::lit(ROUNDED) && moved + moved > before;
         if moved < M::S::lit(FOUND) * M::S::EPSILON || rounded {
-            return check(equations, (t, held), polynomial);
+            return if beside { check(equations, (t, held), polynomial) } else { Err(Refused::NotFound) };
         }
         before = moved;
     }
@@ -108,11 +111,13 @@ where
     let ends = gap_at(M::S::ZERO).max(gap_at(M::S::lit(1.0)));
     let inside = (1..2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
     let gap = inside.fold(M::S::ZERO, M::S::max) - (ends + ends);
-    if gap > M::S::lit(UNDECIDED) * unit {
-        return Err(Refused::Opens(gap));
-    }
-    if gap > M::S::lit(CLOSED) * unit {
-        return Err(Refused::Undecided(gap));
+    let (fine, _) = equations.0.twofold(held);
+    let q = core::array::from_fn(|i| Twofold::of(polynomial.from[i.min(NX - 1)]));
+    let closed = Twofold::of(M::S::lit(CLOSED) * unit);
+    let closed = tolerated_gap::<_, _, NQ, NC>(&fine, Twofold::of(t), &q, closed).rounded();
+    if gap > closed {
+        let undecided = gap <= M::S::lit(UNDECIDED) * unit;
+        return Err(if undecided { Refused::Undecided(gap) } else { Refused::Opens(gap) });
     }
     let (one, end) = (M::S::lit(1.0), polynomial.at(M::S::lit(1.0)));
     let after = equations.evaluate(t + polynomial.h, held, &end).ok_or(Refused::NotFound)?;

@@ -64,10 +64,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         self.around.begin(&mut inner)?;
         self.around.advance(&mut inner)?;
         let (time, mut full) = (inner.time, inner.x);
-        let Some(evaluated) = equations.refine(time, &course.held, &full) else {
-            return Err(fault(course, here, Refused::NotFound));
-        };
-        full = evaluated.x;
+        match equations.evaluate(time, &course.held, &full) {
+            Some(evaluated) if equations.is_beside(&full, &evaluated) => full = evaluated.x,
+            _ => return Err(fault(course, here, Refused::NotFound)),
+        }
         self.over = None;
         self.arrive(course, time, &full);
         Ok(())
@@ -133,7 +133,7 @@ fn fault<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 ) -> Fault {
     let cause = match refused {
         Refused::Undecided(gap) => Cause::Undecided { gap: gap.to_f64() },
-        Refused::Opens(_) | Refused::NotFound => Cause::Flat,
+        Refused::Opens(g) => Cause::Undecided { gap: -g.to_f64() }, Refused::NotFound => Cause::Flat,
     };
     Fault::of_part(course.time.to_f64(), course.system.flat_part(course.time, &here.full), cause)
 }
@@ -152,11 +152,14 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         course.stats.near_singular += 1;
         let equations = Equations(*course.system);
         let full = course.system.full(course.time, &course.held, &course.x);
-        let evaluated = equations.refine(course.time, &course.held, &full);
+        let evaluated = equations.evaluate(course.time, &course.held, &full);
         let here = Here { equations, full, evaluated };
         let Some(evaluated) = &here.evaluated else {
             return self.leave(course, &here);
         };
+        if !equations.is_beside(&full, evaluated) {
+            return Err(fault(course, &here, Refused::NotFound));
+        }
         let ahead = Ahead::of(&equations, (course.time, &course.held), evaluated);
         let (longest, rest) = (ahead.longest_step(), course.end - course.time);
         match ahead.flat().filter(|_| rest > longest) {

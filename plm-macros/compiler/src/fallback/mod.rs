@@ -50,6 +50,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         docs: mechanism.docs.clone(),
         crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
         time: graph.symbol("t"),
+        most_growth: graph.symbol("most_growth"),
         gravity: graph.zero(),
         rung: None,
         stabilisation: Stabilisation::Projection,
