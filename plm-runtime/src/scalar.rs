@@ -30,6 +30,9 @@ pub trait Scalar:
     /// With the ratio r such a solution is good to about eps / r, the one by rank to eps / sqrt(r). At
     /// r = eps^(1/3) the first still has two thirds of all digits, which no step of usual accuracy notices.
     const HEALTHY: f64;
+    /// Largest ratio of a diagonal entry to its pivot; a row beyond it depends on others and is left out. Where numbers are
+    /// as exact as the lengths, rounding cannot be told from a singular pose, and none is.
+    const MOST_GROWTH: f64 = f64::INFINITY;
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;

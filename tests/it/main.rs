@@ -24,3 +24,4 @@ mod rungs;
 mod scenes;
 mod sides;
 mod starts;
+mod twofold;

@@ -77,7 +77,7 @@ mod tests {
     /// m 2^e of a number, with an odd or even integer m of at most 53 bits.
     fn integer(x: f64) -> (i128, i32) {
         let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32;
-        let fraction = (x.to_bits() & ((1 << 52) - 1)) as i128;
+        let fraction = i128::from(x.to_bits() & ((1 << 52) - 1));
         let (m, e) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
         (if x < 0.0 { -m } else { m }, e)
     }
@@ -86,7 +86,9 @@ mod tests {
     fn scaled(x: f64, shift: i32) -> i128 {
         let (m, e) = integer(x);
         let shift = e + shift;
-        if shift >= 0 {
+        if m == 0 {
+            0
+        } else if shift >= 0 {
             m << shift
         } else {
             assert_eq!(m & ((1 << -shift) - 1), 0, "{x:e} has digits below 2^{shift}");

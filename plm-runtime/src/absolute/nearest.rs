@@ -1,18 +1,16 @@
 //! The state on the constraints that is nearest to one beside them, as exactly as the numbers can tell.
 
-use super::independent::Independent;
-use super::newton::{assembly_step, scale_columns};
+use super::newton::assembly_step;
 use super::{Absolute, join, split};
 use crate::linalg::largest;
 use crate::scalar::Real;
-use crate::system::Health;
 
 /// Newton steps that are enough from any stage of a step.
 const ITERATIONS: usize = 16;
 /// A gap of so many units in the last place of the mechanism's size is closed.
 const CLOSED: f64 = 1e4;
 /// Lengths that repeat each other may disagree so that they leave gaps of this part of the mechanism's length.
-const DISAGREE: f64 = 5e-11;
+const DISAGREE: f64 = 1e-9;
 
 /// Leads a state [q, v, first-order states] onto phi = 0 and phi_q v = nu by the shortest way in the metric of the masses;
 /// false where no way is found.
@@ -43,39 +41,12 @@ pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
     false
 }
 
-/// The smallest pivot of `phi_q M^-1 phi_q^T` at a pose, which vanishes where the rank drops. Where rows always depend on
-/// each other, it is that of independent ones.
+/// The smallest pivot of `phi_q M^-1 phi_q^T` at a pose over its diagonal entry, which vanishes where the rank drops.
 pub(crate) fn smallest_pivot<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     q: &[S; NQ],
 ) -> S {
-    let health = pivots(m, t, q);
-    if health.is_good() {
-        return health.0;
-    }
-    let (w, mut phi_q) = (m.inverse_mass(), [[S::ZERO; NQ]; NC]);
-    m.phi_q(t, q, &mut phi_q);
-    scale_columns(&mut phi_q, &w.map(S::sqrt));
-    Independent::rows(phi_q, S::RANK_TOLERANCE).map_or(S::ZERO, |rows| rows.regularity())
-}
-
-/// By how much the joints may open where they are said to be closed, m: by `rounding`, or by what lengths that repeat each
-/// other may disagree, if some do.
-pub(crate) fn tolerated_gap<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
-    m: &M,
-    t: S,
-    q: &[S; NQ],
-    rounding: S,
-) -> S {
-    if pivots(m, t, q).is_good() { rounding } else { rounding.max(S::lit(8.0 * DISAGREE) * m.length()) }
-}
-
-fn pivots<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
-    m: &M,
-    t: S,
-    q: &[S; NQ],
-) -> Health<S> {
     let mut dq = [S::ZERO; NQ];
-    m.min_norm(t, q, &m.inverse_mass(), &[S::ZERO; NC], &mut dq)
+    m.min_norm(t, q, &m.inverse_mass(), &[S::ZERO; NC], &mut dq).0
 }

@@ -30,9 +30,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
             return None;
         }
         let mut dx = x;
-        if !M::accelerate(&fine, t, &inputs, &x, &mut dx) {
-            return None;
-        }
+        M::accelerate(&fine, t, &inputs, &x, &mut dx);
         let rounded = |x: [Twofold<M::S>; NX]| core::array::from_fn(|i| x[i].rounded());
         let evaluated = Evaluated { x: rounded(x), dx: rounded(dx) };
         evaluated.dx.is_finite().then_some(evaluated)

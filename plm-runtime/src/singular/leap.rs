@@ -4,10 +4,9 @@ use super::Fine;
 use super::collocation::{NODES, Polynomial, place};
 use super::equations::Equations;
 use super::size;
-use crate::absolute::{Absolute, split, tolerated_gap};
+use crate::absolute::{Absolute, split};
 use crate::linalg::largest;
 use crate::scalar::{Real, Scalar};
-use crate::twofold::Twofold;
 use crate::vector::Vector;
 
 /// Iterations for the nodes; each gains at least a digit where the step is short enough.
@@ -110,12 +109,8 @@ where
     // Lengths that repeat each other may disagree everywhere.
     let ends = gap_at(M::S::ZERO).max(gap_at(M::S::lit(1.0)));
     let inside = (1..2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
-    let gap = inside.fold(M::S::ZERO, M::S::max) - (ends + ends);
-    let (fine, _) = equations.0.twofold(held);
-    let q = core::array::from_fn(|i| Twofold::of(polynomial.from[i.min(NX - 1)]));
-    let closed = Twofold::of(M::S::lit(CLOSED) * unit);
-    let closed = tolerated_gap::<_, _, NQ, NC>(&fine, Twofold::of(t), &q, closed).rounded();
-    if gap > closed {
+    let gap = inside.fold(M::S::ZERO, M::S::max) - M::S::lit(10.0) * ends;
+    if gap > M::S::lit(CLOSED) * unit {
         let undecided = gap <= M::S::lit(UNDECIDED) * unit;
         return Err(if undecided { Refused::Undecided(gap) } else { Refused::Opens(gap) });
     }

@@ -23,13 +23,13 @@ mod near;
 
 pub use self::near::Near;
 
+use crate::Absolute;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::method::{Course, Method};
 use crate::scalar::Real;
 use crate::system::Drift;
 use crate::twofold::Twofold;
-use crate::Absolute;
 
 /// A method that takes over from another one near singular poses.
 pub trait Rescue<M: Mechanism>: Method<M> {
@@ -61,14 +61,14 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
     /// The mechanism and what it holds over a step.
     fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs);
 
-    /// The rate `dx` of a state that satisfies the constraints; false where the equations have no solution.
+    /// The rate `dx` of a state that satisfies the constraints; not finite where the equations have no solution.
     fn accelerate(
         fine: &Self::Twofold,
         t: Twofold<Self::S>,
         u: &Self::Inputs,
         x: &[Twofold<Self::S>; NX],
         dx: &mut [Twofold<Self::S>; NX],
-    ) -> bool;
+    );
 
     /// Is the mechanism held in absolute coordinates?
     fn is_near(held: &Self::U) -> bool;

@@ -5,7 +5,9 @@ use super::collocation::Polynomial;
 use super::equations::{Equations, Evaluated};
 use super::leap::{Refused, leap};
 use super::{Fine, Rescue};
+use crate::absolute::{Absolute, split};
 use crate::fault::{Cause, Fault};
+use crate::linalg::largest;
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
@@ -41,6 +43,14 @@ struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usi
     equations: Equations<M, NQ, NC, NX>,
     full: [M::S; NX],
     evaluated: Option<Evaluated<M::S, NX>>,
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
+    /// By how much the joints are open.
+    fn gap(&self, time: M::S) -> M::S {
+        let (q, _) = split::<_, NX, NQ>(&self.full);
+        largest(&Absolute::phi(&self.equations.0, time, &q))
+    }
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Near<M, NQ, NC, NX> {
@@ -131,9 +141,12 @@ fn fault<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     here: &Here<M, NQ, NC, NX>,
     refused: Refused<M::S>,
 ) -> Fault {
+    let moves = (NQ..2 * NQ)
+        .any(|i| here.full[i.min(NX - 1)].abs() > M::S::EPSILON * here.equations.typical_of(i - NQ));
     let cause = match refused {
-        Refused::Undecided(gap) => Cause::Undecided { gap: gap.to_f64() },
-        Refused::Opens(g) => Cause::Undecided { gap: -g.to_f64() }, Refused::NotFound => Cause::Flat,
+        Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
+        Refused::NotFound if moves => Cause::Undecided { gap: here.gap(course.time).to_f64() },
+        Refused::NotFound => Cause::Flat,
     };
     Fault::of_part(course.time.to_f64(), course.system.flat_part(course.time, &here.full), cause)
 }
@@ -232,12 +245,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
 {
     fn new() -> Self {
         let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
-        Self {
-            around: Embedded::new(M::S::lit(tolerance)),
-            over: None,
-            passed: None,
-            tried: M::S::INFINITY,
-        }
+        Self { around: Embedded::new(M::S::lit(tolerance)), over: None, passed: None, tried: M::S::INFINITY }
     }
 
     fn holds(held: &M::U) -> bool {

@@ -10,7 +10,7 @@
 //!     a * a - b * b
 //! }
 //! let (a, b) = (94_906_267.0, 94_906_266.0);
-//! assert_eq!(difference_of_squares(a, b), 189_812_534.0); // one too many
+//! assert_eq!(difference_of_squares(a, b), 189_812_532.0); // one too few
 //! let [a, b] = [a, b].map(Twofold::of);
 //! assert_eq!(difference_of_squares(a, b).rounded(), 189_812_533.0);
 //! ```
@@ -35,9 +35,9 @@ use crate::scalar::Real;
 /// The number `high + low`, where `high` is that sum rounded to `S`.
 ///
 /// With `f64` it has about 31 digits, with `f32` about 14 (and no operation computes in `f64`). Errors are below a few
-/// units of [`Real::EPSILON`], 2^-104 and 2^-46, as long as low words are normal numbers: for results from about 1e-270
-/// (`f32`: 1e-22) to the largest number. Nearer to zero precision fades to that of `S`. Each operation has the same bits
-/// everywhere.
+/// units of [`Real::EPSILON`], 2^-104 and 2^-46, as long as low words are normal numbers: for arguments and results from
+/// about 1e-270 (`f32`: 1e-22) to a quarter of the largest number. Outside precision fades to that of `S`. Each operation
+/// has the same bits everywhere, unless the feature `fma` is on.
 ///
 /// Largest errors in units of `EPSILON` times the result, of 20 000 random and hard arguments for each function:
 ///
@@ -57,8 +57,8 @@ use crate::scalar::Real;
 /// | exp | 0.24 | 0.25 | 0.4 |
 /// | ln | 0.68 | 0.72 | 1.1 |
 ///
-/// Angles may be as large as 2^50 (`f32`: 2^21); the sine of a larger one is not a number. Next to a zero at a multiple k
-/// of pi/2 sines and cosines have the absolute error k 2^-212 (`f32`: k 2^-97) too.
+/// Angles may be as large as 2^50 (`f32`: 2^21); the sine of a larger one is not a number. After k quarter turns the angle
+/// itself is uncertain by k 2^-212 (`f32`: k 2^-96), which counts where a sine or cosine is nearly zero.
 ///
 /// Infinities, zeros with their signs and NaN are those that `S` gives for the high words.
 ///

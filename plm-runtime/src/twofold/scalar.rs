@@ -7,7 +7,8 @@ impl<S: Real> Scalar for Twofold<S> {
     type Mask = bool;
 
     /// What repeats itself but for rounding of the lengths in `S` stays below.
-    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-7;
+    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
+    const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
 
     /// The constant `x`, with 48 of its 53 bits where the words are of `f32`.
     #[inline]

@@ -24,3 +24,4 @@ mod resume;
 mod ros34pw2;
 mod single;
 mod smooth;
+mod twofold;

@@ -16,19 +16,6 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
     let name = &emission.name;
     let (nq, nc, nx) = sizes(emission);
     let length = 2 * nq + nx;
-    let first_order = if nx == 0 {
-        String::new()
-    } else {
-        format!(
-            "            let mut x_dot = [rt::Twofold::<S>::lit(0.0); {nx}];
-            fine.x_dot(t, u, x, &mut x_dot);
-            for (rate, value) in dx.iter_mut().skip({}).zip(x_dot) {{
-                *rate = value;
-            }}
-",
-            2 * nq
-        )
-    };
     push(
         text,
         format_args!(
@@ -48,16 +35,9 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
             u: &Self::Inputs,
             x: &[rt::Twofold<S>; {length}],
             dx: &mut [rt::Twofold<S>; {length}],
-        ) -> bool {{
+        ) {{
             let mut lambda = [rt::Twofold::<S>::lit(0.0); {nc}];
-            let health = fine.dynamics(t, u, x, dx, &mut lambda);
-            if rt::Health(health).is_good() {{
-                return true;
-            }}
-            let Ok(solution) = fine.accelerate(t, u, x) else {{ return false }};
-            let (_, v): ([rt::Twofold<S>; {nq}], [rt::Twofold<S>; {nq}]) = absolute::split(x);
-            absolute::join(&v, &solution.a, dx);
-{first_order}            true
+            fine.dynamics(t, u, x, dx, &mut lambda);
         }}
         fn is_near(held: &Self::U) -> bool {{
             rt::charts::is_free::<Self>(held)

@@ -82,8 +82,7 @@ impl Elimination<'_> {
     fn kept(&mut self, pivot: usize, most: Expr, [reciprocal, growth]: [Expr; 2]) -> [Expr; 2] {
         let growth = self.define(&format!("growth_{pivot}"), growth);
         let (depends, zero) = (self.graph.less(most, growth), self.graph.zero());
-        let [reciprocal, growth] =
-            [reciprocal, growth].map(|value| self.graph.select(depends, zero, value));
+        let [reciprocal, growth] = [reciprocal, growth].map(|value| self.graph.select(depends, zero, value));
         [self.define(&format!("kept_{pivot}"), reciprocal), growth]
     }
 

@@ -40,7 +40,7 @@ impl<'a> Resolver<'a> {
             crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
             graph: self.graph,
             time: self.time,
-            most_growth: self.graph.symbol("most_growth"),
+            most_growth: self.most_growth,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
             rung: self.rung.and_then(|rung| Some((Rung::named(&rung.text)?, rung.span))),

@@ -87,6 +87,7 @@ struct Resolver<'a> {
     too_many: bool,
 
     time: Expr,
+    most_growth: Expr,
     gravity: SlotId,
     gravity_is_declared: bool,
     stabilisation: Option<(&'a ast::Ident, Option<&'a ast::Expr>)>,
@@ -159,6 +160,7 @@ impl<'a> Resolver<'a> {
     fn new(library: &'a Library, files: &'a Files, sink: &'a mut Diagnostics) -> Resolver<'a> {
         let mut graph = Graph::new();
         let time = graph.symbol("t");
+        let most_growth = graph.symbol("most_growth");
         let directions = BTreeMap::from([(time, graph.one())]);
         Resolver {
             graph,
@@ -171,6 +173,7 @@ impl<'a> Resolver<'a> {
             turns: 0,
             too_many: false,
             time,
+            most_growth,
             gravity: 0,
             gravity_is_declared: false,
             stabilisation: None,
