@@ -81,6 +81,9 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     if sink.has_errors() {
         return Expansion::default();
     }
+    let length =
+        report::length(&lowered.model, &lowered.graph, &check::defaults(&lowered.model, &lowered.graph));
+    check::check_pairs(&lowered.model, &lowered.equations, &lowered.graph, length, sink);
     if let (Some((rung @ (Rung::Tree | Rung::Loops), span)), Err(reason)) =
         (lowered.model.rung, &lowered.reduced)
     {

@@ -9,6 +9,7 @@
 
 use plm_cas::{Expr, Graph};
 
+use crate::diag::Use;
 use crate::span::Span;
 use crate::units::DisplayUnit;
 
@@ -62,6 +63,15 @@ pub struct Model {
     pub files: Vec<String>,
     /// Warning codes that the declaration allows, e.g. `W0002`.
     pub allowed: Vec<String>,
+}
+
+/// A place in a declaration or in the definition of a part.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// Where it stands.
+    pub span: Span,
+    /// Inside a part: the uses that lead there, from the declaration inwards.
+    pub uses: Vec<Use>,
 }
 
 /// A name and where it stands.
@@ -218,6 +228,8 @@ pub struct Part {
     pub kind: String,
     /// Its kinematic pair, if the definition states one.
     pub pair: Option<Pair>,
+    /// Where its definition states the pair.
+    pub declared: Option<Declared>,
     /// The frames that it joins, in the order of its arguments.
     pub frames: Vec<FrameRef>,
 }
@@ -257,6 +269,8 @@ pub struct Row {
     pub lambda: Expr,
     /// Where the constraint stands: the joint in the declaration.
     pub span: Span,
+    /// Where it was written: the equation, of a joint in its definition.
+    pub declared: Declared,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
 }

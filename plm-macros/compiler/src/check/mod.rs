@@ -1,7 +1,9 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
+mod pairs;
 mod pseudo_inverse;
+mod random;
 mod rank;
 mod start;
 mod verdict;
@@ -9,6 +11,7 @@ mod verdict;
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use pairs::check_pairs;
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};

@@ -169,6 +169,7 @@ impl<'a> Resolver<'a> {
     fn finish_rows(&mut self) -> Eval<Vec<Row>> {
         all((0..self.rows.len()).map(|row| {
             let residual = self.row(row)?;
+            let declared = self.row_declared(row);
             let state = &self.rows[row];
             Ok(Row {
                 name: state.name.clone(),
@@ -176,6 +177,7 @@ impl<'a> Resolver<'a> {
                 phi: residual.phi,
                 lambda: state.lambda,
                 span: state.span,
+                declared,
                 unit: DisplayUnit::si(residual.dimension),
             })
         }))
