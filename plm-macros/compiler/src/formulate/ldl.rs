@@ -95,11 +95,12 @@ impl Elimination<'_> {
         atom
     }
 
-    /// The larger of `worst` and `|diagonal / pivot|`.
+    /// The larger of `worst` and `|diagonal / pivot|`. A pivot of zero stands for good: `max` gives its second argument
+    /// where one of both is NaN, as growths of later pivots may be.
     fn worse(&mut self, worst: Option<Expr>, diagonal: Expr, reciprocal: Expr) -> Expr {
         let growth = self.graph.mul(diagonal, reciprocal);
         let growth = self.graph.abs(growth);
-        worst.map_or(growth, |worst| self.graph.max(worst, growth))
+        worst.map_or(growth, |worst| self.graph.max(growth, worst))
     }
 }
 
