@@ -51,14 +51,28 @@ impl Oracle {
     }
 
     /// What each chart of the rung that was taken makes of a state in absolute coordinates, `x` as in
-    /// [`Oracle::dynamics`]; nothing on rung 5, and no chart for what is no loop's.
+    /// [`Oracle::dynamics`]; nothing on rung 5.
     pub fn charts(&self, time: f64, x: &[f64]) -> Vec<InChart> {
         let Some(reduced) = &self.reduced else { return Vec::new() };
         reduced.charts.iter().filter_map(|chart| self.in_chart(reduced, chart, time, x)).collect()
     }
 
+    /// Accelerations of all bodies at a state in absolute coordinates, by the joint coordinates of a mechanism without loops.
+    pub fn accelerations(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
+        let chart = self.reduced.as_ref()?.first()?;
+        let reactions = chart.reactions.as_ref()?;
+        let mut state = self.run(&chart.project, time, x);
+        state.extend_from_slice(x.get(2 * self.equations.q.len()..)?);
+        let symbols: Vec<Expr> =
+            chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x).copied().collect();
+        let mut accelerations = self.run_at(reactions, time, &symbols, &state);
+        accelerations.truncate(self.equations.q.len());
+        Some(accelerations)
+    }
+
     fn in_chart(&self, reduced: &Reduced, chart: &Chart, time: f64, x: &[f64]) -> Option<InChart> {
-        let mut remembered = self.run(chart.survey.as_ref()?, time, x);
+        let survey = chart.survey.as_ref().map(|survey| self.run(survey, time, x));
+        let mut remembered = survey.unwrap_or_else(|| vec![1.0]);
         let square = remembered.pop()?;
         if let Some(precision) = remembered.last_mut().filter(|_| reduced.iterates()) {
             *precision = f64::EPSILON;

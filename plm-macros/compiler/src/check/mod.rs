@@ -9,6 +9,8 @@ mod regular;
 mod start;
 mod verdict;
 
+use std::collections::BTreeSet;
+
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
@@ -36,6 +38,12 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
     }
     for load in &model.loads {
         reached[load.body] = true;
+    }
+    // A constraint of its own joins no frames.
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let held: BTreeSet<Expr> = model.graph.symbols(&rows).into_iter().collect();
+    for (reached, body) in reached.iter_mut().zip(&model.bodies) {
+        *reached |= body.q.iter().any(|coordinate| held.contains(coordinate));
     }
     for (body, _) in model.bodies.iter().zip(&reached).filter(|(_, reached)| !**reached) {
         let name = &body.name.text;
