@@ -38,6 +38,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     let reading = front::read(sources, &mut sink);
     let mut expansion = match reading.model(&mut sink) {
         Some(model) => {
+            check::check_names(&model, &mut sink);
             let (model, observed) = apart(&reading, model);
             back_end(model, observed, &mut sink)
         }

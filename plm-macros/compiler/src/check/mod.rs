@@ -1,6 +1,7 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
+mod names;
 mod pairs;
 mod pseudo_inverse;
 mod random;
@@ -14,6 +15,7 @@ use std::collections::BTreeSet;
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
 pub(crate) use regular::freedom;
 

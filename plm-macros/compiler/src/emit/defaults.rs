@@ -145,7 +145,7 @@ fn start_input(text: &mut String, emission: &Emission) {
         entries.push("none: core::marker::PhantomData".to_owned());
     }
     if !model.sides.is_empty() {
-        entries.push(format!("side: [S::lit(1.0); {}]", model.sides.len()));
+        entries.push(format!("side_: [S::lit(1.0); {}]", model.sides.len()));
     }
     push(text, format_args!("            Input {{ {} }}\n        }}\n    }}\n\n", entries.join(", ")));
 }

@@ -12,7 +12,7 @@ mod docs;
 mod linear;
 mod lines;
 mod mechanism;
-mod names;
+pub(crate) mod names;
 mod outputs;
 mod pictures;
 mod piece;
@@ -82,8 +82,9 @@ pub(crate) struct Fields {
     pub(crate) outputs: Vec<String>,
 }
 
-/// Methods of the emitted state that no body or output may take.
-const STATE_METHODS: &[&str] = &[
+/// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
+/// every type has.
+pub(crate) const METHODS: &[&str] = &[
     "time",
     "kinetic_energy",
     "gravity_energy",
@@ -97,21 +98,40 @@ const STATE_METHODS: &[&str] = &[
     "starts",
     "find",
     "observed",
+    "step",
+    "run",
+    "settle",
+    "drift",
+    "state",
+    "method",
+    "method_mut",
+    "stats",
+    "notice",
+    "stop_at_change_points",
+    "watch_energy",
+    "save",
+    "resume",
+    "clone",
+    "clone_from",
+    "into",
+    "try_into",
+    "to_owned",
 ];
 
 impl Fields {
     pub(crate) fn new(model: &Model) -> Fields {
         let mut params = names::Names::with_reserved(&["start"]);
         let mut inputs = names::Names::default();
-        let mut starts = names::Names::with_reserved(STATE_METHODS);
-        let bodies: Vec<String> = model.bodies.iter().map(|body| starts.unique(&body.name.text)).collect();
-        let mut accessors = starts.clone();
+        let mut accessors = names::Names::with_reserved(METHODS);
+        let bodies: Vec<String> = model.bodies.iter().map(|body| accessors.unique(&body.name.text)).collect();
+        let taken: Vec<&str> = bodies.iter().map(String::as_str).collect();
+        let mut starts = names::Names::with_reserved(&taken);
         Fields {
             params: model.params.iter().map(|param| params.unique(&param.name.text)).collect(),
             inputs: model.inputs.iter().map(|input| inputs.unique(&input.name.text)).collect(),
-            bodies,
             states: model.states.iter().map(|state| starts.unique(&state.name.text)).collect(),
             outputs: model.outputs.iter().map(|output| accessors.unique(&output.name.text)).collect(),
+            bodies,
         }
     }
 }
@@ -251,7 +271,7 @@ impl Emission<'_> {
             bindings.insert(declared.symbol, format!("{input}.{field}"));
         }
         for (k, side) in model.sides.iter().enumerate() {
-            bindings.insert(side.symbol, format!("{input}.side[{k}]"));
+            bindings.insert(side.symbol, format!("{input}.side_[{k}]"));
         }
         bindings.insert(model.time, time.to_owned());
         let nq = equations.q.len();
