@@ -83,16 +83,13 @@ pub(crate) struct Fields {
 }
 
 /// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
-/// every type has.
+/// every type has. What is not for users ends in `_`, as no name of theirs does.
 pub(crate) const METHODS: &[&str] = &[
     "time",
     "kinetic_energy",
     "gravity_energy",
     "load_power",
     "outputs",
-    "pose",
-    "absolute",
-    "solved",
     "undetermined",
     "branches",
     "starts",
@@ -247,7 +244,7 @@ impl Emission<'_> {
 
     /// The line that gives an accessor of `State` the pose, where that is not the state itself.
     pub(crate) fn pose_line(&self) -> &'static str {
-        if self.reduced.is_some() { "            let (q, v) = self.pose();\n" } else { "" }
+        if self.reduced.is_some() { "            let (q, v) = self.pose_();\n" } else { "" }
     }
 
     /// Source text of the parameters, where `self` is the mechanism.

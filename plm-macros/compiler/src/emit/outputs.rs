@@ -79,7 +79,7 @@ fn user_output(text: &mut String, emission: &Emission, bindings: &lines::Binding
     }
     push(text, format_args!("        pub fn {name}(&self) -> {kind} {{\n"));
     if laid_out.solves {
-        text.push_str("            let (a, lambda) = self.solved();\n");
+        text.push_str("            let (a, lambda) = self.solved_();\n");
     }
     if count > 1 {
         push(text, format_args!("            let mut value = [S::lit(0.0); {count}];\n"));
