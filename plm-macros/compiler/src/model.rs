@@ -126,8 +126,11 @@ pub struct Param {
     pub name: Name,
     /// Its symbol.
     pub symbol: Expr,
-    /// Its default, an expression without other symbols than earlier parameters.
+    /// Its default, an expression without other symbols than earlier parameters; 1 in SI units where there is none, for what
+    /// is tried before it is known.
     pub default: Expr,
+    /// Has it no default, so that whoever makes the mechanism must say it?
+    pub required: bool,
     /// Unit that it was declared in.
     pub unit: DisplayUnit,
     /// Documentation lines.
@@ -319,6 +322,12 @@ pub struct Side {
 }
 
 impl Model {
+    /// Does an expression read a parameter without a default?
+    pub fn reads_required(&self, graph: &Graph, expr: Expr) -> bool {
+        let read = graph.symbols(&[expr]);
+        self.params.iter().any(|param| param.required && read.contains(&param.symbol))
+    }
+
     /// Number of sides that depend on the state.
     pub fn guards(&self) -> usize {
         self.sides.iter().filter(|side| side.instant.is_none()).count()

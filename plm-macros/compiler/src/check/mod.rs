@@ -95,6 +95,9 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
         let inertia = ("inertia", body.inertia, body.inertia_span, "kg*m^2");
         for (what, expr, span, unit) in [mass, inertia] {
             let found = value(graph, expr, values);
+            if model.reads_required(graph, expr) {
+                continue;
+            }
             if !(found > 0.0 && found.is_finite()) {
                 let name = &body.name.text;
                 let message =

@@ -64,14 +64,15 @@ impl<'a> Resolver<'a> {
     fn finish_params(&mut self) -> Eval<Vec<Param>> {
         let states = std::mem::take(&mut self.params);
         all(states.into_iter().map(|state| {
-            let default = self.default_of(&state)?;
+            let required = state.ast.value.is_none();
+            let default = if required { self.graph.one() } else { self.default_of(&state)? };
             if self.graph.symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
                 let message =
                     format!("the default of `{}` reads a parameter that stands below it", state.name.text);
                 self.error(state.scope, Code::NotConstant, state.name.span, message);
             }
             let docs = state.docs.to_vec();
-            Ok(Param { name: state.name, symbol: state.symbol, default, unit: state.unit, docs })
+            Ok(Param { name: state.name, symbol: state.symbol, default, required, unit: state.unit, docs })
         }))
     }
 
