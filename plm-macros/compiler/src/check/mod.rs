@@ -129,7 +129,8 @@ pub(crate) fn check_assembly(
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
     report.add_assembly(model, equations, found, &turns);
-    report.add_measures(&measures(reduced, graph, &found.values(equations, &values)));
+    let measured = measures(reduced, graph, &found.values(equations, &values));
+    report.add_measures(&measured, reduced, graph);
     if has_parameters(model, graph) {
         return;
     }

@@ -1,10 +1,11 @@
-//! Every formulation has as many freedoms as the mechanism: its coordinates less the rank of its constraints, which is
+//! What is chosen at compile time holds. Every formulation has as many freedoms as the mechanism: its coordinates less the rank of its constraints, which is
 //! worked out here once more, from the residuals' rates alone.
 //!
 //! Random mechanisms with redundant rows of all kinds. `PLM_SWEEP=10000 PLM_SEED=7 cargo test -p plm-compiler --test freedom`
 //! tries more of them, or others.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod charts;
 mod free_bodies;
 mod scene;
 
