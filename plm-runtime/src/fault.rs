@@ -53,6 +53,11 @@ pub enum Cause {
     Flat,
     /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there.
     ChangePoint,
+    /// The lengths of a loop differ so little from those with which it could go on in several ways that rounding decides.
+    Undecided {
+        /// The difference, m.
+        gap: f64,
+    },
     /// The energy jumped by what no force has done.
     EnergyJump {
         /// By how much, J.
@@ -176,6 +181,11 @@ impl fmt::Display for Cause {
                 "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
             ),
             Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
+            Self::Undecided { gap } => write!(
+                f,
+                "its loop comes to lie in one line but for a difference of {gap:.1e} m in its lengths: so little that \
+                 rounding decides which way it goes on; make the lengths equal, or differ by more"
+            ),
             Self::EnergyJump { by, of } => {
                 write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
             }

@@ -13,10 +13,12 @@
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
+//! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
 //! | [`ports`] | inputs and outputs by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`twofold`] | numbers of twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
@@ -41,9 +43,11 @@ mod operations;
 pub mod ports;
 pub mod scalar;
 pub mod sim;
+pub mod singular;
 pub mod start;
 pub mod statics;
 pub mod system;
+pub mod twofold;
 pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
@@ -62,4 +66,5 @@ pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, System};
+pub use twofold::Twofold;
 pub use vector::Vector;

@@ -4,6 +4,7 @@ use crate::fault::Fault;
 use crate::method::{Dop853, Method};
 use crate::scalar::Real;
 use crate::sim::Sim;
+use crate::singular::Rescue;
 use crate::system::System;
 
 /// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.
@@ -39,6 +40,8 @@ pub trait Moment: Copy {
 pub trait Mechanism: System<S: Real> + Copy {
     /// The generated readable state.
     type State: Moment<M = Self>;
+    /// How it goes on near singular poses.
+    type Rescue: Rescue<Self>;
 
     /// The assembled state at the time `t`, with the inputs as declared.
     ///

@@ -6,6 +6,7 @@ use crate::events::Watch;
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dop853, Method};
+use crate::singular::Rescue;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, Drift, System};
 
@@ -47,6 +48,8 @@ pub struct Stats {
     pub charts: u64,
     /// Singular poses that were passed, where the mechanism could have gone on in another way.
     pub change_points: u64,
+    /// Steps near singular poses, where no chart is good: without charts and in numbers of twice the precision.
+    pub near_singular: u64,
     /// Conditions that switched, and known times that were passed.
     pub switches: u64,
     /// Longest accepted step, s.
@@ -83,7 +86,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// When the interval cannot be integrated; the state is then that of the last accepted step.
     #[inline]
     pub fn step(&mut self, dt: M::S) -> Result<(), Fault> {
-        self.advance(self.state.time() + dt, |_, _| Ok(()))
+        self.advance(self.state.time() + dt, &mut Unobserved)
     }
 
     /// Runs until the time `until` and gives a sample at the current time and after every `every`, in s.
@@ -103,21 +106,13 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         sample(&self.state);
         if !I::DENSE {
             for k in 1..=count as u64 {
-                self.advance(time_of(k), |_, _| Ok(()))?;
+                self.advance(time_of(k), &mut Unobserved)?;
                 sample(&self.state);
             }
-            return self.advance(until, |_, _| Ok(()));
+            return self.advance(until, &mut Unobserved);
         }
-        let (mut k, last) = (1, count as u64);
-        let mut moment = self.state;
-        self.advance(until, |method, course| {
-            while k <= last && time_of(k) <= course.time {
-                sample_at(method, course, time_of(k), &mut moment)?;
-                sample(&moment);
-                k += 1;
-            }
-            Ok(())
-        })
+        let mut sampler = Sampler { next: 1, last: count as u64, time_of, moment: self.state, sample };
+        self.advance(until, &mut sampler)
     }
 
     /// Projects the state onto its constraints.
@@ -190,12 +185,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         *self = snapshot.0;
     }
 
-    /// Advances to `end`; `observe` sees every accepted step.
-    fn advance(
-        &mut self,
-        end: M::S,
-        mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
-    ) -> Result<(), Fault> {
+    /// Advances to `end`; `observer` sees every accepted step.
+    fn advance(&mut self, end: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end.is_finite()) {
             return Err(self.bad_interval(end - time));
@@ -209,7 +200,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             let instant = system.next_instant(course.time, &course.held);
             let instant = instant.filter(|instant| *instant > course.time && *instant <= end);
             course.end = instant.unwrap_or(end);
-            outcome = stretch(method, &mut course, (watch, limits), &mut observe);
+            outcome = stretch(method, &mut course, (watch, limits), observer);
             if outcome.is_ok() && instant.is_some() {
                 pass(method, &mut course, watch);
             }
@@ -230,25 +221,124 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     }
 }
 
+/// Who sees the steps of a run.
+trait Observer<M: Mechanism> {
+    /// A step was accepted; what was held over it is held still.
+    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
+}
+
+/// Nobody.
+struct Unobserved;
+
+impl<M: Mechanism> Observer<M> for Unobserved {
+    #[inline]
+    fn see<I: Method<M>>(&mut self, _method: &mut I, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+/// Gives samples at even times.
+struct Sampler<M: Mechanism, T, F> {
+    /// Number of the next sample, and of the last one.
+    next: u64,
+    last: u64,
+    time_of: T,
+    moment: M::State,
+    sample: F,
+}
+
+impl<M: Mechanism, T: Fn(u64) -> M::S, F: FnMut(&M::State)> Observer<M> for Sampler<M, T, F> {
+    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        while self.next <= self.last && (self.time_of)(self.next) <= course.time {
+            sample_at(method, course, (self.time_of)(self.next), &mut self.moment)?;
+            (self.sample)(&self.moment);
+            self.next += 1;
+        }
+        Ok(())
+    }
+}
+
 /// Advances to the end of the course; no known time lies before it.
 fn stretch<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     (watch, limits): Guarded<'_, M>,
-    mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
+    observer: &mut impl Observer<M>,
 ) -> Result<(), Fault> {
     watch.begin(method, course)?;
     method.begin(course)?;
     while course.time < course.end {
-        let before = (course.time, course.x);
-        let due = watch.step(method, course)?;
-        let Some(next) = look(method, course, (watch, limits), before)? else { continue };
-        // Samples within the step belong to what was held over it.
-        observe(method, course)?;
-        next.hold(method, course);
-        watch.switch(method, course, due)?;
+        let mut outcome = Ok(());
+        if !M::Rescue::holds(&course.held) {
+            outcome = step(method, course, (watch, limits), observer);
+        }
+        if M::Rescue::holds(&course.held) || outcome.is_err() {
+            rescue(method, course, (watch, limits), (outcome, observer))?;
+        }
     }
     Ok(())
+}
+
+/// One step; it may be refused, and is not made then.
+#[inline]
+fn step<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    observer: &mut impl Observer<M>,
+) -> Result<(), Fault> {
+    let before = (course.time, course.x);
+    let due = watch.step(method, course)?;
+    let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
+    // Samples within the step belong to what was held over it.
+    observer.see(method, course)?;
+    next.hold(method, course);
+    watch.switch(method, course, due)
+}
+
+/// Steps near singular poses, until the mechanism's own coordinates are regular again; also where they are said to be
+/// singular by what a step has led to.
+#[cold]
+fn rescue<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    (failed, observer): (Result<(), Fault>, &mut impl Observer<M>),
+) -> Result<(), Fault> {
+    if let Err(fault) = failed {
+        if !(is_singular(&fault) && M::Rescue::take(course)) {
+            return Err(fault);
+        }
+        watch.forget();
+        watch.begin(method, course)?;
+    }
+    let mut rescue = M::Rescue::new();
+    while course.time < course.end && M::Rescue::holds(&course.held) {
+        let before = (course.time, course.held, course.x);
+        let outcome = step(&mut rescue, course, (&mut *watch, limits), observer);
+        // The cause is that which the mechanism's own coordinates tell.
+        outcome.map_err(|fault| failed.err().map_or(fault, |cause| Fault { time: fault.time, ..cause }))?;
+        if let Some(part) = rescue.passed() {
+            if limits.change_points {
+                let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);
+                (course.time, course.held, course.x) = before;
+                return Err(fault);
+            }
+            course.stats.change_points += 1;
+        }
+    }
+    method.restart();
+    method.begin(course)
+}
+
+/// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
+fn is_singular(fault: &Fault) -> bool {
+    use Cause::{Locked, NotConverged, NotFinite, Singular, StepTooSmall, TurnedTooFar};
+    let cause = &fault.cause;
+    matches!(
+        cause,
+        Locked | TurnedTooFar { .. } | StepTooSmall { .. } | NotConverged { .. } | NotFinite | Singular { .. }
+    )
 }
 
 /// What ends a run although its state could be continued.
@@ -363,16 +453,16 @@ fn sample_at<M: Mechanism, I: Method<M>>(
     time: M::S,
     moment: &mut M::State,
 ) -> Result<(), Fault> {
-    let mut x = course.x;
+    let (mut held, mut x) = (course.held, course.x);
     if time < course.time {
         method.densify(course)?;
-        x = method.interpolate(time);
+        (held, x) = method.moment(course, time);
     }
     let (drift, limit) = (course.system.drift(time, &x), method.drift_limit(course.system));
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
         course.system.settle(time, &mut x)?;
     }
-    moment.set(time, &course.held, &x);
+    moment.set(time, &held, &x);
     Ok(())
 }
 

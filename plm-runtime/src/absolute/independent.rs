@@ -9,7 +9,9 @@ use crate::scalar::Real;
 /// near a change point would throw the mechanism onto another branch. Without that direction the bodies go straight on,
 /// and the projection at the end of the step takes care of the rest.
 pub(super) fn moving_tolerance<S: Real>() -> S {
-    S::lit(1e-4).max(S::RANK_TOLERANCE)
+    // In numbers of twice the precision nothing is lost but what lengths cannot tell.
+    let exact = S::EPSILON < S::RANK_TOLERANCE * S::RANK_TOLERANCE * S::lit(1e-3);
+    if exact { S::RANK_TOLERANCE } else { S::lit(1e-4).max(S::RANK_TOLERANCE) }
 }
 
 /// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, and how they are made.
@@ -70,6 +72,14 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
     /// Number of independent rows.
     pub(super) fn rank(&self) -> usize {
         self.squares.iter().filter(|square| **square > S::lit(0.0)).count()
+    }
+
+    /// The smallest square of an independent row over the largest.
+    pub(super) fn regularity(&self) -> S {
+        let kept = self.squares.iter().copied().filter(|square| *square > S::lit(0.0));
+        let (least, most) =
+            kept.fold((S::INFINITY, S::lit(0.0)), |(least, most), square| (square.min(least), square.max(most)));
+        least / most
     }
 
     /// y = A^+ b and lambda = (A^T)^+ y: A y = b in the independent directions, A^T lambda = y, both of least norm.

@@ -10,6 +10,7 @@ mod accelerate;
 mod assemble;
 mod assembly;
 mod independent;
+mod nearest;
 mod newton;
 mod redundancy;
 mod settle;
@@ -17,6 +18,7 @@ mod settle;
 pub use accelerate::{Acceleration, accelerate};
 pub use assemble::assemble;
 pub use assembly::{Assembly, Status};
+pub(crate) use nearest::{nearest, smallest_pivot};
 pub use settle::{balance, drift, residuals, settle, settle_state};
 
 use crate::scalar::Real;

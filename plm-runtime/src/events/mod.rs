@@ -92,7 +92,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             method.advance(course)?;
             return Ok(None);
         }
-        let (before, start) = (*method, Start { time: course.time, x: course.x });
+        let (before, start) = (*method, Start { time: course.time, held: course.held, x: course.x });
         method.advance(course)?;
         let end = guards_here(course)?;
         let Some((index, time)) = self.first_crossing(method, course, start.time, &end)? else {
@@ -104,7 +104,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         course.stats.steps -= 1;
         course.stats.rejected += 1;
-        (*method, course.time, course.x) = (before, start.time, start.x);
+        (*method, course.time, course.held, course.x) = (before, start.time, start.held, start.x);
         if time <= start.time {
             return Ok(Some(index));
         }
@@ -176,21 +176,24 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         let began = self.guards.unwrap_or(*end);
         let length = course.time - start;
         let at = |look: S| start + look / S::lit(LOOKS as f64) * length;
-        let (system, held) = (course.system, course.held);
-        let guards_at = |method: &I, time: S| guards(system, time, &held, &method.interpolate(time));
-        let looks = |method: &I| {
-            let inside = [1.0, 2.0, 3.0].map(|look| guards_at(method, at(S::lit(look))));
+        let system = course.system;
+        let guards_at = |method: &I, course: &Course<'_, M>, time: S| {
+            let (held, x) = method.moment(course, time);
+            guards(system, time, &held, &x)
+        };
+        let looks = |method: &I, course: &Course<'_, M>| {
+            let inside = [1.0, 2.0, 3.0].map(|look| guards_at(method, course, at(S::lit(look))));
             [began, inside[0], inside[1], inside[2], *end]
         };
-        let rough = looks(method);
+        let rough = looks(method, course);
         if (0..G::LEN).all(|i| first_out(rough.map(|g| g.at(i)), system.band(i), |_| true).is_none()) {
             return Ok(None);
         }
         method.densify(course)?;
-        let exact = looks(method);
+        let exact = looks(method, course);
         let mut first: Option<(usize, S)> = None;
         for i in 0..G::LEN {
-            let (band, guard) = (system.band(i), |time: S| guards_at(method, time).at(i));
+            let (band, guard) = (system.band(i), |time: S| guards_at(method, course, time).at(i));
             let Some(look) = first_out(exact.map(|g| g.at(i)), band, |look| guard(at(look)) < -band) else {
                 continue;
             };
@@ -227,8 +230,9 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
 }
 
 /// Where a step began.
-struct Start<S, X> {
+struct Start<S, U, X> {
     time: S,
+    held: U,
     x: X,
 }
 

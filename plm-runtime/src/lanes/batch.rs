@@ -155,7 +155,7 @@ fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     let mut looked = false;
     for (i, lane) in lanes.iter_mut().enumerate() {
         let healthy = side.joined[i] && f64::HEALTHY < health[i];
-        if !lane.runs || (healthy && all_finite && lane.coast(plan)) {
+        if !lane.runs || (healthy && all_finite && lane.coast(plan, &column(&next, i))) {
             continue;
         }
         let made = healthy.then(|| column(&next, i));

@@ -18,6 +18,7 @@ mod pictures;
 mod piece;
 mod reduced;
 mod sides;
+mod singular;
 mod solved;
 mod statics;
 mod system;
@@ -236,7 +237,7 @@ impl Emission<'_> {
     pub(crate) fn held(&self, scalar: &str) -> String {
         match self.loops() {
             Some(reduced) => {
-                format!("rt::charts::Held<Input<{scalar}>, [{scalar}; {}]>", reduced.memory.len())
+                format!("rt::charts::Held<Input<{scalar}>, [{scalar}; {}]>", reduced.memory_length)
             }
             None => format!("Input<{scalar}>"),
         }

@@ -1,7 +1,7 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, charts, push, sides, system};
+use super::{Emission, Origin, charts, push, sides, singular, system};
 use crate::formulate::{Chart, Function};
 
 /// The straight-line functions.
@@ -134,6 +134,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     let place;
     if reduced.has_loops() {
         charts::charted(text, emission, reduced);
+        singular::emit(text, emission);
         system::rate(text, emission, n, &charts::rate(reduced));
         charts::system(text, emission);
         place = "rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)".to_owned();
@@ -152,6 +153,16 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
             "self.switching(t, u, x, g)".to_owned()
         }
     });
+    let switching = if reduced.has_loops() {
+        format!(
+            "if rt::charts::is_free::<Self>(u) {{
+                return self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g);
+            }}
+            {switching}"
+        )
+    } else {
+        switching
+    };
     sides::contract(text, emission, &switching);
     system::energy(text, emission);
     push(

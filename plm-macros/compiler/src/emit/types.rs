@@ -75,7 +75,7 @@ fn state(text: &mut String, emission: &Emission) {
     let Emission { name, .. } = emission;
     let (length, _) = emission.state_length();
     let memory = emission.loops().map_or_else(String::new, |reduced| {
-        format!("        chart: usize,\n        memory: [S; {}],\n", reduced.memory.len())
+        format!("        chart: usize,\n        memory: [S; {}],\n", reduced.memory_length)
     });
     push(
         text,

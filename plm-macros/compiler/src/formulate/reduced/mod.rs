@@ -52,6 +52,8 @@ pub(crate) struct Reduced {
     pub(crate) charts: Vec<Chart>,
     /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
     pub(crate) memory: Vec<Expr>,
+    /// Numbers of memory: those, or pose and velocity of all bodies where no chart is good.
+    pub(crate) memory_length: usize,
     /// The bodies whose angles are remembered, in that order.
     pub(crate) turning: Vec<String>,
     /// How many of them stand before the determinants of the dyads and their rates.
@@ -153,7 +155,7 @@ pub(crate) fn formulate(
     let mut iterated: Vec<usize> = schemes.iter().flat_map(Scheme::iterated).collect();
     iterated.sort_unstable();
     iterated.dedup();
-    let memory = Memory::new(&coordinates, dyads, &iterated, graph);
+    let memory = Memory::new(&coordinates, (freedom, dyads), &iterated, graph);
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
@@ -166,6 +168,7 @@ pub(crate) fn formulate(
     Ok(Reduced {
         turning,
         charts,
+        memory_length: memory.symbols().len().max(2 * equations.q.len()),
         memory: memory.symbols(),
         before_areas: memory.before_areas(),
         before_followed: memory.before_followed(),

@@ -68,7 +68,7 @@ fn closes(
     graph: &mut Graph,
 ) -> bool {
     let iterated: Vec<usize> = scheme.iterated().collect();
-    let memory = Memory::new(coordinates, scheme.loops().count(), &iterated, graph);
+    let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated, graph);
     let size = graph.number(plm_cas::Number::from_f64(length));
     let motion = Motion::new(model, coordinates, scheme, &memory, size, graph);
     let survey = {
