@@ -6,8 +6,8 @@ use crate::events::Watch;
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dop853, Method};
-use crate::singular::Rescue;
 use crate::scalar::{Real, Scalar};
+use crate::singular::Rescue;
 use crate::system::{Accepted, Drift, System};
 
 /// A running simulation.
@@ -337,7 +337,12 @@ fn is_singular(fault: &Fault) -> bool {
     let cause = &fault.cause;
     matches!(
         cause,
-        Locked | TurnedTooFar { .. } | StepTooSmall { .. } | NotConverged { .. } | NotFinite | Singular { .. }
+        Locked
+            | TurnedTooFar { .. }
+            | StepTooSmall { .. }
+            | NotConverged { .. }
+            | NotFinite
+            | Singular { .. }
     )
 }
 

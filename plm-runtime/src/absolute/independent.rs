@@ -77,8 +77,8 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
     /// The smallest square of an independent row over the largest.
     pub(super) fn regularity(&self) -> S {
         let kept = self.squares.iter().copied().filter(|square| *square > S::lit(0.0));
-        let (least, most) =
-            kept.fold((S::INFINITY, S::lit(0.0)), |(least, most), square| (square.min(least), square.max(most)));
+        let (least, most) = kept
+            .fold((S::INFINITY, S::lit(0.0)), |(least, most), square| (square.min(least), square.max(most)));
         least / most
     }
 

@@ -39,7 +39,8 @@ fn legendre<S: Scalar>(x: S) -> [S; NODES + 1] {
     p[1] = x;
     for k in 1..NODES {
         let k_float = k as f64;
-        p[k + 1] = (S::lit(2.0 * k_float + 1.0) * x * p[k] - S::lit(k_float) * p[k - 1]) / S::lit(k_float + 1.0);
+        p[k + 1] =
+            (S::lit(2.0 * k_float + 1.0) * x * p[k] - S::lit(k_float) * p[k - 1]) / S::lit(k_float + 1.0);
     }
     p
 }

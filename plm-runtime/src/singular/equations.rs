@@ -43,7 +43,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     pub(super) fn refine(&self, t: M::S, held: &M::U, x: &[M::S; NX]) -> Option<Evaluated<M::S, NX>> {
         let evaluated = self.evaluate(t, held, x)?;
         let moved: [M::S; NX] = core::array::from_fn(|i| evaluated.x[i] - x[i]);
-        let near = size(&moved, |i| self.typical_of(i) + x[i].abs()) < M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
+        let near =
+            size(&moved, |i| self.typical_of(i) + x[i].abs()) < M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
         near.then_some(evaluated)
     }
 

@@ -23,13 +23,13 @@ mod near;
 
 pub use self::near::Near;
 
+use crate::Absolute;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::method::{Course, Method};
 use crate::scalar::Real;
 use crate::system::Drift;
 use crate::twofold::Twofold;
-use crate::Absolute;
 
 /// A method that takes over from another one near singular poses.
 pub trait Rescue<M: Mechanism>: Method<M> {

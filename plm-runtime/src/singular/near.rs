@@ -229,12 +229,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
 {
     fn new() -> Self {
         let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
-        Self {
-            around: Embedded::new(M::S::lit(tolerance)),
-            over: None,
-            passed: None,
-            tried: M::S::INFINITY,
-        }
+        Self { around: Embedded::new(M::S::lit(tolerance)), over: None, passed: None, tried: M::S::INFINITY }
     }
 
     fn holds(held: &M::U) -> bool {

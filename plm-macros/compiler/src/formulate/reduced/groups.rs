@@ -151,8 +151,9 @@ impl Group {
         match self {
             Group::Row { .. } | Group::Single(_) => Vec::new(),
             Group::Dyad(dyad) => {
-                let turning =
-                    |class: usize, graph: &Graph| coordinates.angle_of_class[class].map_or(graph.zero(), rate);
+                let turning = |class: usize, graph: &Graph| {
+                    coordinates.angle_of_class[class].map_or(graph.zero(), rate)
+                };
                 match dyad.kind {
                     Kind::Angles([a, b]) | Kind::Slides([a, b]) | Kind::Across { class: a, along: b } => {
                         let turning = [turning(a, graph), turning(b, graph)];
