@@ -218,7 +218,12 @@ fn redundant(
     joints: &Names,
 ) -> fmt::Result {
     let plural = if count == 1 { "" } else { "s" };
-    write!(f, "{count} redundant {what} constraint{plural}: {locks:#}")?;
+    write!(f, "{count} redundant {what} constraint{plural}: ")?;
+    if what == "velocity" {
+        locks.write_rates(f)?
+    } else {
+        write!(f, "{locks:#}")?
+    }
     if !joints.is_empty() {
         write!(f, ", tied by {joints}")?;
     }
@@ -261,6 +266,29 @@ impl Names {
         listed.filter_map(|i| self.table.get(usize::from(i)).copied())
     }
 
+    /// As locks of the rates of the coordinates that were named: `arm.vx (locked), arm.omega (locked)`.
+    fn write_rates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, name) in self.iter().enumerate() {
+            let comma = if i == 0 { "" } else { ", " };
+            let (body, coordinate) = name.rsplit_once('.').unwrap_or(("", name));
+            let rate = match coordinate {
+                "x" => "vx",
+                "y" => "vy",
+                "angle" => "omega",
+                other => other,
+            };
+            write!(f, "{comma}{body}.{rate} (locked)")?;
+        }
+        self.write_unlisted(f)
+    }
+
+    fn write_unlisted(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.unlisted() {
+            0 => Ok(()),
+            more => write!(f, " and {more} more"),
+        }
+    }
+
     /// How many names were given that were not kept.
     pub fn unlisted(&self) -> usize {
         usize::from(self.len).saturating_sub(Self::CAPACITY)
@@ -286,9 +314,6 @@ impl fmt::Display for Names {
             let comma = if i == 0 { "" } else { ", " };
             write!(f, "{comma}{name}{lock}")?;
         }
-        match self.unlisted() {
-            0 => Ok(()),
-            more => write!(f, " and {more} more"),
-        }
+        self.write_unlisted(f)
     }
 }

@@ -18,6 +18,7 @@ mod physics;
 mod pictures;
 mod reach;
 mod reactions;
+mod redundant;
 mod references;
 mod robust;
 mod rungs;

@@ -9,6 +9,7 @@
 
 use plm_cas::{Expr, Graph};
 
+use crate::diag::Use;
 use crate::span::Span;
 use crate::units::DisplayUnit;
 
@@ -66,6 +67,15 @@ pub struct Model {
     pub allowed: Vec<String>,
 }
 
+/// A place in a declaration or in the definition of a part.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// Where it stands.
+    pub span: Span,
+    /// Inside a part: the uses that lead there, from the declaration inwards.
+    pub uses: Vec<Use>,
+}
+
 /// A name and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
@@ -118,8 +128,11 @@ pub struct Param {
     pub name: Name,
     /// Its symbol.
     pub symbol: Expr,
-    /// Its default, an expression without other symbols than earlier parameters.
+    /// Its default, an expression without other symbols than earlier parameters; 1 in SI units where there is none, for what
+    /// is tried before it is known.
     pub default: Expr,
+    /// Has it no default, so that whoever makes the mechanism must say it?
+    pub required: bool,
     /// Unit that it was declared in.
     pub unit: DisplayUnit,
     /// Documentation lines.
@@ -220,6 +233,8 @@ pub struct Part {
     pub kind: String,
     /// Its kinematic pair, if the definition states one.
     pub pair: Option<Pair>,
+    /// Where its definition states the pair.
+    pub declared: Option<Declared>,
     /// The frames that it joins, in the order of its arguments.
     pub frames: Vec<FrameRef>,
 }
@@ -259,6 +274,8 @@ pub struct Row {
     pub lambda: Expr,
     /// Where the constraint stands: the joint in the declaration.
     pub span: Span,
+    /// Where it was written: the equation, of a joint in its definition.
+    pub declared: Declared,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
 }
@@ -307,6 +324,12 @@ pub struct Side {
 }
 
 impl Model {
+    /// Does an expression read a parameter without a default?
+    pub fn reads_required(&self, graph: &Graph, expr: Expr) -> bool {
+        let read = graph.symbols(&[expr]);
+        self.params.iter().any(|param| param.required && read.contains(&param.symbol))
+    }
+
     /// Number of sides that depend on the state.
     pub fn guards(&self) -> usize {
         self.sides.iter().filter(|side| side.instant.is_none()).count()

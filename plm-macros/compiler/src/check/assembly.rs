@@ -46,7 +46,7 @@ pub(crate) struct Assembly {
 impl Assembly {
     /// Do all constraints hold?
     pub(crate) fn is_closed(&self) -> bool {
-        self.phi.iter().all(|residual| residual.abs() <= CLOSED)
+        is_closed(&self.phi)
     }
 
     /// Values of all symbols at the assembled pose.
@@ -64,6 +64,11 @@ impl Assembly {
     }
 }
 
+/// Do all constraints hold?
+pub(super) fn is_closed(phi: &[f64]) -> bool {
+    phi.iter().all(|residual| residual.abs() <= CLOSED)
+}
+
 /// Assembles the declared start. `values` binds every symbol but coordinates and velocities.
 pub(crate) fn assemble(
     model: &Model,
@@ -74,28 +79,7 @@ pub(crate) fn assemble(
 ) -> Assembly {
     let scene = Scene::new(equations, program, graph, values);
     let (start, locked) = start_position(model, graph, values);
-    let mut q = start.clone();
-    let mut phi = scene.phi(&q);
-    let mut steps = 0;
-    let mut best = (q.clone(), phi.clone());
-    while !phi.iter().all(|residual| residual.abs() <= CLOSED) && steps < MOST_STEPS {
-        let step = scene.step(&q, &locked, &phi);
-        if !step.iter().all(|dq| dq.is_finite()) {
-            break;
-        }
-        for (coordinate, dq) in q.iter_mut().zip(step) {
-            *coordinate -= dq;
-        }
-        phi = scene.phi(&q);
-        steps += 1;
-        if largest(&phi) < largest(&best.1) {
-            best = (q.clone(), phi.clone());
-        }
-    }
-    // Joints that do not fit make the steps wander; the pose that is told is the one that fits best.
-    if largest(&best.1) < largest(&phi) {
-        (q, phi) = best;
-    }
+    let (q, phi, steps) = scene.close(start.clone(), &locked);
     let (mut v, velocity_locked) = start_velocity(model, graph, values, &q);
     let residual = scene.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(scene.step(&q, &velocity_locked, &residual)) {
@@ -130,7 +114,7 @@ fn rank_with_locks(scene: &Scene, q: &[f64], locked: &[bool]) -> Rank {
 }
 
 /// The constraints as numeric functions of the pose.
-struct Scene<'a> {
+pub(super) struct Scene<'a> {
     equations: &'a Equations,
     program: &'a Absolute,
     values: &'a [(Expr, f64)],
@@ -141,7 +125,7 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(
+    pub(super) fn new(
         equations: &'a Equations,
         program: &'a Absolute,
         graph: &Graph,
@@ -179,11 +163,37 @@ impl<'a> Scene<'a> {
         run(&self.phi_dot, &values)
     }
 
-    fn phi_q(&self, q: &[f64]) -> Vec<Row> {
+    pub(super) fn phi_q(&self, q: &[f64]) -> Vec<Row> {
         let entries = run(&self.phi_q, &self.at(q));
         let mut entries = entries.into_iter();
         let rows = self.equations.phi_q.iter();
         rows.map(|row| row.iter().map(|&(j, _)| j).zip(entries.by_ref()).collect()).collect()
+    }
+
+    /// Newton's steps from a pose: where they end, the residuals there, and how many they were.
+    pub(super) fn close(&self, mut q: Vec<f64>, locked: &[bool]) -> (Vec<f64>, Vec<f64>, usize) {
+        let mut phi = self.phi(&q);
+        let mut steps = 0;
+        let mut best = (q.clone(), phi.clone());
+        while !is_closed(&phi) && steps < MOST_STEPS {
+            let step = self.step(&q, locked, &phi);
+            if !step.iter().all(|dq| dq.is_finite()) {
+                break;
+            }
+            for (coordinate, dq) in q.iter_mut().zip(step) {
+                *coordinate -= dq;
+            }
+            phi = self.phi(&q);
+            steps += 1;
+            if largest(&phi) < largest(&best.1) {
+                best = (q.clone(), phi.clone());
+            }
+        }
+        // Joints that do not fit make the steps wander; the pose that is told is the one that fits best.
+        if largest(&best.1) < largest(&phi) {
+            (q, phi) = best;
+        }
+        (q, phi, steps)
     }
 
     /// The minimum-norm step that closes `residual` and leaves what is locked alone.
@@ -194,7 +204,7 @@ impl<'a> Scene<'a> {
         values.extend(self.program.residual.iter().copied().zip(residual.iter().copied()));
         let mut step = run(&self.min_norm, &values);
         match step.pop() {
-            Some(health) if health > HEALTHY => step,
+            Some(health) if health > HEALTHY && step.iter().all(|dq| dq.is_finite()) => step,
             _ => self.step_by_rank(q, locked, residual),
         }
     }

@@ -1,14 +1,23 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
+mod names;
+mod pairs;
 mod pseudo_inverse;
+mod random;
 mod rank;
+mod regular;
 mod start;
 mod verdict;
+
+use std::collections::BTreeSet;
 
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use names::check_names;
+pub(crate) use pairs::check_pairs;
+pub(crate) use regular::freedom;
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
@@ -31,6 +40,12 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
     }
     for load in &model.loads {
         reached[load.body] = true;
+    }
+    // A constraint of its own joins no frames.
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let held: BTreeSet<Expr> = model.graph.symbols(&rows).into_iter().collect();
+    for (reached, body) in reached.iter_mut().zip(&model.bodies) {
+        *reached |= body.q.iter().any(|coordinate| held.contains(coordinate));
     }
     for (body, _) in model.bodies.iter().zip(&reached).filter(|(_, reached)| !**reached) {
         let name = &body.name.text;
@@ -80,6 +95,9 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
         let inertia = ("inertia", body.inertia, body.inertia_span, "kg*m^2");
         for (what, expr, span, unit) in [mass, inertia] {
             let found = value(graph, expr, values);
+            if model.reads_required(graph, expr) {
+                continue;
+            }
             if !(found > 0.0 && found.is_finite()) {
                 let name = &body.name.text;
                 let message =
@@ -93,7 +111,7 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
     }
 }
 
-/// Assembles the declared start and reports what is wrong with it.
+/// Reports what is wrong with the start as it was assembled.
 ///
 /// Where a dimension is a parameter the run can change it, so that only the run can judge; the report tells what the
 /// defaults give.
@@ -102,16 +120,17 @@ pub(crate) fn check_assembly(
     equations: &Equations,
     (program, reduced): (&Absolute, Option<&Reduced>),
     graph: &Graph,
+    found: &Assembly,
     report: &mut Report,
     diagnostics: &mut Diagnostics,
 ) {
     let values = defaults(model, graph);
     check_masses(model, graph, &values, diagnostics);
-    let found = assemble(model, equations, program, graph, &values);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
-    report.add_assembly(model, equations, &found, &turns);
-    report.add_measures(&measures(reduced, graph, &found.values(equations, &values)));
+    report.add_assembly(model, equations, found, &turns);
+    let measured = measures(reduced, graph, &found.values(equations, &values));
+    report.add_measures(&measured, reduced, graph);
     if has_parameters(model, graph) {
         return;
     }
@@ -121,16 +140,16 @@ pub(crate) fn check_assembly(
         let positions = Locks { locked: &found.locked, what: "position" };
         too_many_locks(model, &positions, &locks, diagnostics);
     } else if found.phi.iter().any(|residual| !residual.is_finite()) {
-        start::check_rows(model, equations, graph, &values, &found, diagnostics);
+        start::check_rows(model, equations, graph, &values, found, diagnostics);
     } else if !found.is_closed() {
-        not_closed(model, &found, report.length, diagnostics);
+        not_closed(model, found, report.length, diagnostics);
     } else {
         redundant_joints(model, &joints, diagnostics);
-        check_velocities(model, &found, diagnostics);
+        check_velocities(model, found, diagnostics);
         let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
         let open = run(&Tape::new(graph, &compliant), &found.values(equations, &values));
         strained(model, &open, report.length, diagnostics);
-        start::check_start(model, equations, graph, (program, &values), &found, diagnostics);
+        start::check_start(model, equations, graph, (program, &values), found, diagnostics);
     }
 }
 

@@ -57,7 +57,7 @@ pub(crate) fn check_start(
     });
     let rates = model.states.iter().map(|state| (state.name.text.as_str(), state.name.span, state.rate));
     for (name, span, expr) in loads.chain(rates) {
-        if !super::value(graph, expr, &values).is_finite() {
+        if !model.reads_required(graph, expr) && !super::value(graph, expr, &values).is_finite() {
             report(graph, &values, name, span, expr, diagnostics);
         }
     }

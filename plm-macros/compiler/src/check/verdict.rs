@@ -220,7 +220,7 @@ fn joined(texts: &[String]) -> String {
 }
 
 /// Three digits are enough to see how wrong it is.
-fn rounded(value: f64) -> String {
+pub(super) fn rounded(value: f64) -> String {
     let digits = format!("{value:.2e}");
     match digits.parse::<f64>() {
         Ok(rounded) if (1e-3..1e4).contains(&rounded) => rounded.to_string(),

@@ -84,6 +84,7 @@ catalogue! {
     NotAssembled = "E0503", "the mechanism cannot be assembled";
     NoBody = "E0504", "the mechanism has no body";
     NoRung = "E0505", "a formulation that does not hold the mechanism";
+    PairDisagrees = "E0506", "a joint's constraints are not those of its pair";
 
     // W0: warnings.
     RedundantConstraint = "W0001", "a constraint says what others say already";

@@ -37,7 +37,7 @@ fn pack(text: &mut String, emission: &Emission) {
         inputs
     } else {
         format!(
-            "{inputs}                side: core::array::from_fn(|k| number(all.map(|held| {from}.side[k]))),\n"
+            "{inputs}                side_: core::array::from_fn(|k| number(all.map(|held| {from}.side_[k]))),\n"
         )
     };
     let (first, wrapped, calm) = if emission.loops().is_some() {

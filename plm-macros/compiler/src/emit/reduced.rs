@@ -184,7 +184,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     impl<S: Real> State<S> {{
         /// Pose and velocity of every body.
         #[inline]
-        fn pose(&self) -> ([S; {nq}], [S; {nq}]) {{
+        fn pose_(&self) -> ([S; {nq}], [S; {nq}]) {{
             {place}
         }}
     }}
@@ -207,8 +207,8 @@ fn absolute(text: &mut String, emission: &Emission) {
         format_args!(
             "    impl<S: Real> State<S> {{
         /// The state in absolute coordinates.
-        fn absolute(&self) -> [S; {absolute}] {{
-            let (q, v) = self.pose();
+        fn absolute_(&self) -> [S; {absolute}] {{
+            let (q, v) = self.pose_();
             let mut x = [S::lit(0.0); {absolute}];
             absolute::join(&q, &v, &mut x);
             for k in 0..{nx} {{

@@ -44,7 +44,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
         }}
 
 {required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
-            {only}if let Some(side) = {input}.side.get_mut(index) {{
+            {only}if let Some(side) = {input}.side_.get_mut(index) {{
                 *side = -*side;
             }}
         }}
@@ -99,7 +99,7 @@ fn known_times(text: &mut String, emission: &Emission, input: &str) {
         fn pass(&self, t: S, u: &mut Self::U) {{
             let (mut at, mut slope) = ([S::lit(0.0); {count}], [S::lit(0.0); {count}]);
             self.instants(&{input}, &mut at, &mut slope);
-            for ((side, at), slope) in {input}.side.iter_mut().skip({guards}).zip(at).zip(slope) {{
+            for ((side, at), slope) in {input}.side_.iter_mut().skip({guards}).zip(at).zip(slope) {{
                 *side = if (at <= t) == (slope > S::lit(0.0)) {{ S::lit(1.0) }} else {{ S::lit(-1.0) }};
             }}
         }}

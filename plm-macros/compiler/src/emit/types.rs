@@ -66,7 +66,7 @@ fn inputs(text: &mut String, emission: &Emission) {
         text.push_str("        none: core::marker::PhantomData<S>,\n");
     }
     if !model.sides.is_empty() {
-        push(text, format_args!("        side: [S; {}],\n", model.sides.len()));
+        push(text, format_args!("        side_: [S; {}],\n", model.sides.len()));
     }
     text.push_str("    }\n\n");
 }

@@ -166,7 +166,8 @@ impl<'a> Names<'a> {
         let Some(name) = self.name("", &value.name) else { return };
         let (symbol, default) = (self.symbol(), self.found.graph.zero());
         let (unit, docs) = (value.unit.clone().unwrap_or_else(no_unit), item.docs.clone());
-        self.found.params.push(Param { name, symbol, default, unit, docs });
+        let required = value.value.is_none();
+        self.found.params.push(Param { name, symbol, default, required, unit, docs });
     }
 
     fn input(&mut self, item: &Item, value: &'a ast::Value) {

@@ -45,7 +45,9 @@ pub(crate) fn factorise(graph: &mut Graph, n: usize, matrix: &Symmetric, most: O
             if let Some(most) = most {
                 [reciprocal, growth] = work.kept(pivot, most, [reciprocal, growth]);
             }
-            worst = Some(worst.map_or(growth, |worst| work.graph.max(worst, growth)));
+            // A pivot of zero stands for good: `max` gives its second argument where one of both is NaN, as growths of
+            // later pivots may be.
+            worst = Some(worst.map_or(growth, |worst| work.graph.max(growth, worst)));
         }
         let column = work.eliminate(pivot, reciprocal, &below);
         reciprocals[pivot] = reciprocal;

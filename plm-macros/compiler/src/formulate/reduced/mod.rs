@@ -126,7 +126,7 @@ pub(crate) struct Chart {
 /// The start with the defaults of the parameters, where structure alone cannot decide.
 #[derive(Debug)]
 pub(crate) struct Assembled {
-    /// Coordinates less the rank of `phi_q`.
+    /// Coordinates less the rank of `phi_q` at regular poses next to the start.
     pub(crate) freedom: usize,
     /// Values of all symbols, pose and velocity included.
     pub(crate) values: Vec<(Expr, f64)>,
@@ -146,12 +146,7 @@ pub(crate) fn formulate(
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
-    let schemes = match charts::schemes(model, &coordinates, graph) {
-        Err(reason) => {
-            redundant::schemes(model, equations, &coordinates, (length, assembled), graph).ok_or(reason)
-        }
-        schemes => schemes,
-    }?;
+    let schemes = schemes(model, equations, &coordinates, (length, assembled), graph)?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
@@ -179,6 +174,42 @@ pub(crate) fn formulate(
         before_followed: memory.before_followed(),
         followed: memory.followed().map(owner).collect(),
     })
+}
+
+/// The charts of a mechanism, with as many coordinates as it has freedoms.
+///
+/// # Errors
+/// As [`formulate`].
+fn schemes(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    (length, assembled): Known,
+    graph: &mut Graph,
+) -> Result<Vec<Scheme>, String> {
+    let counted = charts::schemes(model, coordinates, graph);
+    if coordinates.is_tree() {
+        return counted;
+    }
+    let assembled = assembled(graph);
+    let reason = match (&counted, &assembled) {
+        (Ok(schemes), Some(assembled)) => {
+            let by_count = schemes.first().map_or(0, |scheme| scheme.drivers.len());
+            if by_count == assembled.freedom {
+                return counted;
+            }
+            // A row that says what others say is counted in the place of a freedom.
+            format!(
+                "some of its constraints are redundant: it has {} degrees of freedom, not {by_count}",
+                assembled.freedom
+            )
+        }
+        // A start that cannot be assembled is reported; one that parameters decide is as structure counts it.
+        (Ok(_), None) => return counted,
+        (Err(reason), _) => reason.clone(),
+    };
+    let assembled = assembled.as_ref().ok_or_else(|| reason.clone())?;
+    redundant::schemes(model, equations, coordinates, (length, assembled), graph).ok_or(reason)
 }
 
 /// The body or part of a coordinate's name.

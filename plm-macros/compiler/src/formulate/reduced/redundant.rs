@@ -9,7 +9,7 @@ use super::charts::{self, Scheme};
 use super::coordinates::{Coordinates, Unknown};
 use super::memory::Memory;
 use super::motion::{self, Motion};
-use super::{Assembled, Known, Layout};
+use super::{Assembled, Layout};
 use crate::check;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -26,7 +26,7 @@ pub(crate) fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    (length, assembled): Known,
+    (length, assembled): (f64, &Assembled),
     graph: &mut Graph,
 ) -> Option<Vec<Scheme>> {
     let all = charts::equations(coordinates);
@@ -35,7 +35,6 @@ pub(crate) fn schemes(
     if loops == 0 {
         return None;
     }
-    let assembled = assembled(graph)?;
     let spare = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
     if spare == 0 || spare > loops {
         return None;
@@ -50,7 +49,7 @@ pub(crate) fn schemes(
         };
         let closing: Vec<Scheme> = schemes
             .into_iter()
-            .filter(|scheme| closes(model, equations, coordinates, scheme, (length, &assembled), graph))
+            .filter(|scheme| closes(model, equations, coordinates, scheme, (length, assembled), graph))
             .collect();
         if !closing.is_empty() {
             return Some(closing);
