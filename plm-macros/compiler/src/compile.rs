@@ -78,6 +78,7 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     }
     let mut lowered = lower(model, observed);
     check_feedback(&lowered.model, &mut lowered.graph, sink);
+    check::check_jumps(&lowered.model, &lowered.graph, sink);
     if sink.has_errors() {
         return Expansion::default();
     }
@@ -132,7 +133,9 @@ fn lower(mut model: Model, observed: Observed) -> Lowered {
                 let rows = 0..equations.phi.len();
                 let rank = found.rank.independent.iter().filter(|row| rows.contains(row)).count();
                 let freedom = equations.q.len() - rank;
-                found.is_closed().then(|| Assembled { freedom, values: found.values(&equations, &others) })
+                let mut values = found.values(&equations, &others);
+                check::add_sides(&model, graph, &mut values);
+                found.is_closed().then_some(Assembled { freedom, values })
             };
             let reduced = reduce(&model, &equations, (length, &assembled), &mut graph);
             if model.rung.is_some() {

@@ -11,8 +11,8 @@ use crate::derive::Equations;
 use crate::formulate::Absolute;
 use crate::model::{Body, Model};
 
-/// Largest residual of an assembled mechanism, m or rad.
-pub(super) const CLOSED: f64 = 1e-10;
+/// Largest residual of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
+const CLOSED: f64 = 1e-10;
 /// Newton steps before assembly is given up; a start in reach needs four to eight.
 const MOST_STEPS: usize = 100;
 /// Below this ratio of pivots the straight-line step is replaced by the rank-revealing one.
@@ -39,6 +39,8 @@ pub(crate) struct Assembly {
     pub(crate) phi: Vec<f64>,
     /// `phi_q v - nu` at the end, velocity locks behind.
     pub(crate) phi_dot: Vec<f64>,
+    /// Largest residual of each row that counts as closed, m or rad.
+    pub(super) closed: Vec<f64>,
     /// Newton steps taken.
     pub(crate) steps: usize,
 }
@@ -46,7 +48,7 @@ pub(crate) struct Assembly {
 impl Assembly {
     /// Do all constraints hold?
     pub(crate) fn is_closed(&self) -> bool {
-        self.phi.iter().all(|residual| residual.abs() <= CLOSED)
+        are_closed(&self.phi, &self.closed)
     }
 
     /// Values of all symbols at the assembled pose.
@@ -78,7 +80,8 @@ pub(crate) fn assemble(
     let mut phi = scene.phi(&q);
     let mut steps = 0;
     let mut best = (q.clone(), phi.clone());
-    while !phi.iter().all(|residual| residual.abs() <= CLOSED) && steps < MOST_STEPS {
+    let length = crate::report::length(model, graph, values);
+    while !are_closed(&phi, &limits(model, length, &q)) && steps < MOST_STEPS {
         let step = scene.step(&q, &locked, &phi);
         if !step.iter().all(|dq| dq.is_finite()) {
             break;
@@ -108,6 +111,7 @@ pub(crate) fn assemble(
         rank: if at_end.value() >= at_start.value() { at_end } else { at_start },
         velocity_rank: rank_with_locks(&scene, &q, &velocity_locked),
         phi_dot: scene.phi_dot(&q, &v),
+        closed: limits(model, length, &q),
         start,
         q,
         v,
@@ -116,6 +120,17 @@ pub(crate) fn assemble(
         phi,
         steps,
     }
+}
+
+/// What the residual of each row may be in a scene of a size that reaches as far as the bodies stand.
+fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
+    let places = q.iter().enumerate().filter(|(k, _)| k % 3 != 2);
+    let reach = places.fold(length, |reach, (_, place)| reach.max(place.abs()));
+    model.rows.iter().map(|row| CLOSED * if row.is_angular() { 1.0 } else { reach }).collect()
+}
+
+fn are_closed(phi: &[f64], limits: &[f64]) -> bool {
+    phi.iter().zip(limits).all(|(residual, limit)| residual.abs() <= *limit)
 }
 
 /// Largest magnitude; infinite if a value is not a number.

@@ -145,13 +145,12 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         );
         system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
-    let switching = charts::chosen(reduced, "u.chart", |k| {
-        if reduced.has_loops() {
-            format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
-        } else {
-            "self.switching(t, u, x, g)".to_owned()
-        }
-    });
+    // Without loops there may be a choice of drivers, but the first one is never left.
+    let switching = if reduced.has_loops() {
+        charts::chosen(reduced, "u.chart", |k| format!("self.switching_{k}(t, &u.input, &u.memory, x, g)"))
+    } else {
+        "self.switching(t, u, x, g)".to_owned()
+    };
     sides::contract(text, emission, &switching);
     system::energy(text, emission);
     push(
