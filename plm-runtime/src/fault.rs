@@ -19,6 +19,17 @@ pub struct Fault {
 pub enum Cause {
     /// A state or its rate is infinite or not a number.
     NotFinite,
+    /// A parameter gives the part a value that the equations do not allow: what the compiler says of such a literal.
+    NotAllowed {
+        /// What it is: `mass`, `inertia`, `compliance`, `parameter`.
+        what: &'static str,
+        /// What it must be.
+        wanted: &'static str,
+        /// What it is.
+        found: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
     /// The equations of motion could not be decomposed.
     Singular {
         /// Number of constraint rows.
@@ -72,6 +83,16 @@ pub enum Cause {
     },
     /// A requirement of the part does not hold.
     Required,
+    /// The two sides of a constraint row differ where a condition in it changes: what it holds would have to jump, or would
+    /// need an impulse. The part is the row.
+    Jump {
+        /// By how much: m, rad, or that over s.
+        by: f64,
+        /// The row is an angle.
+        angular: bool,
+        /// The speed jumps, not the place.
+        speed: bool,
+    },
     /// A condition switches more and more often: the times have a limit that they do not pass.
     Zeno {
         /// How often something switched.
@@ -150,6 +171,10 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite => write!(f, "the state or its rate is infinite or not a number"),
+            Self::NotAllowed { what, wanted, found, unit } => {
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(f, "the {what} must be {wanted}, found {found}{space}{unit}")
+            }
             Self::Singular { rows } => {
                 write!(f, "the {rows} constraint rows could not be decomposed")
             }
@@ -191,6 +216,19 @@ impl fmt::Display for Cause {
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Required => write!(f, "this requirement does not hold any more"),
+            Self::Jump { by, angular, speed } => {
+                let unit = if *angular { "rad" } else { "m" };
+                match speed {
+                    false => write!(
+                        f,
+                        "the place that this row holds jumps by {by:e} {unit}; its sides must agree"
+                    ),
+                    true => write!(
+                        f,
+                        "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
+                    ),
+                }
+            }
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")
             }

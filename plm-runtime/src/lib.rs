@@ -15,6 +15,7 @@
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
+//! | [`limits`] | what parameters may be |
 //! | [`ports`] | inputs and outputs by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
@@ -34,6 +35,7 @@ pub mod dual;
 pub mod events;
 pub mod fault;
 pub mod lanes;
+pub mod limits;
 pub mod linalg;
 pub mod linear;
 pub mod mechanism;
@@ -55,6 +57,7 @@ pub use axes::{to_absolute, to_relative};
 pub use body::BodyState;
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
+pub use limits::{Least, Limit};
 pub use linear::Linear;
 pub use mechanism::{Mechanism, Moment};
 pub use method::{Dop853, Dopri5, Method, Rk4, SemiImplicitEuler};

@@ -1,8 +1,8 @@
 //! A running simulation: a mechanism at a moment, a method, and what was done.
 
-use core::ops::{Deref, DerefMut};
+mod changes;
 
-use crate::events::Watch;
+use crate::events::{self, Watch};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dop853, Method};
@@ -13,7 +13,9 @@ use crate::system::{Accepted, Drift, System};
 /// A running simulation.
 ///
 /// It dereferences to the mechanism's state: `sim.arm_angle()`, `sim.input.drive = 1.0`. Any mutable access makes the
-/// method forget the rate that it had kept, because state, parameters or inputs may have been changed.
+/// method forget the rate that it had kept, because state, parameters or inputs may have been changed. The next step looks
+/// at what was: a parameter whose value the equations do not allow is a fault, and one that joints read makes it assemble
+/// anew from the present pose ([`Mechanism::renew`]).
 #[derive(Clone, Copy)]
 pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) state: M::State,
@@ -21,6 +23,10 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) stats: Stats,
     pub(crate) watch: Watch<M::S, M::G>,
     pub(crate) limits: Limits<M::S>,
+    /// Before this time an interval may end.
+    latest: M::S,
+    /// What the parameters were when they were looked at last.
+    parameters: u64,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -52,6 +58,8 @@ pub struct Stats {
     pub near_singular: u64,
     /// Conditions that switched, and known times that were passed.
     pub switches: u64,
+    /// Changes of parameters that joints, masses or known times read, after each of which it was assembled anew.
+    pub renewed: u64,
     /// Longest accepted step, s.
     pub longest_step: f64,
 }
@@ -72,11 +80,13 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
     pub fn new(state: M::State, method: I) -> Self {
         Self {
+            parameters: state.mechanism().fingerprint(),
             state,
             method,
             stats: Stats::default(),
             watch: Watch::new(),
             limits: Limits { energy_jump: None, change_points: false },
+            latest: Self::end_of_time(),
         }
     }
 
@@ -102,6 +112,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !(count >= 0.0 && count.is_finite()) {
             return Err(self.bad_interval(every));
         }
+        self.take_changes()?;
         let time_of = |k: u64| (start + M::S::lit(k as f64) * every).min(until);
         sample(&self.state);
         if !I::DENSE {
@@ -118,8 +129,9 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Projects the state onto its constraints.
     ///
     /// # Errors
-    /// When the projection does not converge.
+    /// When the projection does not converge, or a parameter has been changed to what cannot be.
     pub fn settle(&mut self) -> Result<(), Fault> {
+        self.take_changes()?;
         let (time, mut x) = (self.state.time(), *self.state.x());
         self.state.mechanism().settle(time, &mut x)?;
         let held = self.state.held();
@@ -188,10 +200,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Advances to `end`; `observer` sees every accepted step.
     fn advance(&mut self, end: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
         let time = self.state.time();
-        if !(end >= time && end.is_finite()) {
-            return Err(self.bad_interval(end - time));
+        if !(end >= time && end < self.latest) {
+            self.begin(end)?;
         }
-        let Self { state, method, stats, watch, limits } = self;
+        let Self { state, method, stats, watch, limits, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course { system, held, time, x, end, stats };
@@ -201,8 +213,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             let instant = instant.filter(|instant| *instant > course.time && *instant <= end);
             course.end = instant.unwrap_or(end);
             outcome = stretch(method, &mut course, (watch, limits), observer);
-            if outcome.is_ok() && instant.is_some() {
-                pass(method, &mut course, watch);
+            match outcome {
+                Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch),
+                Ok(()) => {}
+                Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),
             }
         }
         let (time, held, x) = (course.time, course.held, course.x);
@@ -214,10 +228,6 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     fn forget(&mut self) {
         self.method.restart();
         self.watch.forget();
-    }
-
-    fn bad_interval(&self, length: M::S) -> Fault {
-        Fault::new(self.state.time().to_f64(), Cause::Interval { length: length.to_f64() })
     }
 }
 
@@ -444,11 +454,14 @@ fn pass<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     watch: &mut Watch<M::S, M::G>,
-) {
-    course.system.pass(course.time, &mut course.held);
+) -> Result<(), Fault> {
+    let mut after = course.held;
+    course.system.pass(course.time, &mut after);
+    events::hold(course, after)?;
     course.stats.switches += 1;
     method.restart();
     watch.forget();
+    Ok(())
 }
 
 /// Puts `moment` at a time within the last step, onto the constraints.
@@ -469,19 +482,4 @@ fn sample_at<M: Mechanism, I: Method<M>>(
     }
     moment.set(time, &held, &x);
     Ok(())
-}
-
-impl<M: Mechanism, I> Deref for Sim<M, I> {
-    type Target = M::State;
-
-    fn deref(&self) -> &M::State {
-        &self.state
-    }
-}
-
-impl<M: Mechanism, I: Method<M>> DerefMut for Sim<M, I> {
-    fn deref_mut(&mut self) -> &mut M::State {
-        self.forget();
-        &mut self.state
-    }
 }

@@ -81,6 +81,7 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     }
     let mut lowered = lower(model, observed);
     check_feedback(&lowered.model, &mut lowered.graph, sink);
+    check::check_jumps(&lowered.model, &lowered.graph, sink);
     if sink.has_errors() {
         return Expansion::default();
     }
@@ -140,9 +141,11 @@ fn lower(mut model: Model, observed: Observed) -> Lowered {
                 let others = check::defaults(&model, graph);
                 let assemble = || check::assemble(&model, &equations, &program, graph, &others);
                 let found = assembly.get_or_init(assemble);
+                let mut values = found.values(&equations, &others);
+                check::add_sides(&model, graph, &mut values);
                 found.is_closed().then(|| Assembled {
                     freedom: check::freedom(&equations, &program, graph, (&others, length), found),
-                    values: found.values(&equations, &others),
+                    values,
                 })
             };
             let reduced = reduce(&model, &equations, (length, &assembled), &mut graph);

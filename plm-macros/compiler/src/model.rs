@@ -11,7 +11,7 @@ use plm_cas::{Expr, Graph};
 
 use crate::diag::Use;
 use crate::span::Span;
-use crate::units::DisplayUnit;
+use crate::units::{Dimension, DisplayUnit};
 
 /// A mechanism with every name bound.
 #[derive(Debug)]
@@ -50,6 +50,8 @@ pub struct Model {
     pub rows: Vec<Row>,
     /// Rows of joints with a compliance: no constraints, their `lambda` is an expression, and it stands in the loads.
     pub compliant: Vec<Row>,
+    /// Values beside masses and inertias that only some numbers make sense for.
+    pub limits: Vec<Limit>,
     /// Generalised forces on bodies.
     pub loads: Vec<Load>,
     /// First-order states.
@@ -57,6 +59,11 @@ pub struct Model {
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub sides: Vec<Side>,
+    /// Where rows jump or may jump; derivation finds them.
+    pub jumps: Vec<Jump>,
+    /// What stands in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
+    /// and projection, the conditions themselves decide: on the boundary both sides agree.
+    pub released: Vec<(Expr, Expr)>,
     /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
     /// Sizes of parts for pictures.
@@ -280,6 +287,30 @@ pub struct Row {
     pub unit: DisplayUnit,
 }
 
+impl Row {
+    /// Is its residual an angle? Else it is a length.
+    pub fn is_angular(&self) -> bool {
+        self.unit.dimension.same(Dimension::NUMBER)
+    }
+}
+
+/// A value that depends on parameters and must be positive.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// The joint.
+    pub part: String,
+    /// What it is, as written: `compliance`.
+    pub what: String,
+    /// Its value, SI.
+    pub value: Expr,
+    /// Its SI unit.
+    pub unit: String,
+    /// It may be zero.
+    pub or_zero: bool,
+    /// Where it was written.
+    pub span: Span,
+}
+
 /// A generalised force on one body, already carried to G.
 #[derive(Clone, Debug)]
 pub struct Load {
@@ -321,6 +352,31 @@ pub struct Side {
     pub name: String,
     /// It must not change: a requirement, positive as long as it holds.
     pub must_hold: bool,
+}
+
+/// A row whose place or speed may jump where a condition changes its side.
+#[derive(Clone, Debug)]
+pub struct Jump {
+    /// Index into [`Model::sides`].
+    pub side: usize,
+    /// Index into [`Model::rows`].
+    pub row: usize,
+    /// The row's residual on one side less that on the other, its first and second derivative along the motion; what
+    /// changes its sign at the boundary, and its derivative.
+    pub terms: [Expr; 5],
+    /// What is known of it already.
+    pub steady: Option<Steady>,
+}
+
+/// A jump that happens in every run that comes so far.
+#[derive(Clone, Copy, Debug)]
+pub struct Steady {
+    /// When, s.
+    pub at: f64,
+    /// By how much, in the row's unit, or that over s.
+    pub by: f64,
+    /// The speed jumps, not the place.
+    pub of_speed: bool,
 }
 
 impl Model {

@@ -78,7 +78,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         if G::LEN == 0 || self.guards.is_some() {
             return Ok(());
         }
-        self.switch_due(method, course)
+        self.switch_due(method, course, false)
     }
 
     /// One step, ended where the first condition leaves its side; that condition.
@@ -132,23 +132,26 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return Ok(());
         }
         if !I::DENSE {
-            return self.switch_due(method, course);
+            return self.switch_due(method, course, true);
         }
         let Some(index) = due else {
             return Ok(());
         };
         required(course, index)?;
-        course.system.switch(course.time, &mut course.held, &course.x, index);
+        let mut after = course.held;
+        course.system.switch(course.time, &mut after, &course.x, index);
+        hold(course, after)?;
         method.restart();
         self.guards = Some(guards_here(course)?);
         self.count(course, 1, index)
     }
 
-    /// Switches what is past its guard at the current state.
+    /// Switches what is past its guard at the current state, where a step led; else a change from outside did.
     fn switch_due<M: System<S = S, G = G>>(
         &mut self,
         method: &mut impl Method<M>,
         course: &mut Course<'_, M>,
+        by_step: bool,
     ) -> Result<(), Fault> {
         let here = guards_here(course)?;
         self.guards = Some(here);
@@ -158,7 +161,12 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         for index in (first..G::LEN).filter(|i| is_past(course.system, &here, *i)) {
             required(course, index)?;
         }
-        let switched = switch_where_due(course.system, course.time, &mut course.held, &course.x);
+        let mut after = course.held;
+        let switched = switch_where_due(course.system, course.time, &mut after, &course.x);
+        if by_step {
+            hold(course, after)?;
+        }
+        course.held = after;
         method.restart();
         self.guards = Some(guards_here(course)?);
         self.count(course, switched, first)
@@ -234,6 +242,29 @@ struct Start<S, U, X> {
     time: S,
     held: U,
     x: X,
+}
+
+/// Goes on with the sides of `after`, unless constraint rows would have to jump.
+pub(crate) fn hold<M: System<S: Real>>(course: &mut Course<'_, M>, after: M::U) -> Result<(), Fault> {
+    if let Some(fault) = course.system.jump(course.time, &course.held, &course.x, Some(&after)) {
+        return Err(fault);
+    }
+    course.held = after;
+    Ok(())
+}
+
+/// The fault of a step that came to nothing, or of what jumps there: joints that would have to jump come apart.
+#[cold]
+pub(crate) fn at_a_jump<M: System<S: Real>>(course: &Course<'_, M>, fault: Fault) -> Fault {
+    match fault.cause {
+        Cause::StepTooSmall { .. }
+        | Cause::Drift { .. }
+        | Cause::TooManySteps { .. }
+        | Cause::Singular { .. } => {
+            course.system.jump(course.time, &course.held, &course.x, None).unwrap_or(fault)
+        }
+        _ => fault,
+    }
 }
 
 /// The end of a run whose requirement `index` is not met.

@@ -1,6 +1,7 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
+mod jumps;
 mod names;
 mod pairs;
 mod pseudo_inverse;
@@ -15,6 +16,7 @@ use std::collections::BTreeSet;
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
 pub(crate) use regular::freedom;
@@ -88,6 +90,22 @@ pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f6
     }
 }
 
+/// Compliances that are known to be wrong only with the defaults of the parameters that they read.
+fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
+    for limit in &model.limits {
+        let found = value(graph, limit.value, values);
+        if found.is_finite() && (found > 0.0 || (limit.or_zero && found == 0.0)) {
+            continue;
+        }
+        let wanted = if limit.or_zero { "finite and not negative" } else { "positive and finite" };
+        let (what, part, unit) = (&limit.what, &limit.part, &limit.unit);
+        let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
+        diagnostics
+            .error(Code::NotPositive, limit.span, message)
+            .note("this is its value with the defaults of the parameters");
+    }
+}
+
 /// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
 fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
     for body in &model.bodies {
@@ -126,11 +144,13 @@ pub(crate) fn check_assembly(
 ) {
     let values = defaults(model, graph);
     check_masses(model, graph, &values, diagnostics);
+    check_limits(model, graph, &values, diagnostics);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
-    let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
+    let mut assembled = found.values(equations, &values);
+    add_sides(model, graph, &mut assembled);
+    let turns = run(&Tape::new(graph, &turns), &assembled);
     report.add_assembly(model, equations, found, &turns);
-    let measured = measures(reduced, graph, &found.values(equations, &values));
-    report.add_measures(&measured, reduced, graph);
+    report.add_measures(&measures(reduced, graph, &assembled), reduced, graph);
     if has_parameters(model, graph) {
         return;
     }
@@ -167,6 +187,7 @@ fn has_parameters(model: &Model, graph: &Graph) -> bool {
     let mut roots: Vec<Expr> = starts.map(|start| start.value).collect();
     roots.extend(model.rows.iter().map(|row| row.phi));
     roots.extend(model.bodies.iter().flat_map(|body| body.centre));
+    roots.extend(model.sides.iter().filter(|side| !side.must_hold).map(|side| side.difference));
     let held = graph.symbols(&roots);
     model.params.iter().any(|param| held.contains(&param.symbol))
 }

@@ -7,7 +7,7 @@
 
 use plm_cas::{Expr, Graph};
 
-use super::assembly::{Assembly, Scene, is_closed};
+use super::assembly::{Assembly, Scene, are_closed};
 use super::random::Random;
 use super::rank::rank;
 use crate::derive::Equations;
@@ -40,9 +40,9 @@ pub(crate) fn freedom(
         let size = |k: usize| if k % 3 == 2 { 1.0 } else { length };
         let moved = |(k, q): (usize, &f64)| q + NEXT_TO * size(k) * random.unit();
         let near: Vec<f64> = found.q.iter().enumerate().map(moved).collect();
-        let (q, phi, _) = scene.close(near, &free);
+        let (q, phi, _) = scene.close(near, &free, &|_| found.closed.clone());
         let away = q.iter().zip(&found.q).enumerate().map(|(k, (q, from))| (q - from).abs() / size(k));
-        if is_closed(&phi) && away.fold(0.0, f64::max) <= FAR {
+        if are_closed(&phi, &found.closed) && away.fold(0.0, f64::max) <= FAR {
             most = most.max(rank(&scene.phi_q(&q)).value());
         }
     }

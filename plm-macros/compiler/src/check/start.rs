@@ -20,6 +20,7 @@ pub(super) fn check_rows(
 ) {
     let mut values = values.to_vec();
     values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
+    super::add_sides(model, graph, &mut values);
     for (row, _) in model.rows.iter().zip(&found.phi).filter(|(_, residual)| !residual.is_finite()) {
         report(graph, &values, &row.name, row.span, row.phi, diagnostics);
     }

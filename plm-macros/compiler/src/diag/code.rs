@@ -77,6 +77,7 @@ catalogue! {
     TooMany = "E0413", "more repetitions or parts than can be";
     BadIndex = "E0414", "an index out of range";
     BadContour = "E0415", "a contour that cannot be drawn";
+    JumpingMotion = "E0416", "a prescribed motion jumps";
 
     // E05: topology, mobility, assembly.
     SelfJoint = "E0501", "a joint joins a body with itself";

@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use super::lines::{self, Bindings};
-use super::{Emission, blocks, docs, piece, push};
+use super::{Emission, blocks, docs, limits, piece, push};
 use crate::formulate::{Function, Place};
 use crate::model::{Body, Start};
 
@@ -64,9 +64,11 @@ fn constructors(text: &mut String, emission: &Emission) {
         /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
         ///
         /// # Errors
-        /// Redundant locks, or joints that stay open: the part and by how much.
+        /// Redundant locks, or joints that stay open: the part and by how much; a parameter that cannot have its value.
         pub fn assemble(&self) -> Result<Assembly<S>, Fault> {{
-            absolute::assemble(self, S::lit(0.0))
+            let t = S::lit(0.0);
+{check}            let assembly = absolute::assemble(self, t)?;
+{carried}            Ok(assembly)
         }}
 
         /// Assembles, and gives a run by Dormand and Prince's method.
@@ -86,7 +88,9 @@ fn constructors(text: &mut String, emission: &Emission) {
         }}
     }}
 
-"
+",
+            check = limits::call(emission),
+            carried = limits::carried(emission),
         ),
     );
 }

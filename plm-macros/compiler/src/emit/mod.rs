@@ -9,6 +9,7 @@ mod bodies;
 mod charts;
 mod defaults;
 mod docs;
+mod limits;
 mod linear;
 mod lines;
 mod mechanism;

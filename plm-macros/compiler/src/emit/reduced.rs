@@ -146,22 +146,18 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         );
         system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
-    let switching = charts::chosen(reduced, "u.chart", |k| {
-        if reduced.has_loops() {
-            format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
-        } else {
-            "self.switching(t, u, x, g)".to_owned()
-        }
-    });
     let switching = if reduced.has_loops() {
+        let chosen = charts::chosen(reduced, "u.chart", |k| {
+            format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
+        });
         format!(
             "if rt::charts::is_free::<Self>(u) {{
                 return self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g);
             }}
-            {switching}"
+            {chosen}"
         )
     } else {
-        switching
+        "self.switching(t, u, x, g)".to_owned()
     };
     sides::contract(text, emission, &switching);
     system::energy(text, emission);

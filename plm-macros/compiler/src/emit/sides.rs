@@ -6,6 +6,7 @@ use crate::model::Model;
 
 /// The straight-line functions that do not depend on the chart.
 pub(crate) fn instants(text: &mut String, emission: &Emission) {
+    row_jumps(text, emission);
     let count = emission.model.sides.len() - emission.model.guards();
     if count == 0 {
         return;
@@ -23,6 +24,32 @@ pub(crate) fn instants(text: &mut String, emission: &Emission) {
                 "fn instants(&self, u: &Input<S>, at: &mut [S; {count}], slope: &mut [S; {count}])"
             ),
             arguments: &["u", "at", "slope"],
+        },
+    );
+    text.push_str("    }\n");
+}
+
+/// What rows do where conditions in them change.
+fn row_jumps(text: &mut String, emission: &Emission) {
+    let (count, nq) = (5 * emission.model.jumps.len(), emission.equations.q.len());
+    if count == 0 {
+        return;
+    }
+    push(text, format_args!("\n    impl<S: Scalar> {}<S> {{\n", emission.name));
+    write(
+        text,
+        emission,
+        &emission.program.jumps,
+        Origin::Pose,
+        &Shape {
+            docs: &[
+                "How rows differ on both sides of conditions: residual, rate, its rate; the distance, its rate.",
+            ],
+            attribute: "#[cold]",
+            signature: &format!(
+                "fn jumps(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], jump: &mut [S; {count}])"
+            ),
+            arguments: &["t", "q", "v", "jump"],
         },
     );
     text.push_str("    }\n");
@@ -60,6 +87,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
         );
     }
     known_times(text, emission, input);
+    jumps(text, emission);
 }
 
 /// `must_hold`, and what keeps `switch` away from such conditions.
@@ -105,6 +133,44 @@ fn known_times(text: &mut String, emission: &Emission, input: &str) {
         }}
 
 "
+        ),
+    );
+}
+
+/// Rows that may jump; those that are known to are errors.
+fn jumps(text: &mut String, emission: &Emission) {
+    let jumps = &emission.model.jumps;
+    if jumps.is_empty() {
+        return;
+    }
+    let ((length, _), count, nq) = (emission.state_length(), jumps.len(), emission.equations.q.len());
+    let places: Vec<String> = jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.side)).collect();
+    let (u, after) = if emission.loops().is_some() { ("u.input", "after.input") } else { ("u", "after") };
+    let pose = if emission.reduced.is_some() {
+        "<State<S> as rt::Moment>::new(*self, *u, t, *x).pose()"
+    } else {
+        "absolute::split(x)"
+    };
+    push(
+        text,
+        format_args!(
+            "        #[cold]
+        fn jump(&self, t: S, u: &Self::U, x: &[S; {length}], after: Option<&Self::U>) -> Option<Fault> {{
+            const JUMPS: [(usize, usize); {count}] = [{places}];
+            let (q, v): ([S; {nq}], [S; {nq}]) = {pose};
+            let mut jump = [S::lit(0.0); {terms}];
+            self.jumps(t, &q, &v, &mut jump);
+            let (terms, _) = jump.as_chunks::<5>();
+            let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {{
+                let changes = after.is_some_and(|after| {after}.side[side] != {u}.side[side]);
+                (changes || after.is_none()).then_some(absolute::Crossing {{ row, terms, changes }})
+            }});
+            absolute::jump::<S, Self, NQ, NC>(self, t, (&q, &v), crossings)
+        }}
+
+",
+            places = places.join(", "),
+            terms = 5 * count,
         ),
     );
 }

@@ -40,6 +40,8 @@ pub(crate) struct Absolute {
     pub(crate) guards: Function,
     /// `at` and `slope` of conditions that depend on the time alone.
     pub(crate) instants: Function,
+    /// `jump`: what rows do where conditions change, five terms each.
+    pub(crate) jumps: Function,
     /// What the user reads.
     pub(crate) outputs: Outputs,
     /// Symbols of the weights of [`Absolute::min_norm`].
@@ -68,12 +70,15 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
     let x_dot = graph.substitute(&equations.x_dot, &read);
     let mut free = stored("force", &equations.force);
     free.extend(stored("gamma", &stabilised(model, equations, graph)));
+    // Assembly and projection hold no sides.
+    let released = |function: Function, graph: &mut Graph| function.substitute(&model.released, graph);
     let functions = Absolute {
         dynamics: dynamics(equations, &x_dot, motion),
-        phi: Function::of_results(stored("phi", &equations.phi)),
-        phi_dot: Function::of_results(stored("phi_dot", &equations.phi_dot)),
-        phi_q,
-        min_norm: min_norm(equations, (&weights, &residual), model.most_growth, graph),
+        phi: released(Function::of_results(stored("phi", &equations.phi)), graph),
+        phi_dot: released(Function::of_results(stored("phi_dot", &equations.phi_dot)), graph),
+        phi_q: released(phi_q, graph),
+        min_norm: released(min_norm(equations, (&weights, &residual), model.most_growth, graph), graph),
+        jumps: sides::jumps(model, graph),
         inverse_mass: Function::of_results(stored("inverse_mass", &inverse_mass)),
         free: Function::of_results(free),
         x_dot: Function::of_results(stored("x_dot", &x_dot)),

@@ -28,6 +28,7 @@ mod require;
 mod row;
 mod scope;
 mod shape;
+mod table;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -108,6 +109,8 @@ struct Resolver<'a> {
     parts: Vec<model::Part>,
     rows: Vec<RowState<'a>>,
     requirements: Vec<Requirement<'a>>,
+    /// Values that must be positive when parameters are known.
+    limits: Vec<model::Limit>,
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
@@ -192,6 +195,7 @@ impl<'a> Resolver<'a> {
             parts: Vec::new(),
             rows: Vec::new(),
             requirements: Vec::new(),
+            limits: Vec::new(),
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),

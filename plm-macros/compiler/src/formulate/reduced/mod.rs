@@ -242,7 +242,8 @@ impl Layout<'_> {
         let parts = names.iter().map(|name| owner(name).to_owned());
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
-        let survey = loops.then(|| self.survey(scheme));
+        // Where a pose is read nothing is held.
+        let survey = loops.then(|| self.survey(scheme).substitute(&model.released, self.graph));
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
@@ -265,7 +266,9 @@ impl Layout<'_> {
             augmented,
             guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
-            project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
+            project: project(model, equations, coordinates, &motion.drivers, self.graph)
+                .substitute(&model.released, self.graph)
+                .optimise(self.graph),
             look,
             survey,
             groups: scheme.groups.iter().map(described).collect(),
