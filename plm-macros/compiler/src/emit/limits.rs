@@ -146,7 +146,7 @@ fn renew(text: &mut String, emission: &Emission) {
             ("rt::charts::pose(self, t, held, x)", "rt::charts::enter(self, t, held, (&q, &v), x)".to_owned())
         }
         Some(_) => (
-            "<State<S> as rt::Moment>::new(*self, *held, t, *x).pose()",
+            "<State<S> as rt::Moment>::new(*self, *held, t, *x).pose_()",
             "self.project(t, &q, &v, x)".to_owned(),
         ),
         None => ("absolute::split(x)", "absolute::join(&q, &v, x)".to_owned()),

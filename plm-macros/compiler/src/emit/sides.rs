@@ -147,7 +147,7 @@ fn jumps(text: &mut String, emission: &Emission) {
     let places: Vec<String> = jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.side)).collect();
     let (u, after) = if emission.loops().is_some() { ("u.input", "after.input") } else { ("u", "after") };
     let pose = if emission.reduced.is_some() {
-        "<State<S> as rt::Moment>::new(*self, *u, t, *x).pose()"
+        "<State<S> as rt::Moment>::new(*self, *u, t, *x).pose_()"
     } else {
         "absolute::split(x)"
     };
