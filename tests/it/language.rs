@@ -89,7 +89,7 @@ mod required {
             param stiffness: N/m;
             param damping: N*s/m = 0;
             param reach: m;
-            param start_at = 0.5*reach;
+            param start_at: m = 0.5*reach;
             ground { port o: (0, 0) m; }
             body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: start_at, locked; }
             prismatic rail(ground.o, block.o) { stiffness: stiffness; damping: damping; }

@@ -1,8 +1,9 @@
 //! Rows that say what others say, and rows on bodies that no joint holds: every rung moves alike.
 
-use plm::Dop853;
+use plm::runtime::Absolute;
+use plm::{Dop853, Moment, System};
 
-use super::rungs::{close, on_both, values};
+use super::rungs::{close, on_both, on_rung_5, values};
 
 /// A mechanism with redundant rows on the rung that is taken, with so many numbers in its state, and on rung 5.
 macro_rules! moves_alike {
@@ -20,7 +21,7 @@ macro_rules! moves_alike {
         fn $test() {
             let mut one = $test::least::Scene::new().start_with(Dop853::new(1e-11)).unwrap();
             let mut other = $test::absolute::Scene::new().start_with(Dop853::new(1e-11)).unwrap();
-            assert_eq!(plm::Moment::x(one.state()).len(), $states);
+            assert_eq!(one.state().x().len(), $states);
             for _ in 0..=5 {
                 $(close(stringify!($body), values(one.$body()), values(other.$body()), 1e-7);)+
                 one.step(0.1).unwrap();
