@@ -146,6 +146,7 @@ fn a_mass_inside_a_chain_is_told_by_its_body() {
 #[test]
 fn a_body_without_mass_is_carried_by_others_or_refused() {
     use hung::Hung;
+    use hung_absolute::HungAbsolute;
     // The tip's weight turns the middle bar; with mass and inertia alike gone it is a link.
     for (m2, i2) in [(1.0, 0.0), (0.0, 0.1), (0.0, 0.0)] {
         let run = |m2: f64, i2: f64| {
@@ -167,7 +168,6 @@ fn a_body_without_mass_is_carried_by_others_or_refused() {
     // It never turns: any inertia is as good as another.
     assert!((slider::Slider { i1: 0.0, ..slider::Slider::new() }).start().is_ok());
     // Absolute coordinates divide by every mass.
-    use hung_absolute::HungAbsolute;
     assert_eq!(refused((HungAbsolute { m2: 0.0, ..HungAbsolute::new() }).start()), ("two", "mass"));
 }
 
