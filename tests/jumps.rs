@@ -268,3 +268,60 @@ breaks!(
     6.0,
     true
 );
+
+mod linkage {
+    plm::mechanism! {
+        /// A four-bar that is led from pose to pose, with a pendulum on its coupler, and with a spring that is slack at first.
+        pub Led {
+            gravity: 9.81 m/s^2;
+            ground { port a: (0, 0) m; port d: (1.5, 0) m; }
+            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 60 deg; }
+            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (1.5, 0) m; port e: (0.7, 0) m; start x: 0.25 m; start y: 0.43 m; }
+            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 1.5 m; start angle: 80 deg; }
+            body bob    { mass: 1 kg; inertia: 0.1 kg*m^2; port e: (0, 0.5) m; }
+            revolute a(ground.a, crank.a);
+            revolute b(crank.b, bar.b);
+            revolute c(bar.c, rocker.c);
+            revolute d(ground.d, rocker.d);
+            revolute e(bar.e, bob.e) { damping: 0.01 N*m*s/rad; }
+            constraint drive: crank.angle = 60 deg + smooth_table(t, (0.1 s, 0 deg), (0.6 s, 40 deg), (0.9 s, 20 deg));
+            force push(bob.e) { x: if t < 0.45 s then 0 N else 3 N; }
+        }
+    }
+}
+
+mod linkage_absolute {
+    plm::mechanism! {
+        pub Led {
+            rung: absolute;
+            gravity: 9.81 m/s^2;
+            ground { port a: (0, 0) m; port d: (1.5, 0) m; }
+            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 60 deg; }
+            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (1.5, 0) m; port e: (0.7, 0) m; start x: 0.25 m; start y: 0.43 m; }
+            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 1.5 m; start angle: 80 deg; }
+            body bob    { mass: 1 kg; inertia: 0.1 kg*m^2; port e: (0, 0.5) m; }
+            revolute a(ground.a, crank.a);
+            revolute b(crank.b, bar.b);
+            revolute c(bar.c, rocker.c);
+            revolute d(ground.d, rocker.d);
+            revolute e(bar.e, bob.e) { damping: 0.01 N*m*s/rad; }
+            constraint drive: crank.angle = 60 deg + smooth_table(t, (0.1 s, 0 deg), (0.6 s, 40 deg), (0.9 s, 20 deg));
+            force push(bob.e) { x: if t < 0.45 s then 0 N else 3 N; }
+        }
+    }
+}
+
+#[test]
+fn a_linkage_is_led_by_a_smooth_table_in_any_formulation() {
+    let mut least = linkage::Led::new().start_with(Dop853::new(1e-11)).unwrap();
+    let mut absolute = linkage_absolute::Led::new().start_with(Dop853::new(1e-11)).unwrap();
+    for _ in 0..12 {
+        least.step(0.1).unwrap();
+        absolute.step(0.1).unwrap();
+        let off = [least.bob().angle - absolute.bob().angle, least.rocker().angle - absolute.rocker().angle];
+        assert!(off.iter().all(|off| off.abs() < 1e-8), "{}: {off:?}", least.time());
+        assert!(least.drift().phi < 1e-12, "{:?}", least.drift());
+    }
+    assert!((least.crank().angle - 80_f64.to_radians()).abs() < 1e-12);
+    assert_eq!((least.stats().switches, absolute.stats().switches), (4, 4));
+}

@@ -5,7 +5,7 @@ use crate::method::{Dop853, Method};
 use crate::scalar::Real;
 use crate::sim::Sim;
 use crate::singular::Rescue;
-use crate::system::System;
+use crate::system::{Drift, System};
 
 /// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.
 pub trait Moment: Copy {
@@ -72,6 +72,13 @@ pub trait Mechanism: System<S: Real> + Copy {
     fn renew(&self, t: Self::S, held: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
         let _ = (t, held, x);
         Ok(())
+    }
+
+    /// How far the joints are open at a state. With joint coordinates they cannot drift, so that
+    /// [`System::drift`] has nothing to look at in a step; they are open all the same where parameters were changed.
+    fn opening(&self, t: Self::S, held: &Self::U, x: &Self::X) -> Drift<Self::S> {
+        let _ = held;
+        self.drift(t, x)
     }
 
     /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 8(5,3).

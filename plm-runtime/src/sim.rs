@@ -141,9 +141,9 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Ok(())
     }
 
-    /// How far the state is from its constraints.
+    /// How far the state is from its constraints, with the parameters as they are.
     pub fn drift(&self) -> Drift<M::S> {
-        self.state.mechanism().drift(self.state.time(), self.state.x())
+        self.state.mechanism().opening(self.state.time(), &self.state.held(), self.state.x())
     }
 
     /// The mechanism at the current moment.

@@ -29,7 +29,7 @@ pub use carry::check_carried;
 pub use jump::{Crossing, jump};
 pub(crate) use nearest::{nearest, smallest_pivot};
 pub use renew::renew;
-pub use settle::{balance, drift, residuals, settle, settle_state};
+pub use settle::{balance, drift, opening, residuals, settle, settle_state};
 
 use crate::scalar::Real;
 use crate::start::Start;

@@ -61,7 +61,18 @@ pub fn drift<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, 
     x: &[S; NX],
 ) -> Drift<S> {
     let (q, v) = split(x);
-    Drift { phi: largest(&m.phi(t, &q)), phi_dot: largest(&m.phi_dot(t, &q, &v)) }
+    opening(m, t, &q, &v)
+}
+
+/// Largest residuals of a pose and velocity.
+#[inline]
+pub fn opening<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    v: &[S; NQ],
+) -> Drift<S> {
+    Drift { phi: largest(&m.phi(t, q)), phi_dot: largest(&m.phi_dot(t, q, v)) }
 }
 
 /// Gives `row` the residuals of position, then those of velocity, of a state [q, v, first-order states].

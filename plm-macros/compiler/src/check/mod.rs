@@ -90,13 +90,15 @@ pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f6
     }
 }
 
-/// Compliances that are known to be wrong only with the defaults of the parameters that they read.
-fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
+/// Compliances that are known to be wrong only with the defaults of the parameters that they read; false if there are some.
+fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) -> bool {
+    let mut are_kept = true;
     for limit in &model.limits {
         let found = value(graph, limit.value, values);
         if found.is_finite() && (found > 0.0 || (limit.or_zero && found == 0.0)) {
             continue;
         }
+        are_kept = false;
         let wanted = if limit.or_zero { "finite and not negative" } else { "positive and finite" };
         let (what, part, unit) = (&limit.what, &limit.part, &limit.unit);
         let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
@@ -104,6 +106,7 @@ fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
             .error(Code::NotPositive, limit.span, message)
             .note("this is its value with the defaults of the parameters");
     }
+    are_kept
 }
 
 /// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
@@ -144,7 +147,7 @@ pub(crate) fn check_assembly(
 ) {
     let values = defaults(model, graph);
     check_masses(model, graph, &values, diagnostics);
-    check_limits(model, graph, &values, diagnostics);
+    let limits_are_kept = check_limits(model, graph, &values, diagnostics);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let mut assembled = found.values(equations, &values);
     add_sides(model, graph, &mut assembled);
@@ -169,7 +172,10 @@ pub(crate) fn check_assembly(
         let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
         let open = run(&Tape::new(graph, &compliant), &found.values(equations, &values));
         strained(model, &open, report.length, diagnostics);
-        start::check_start(model, equations, graph, (program, &values), found, diagnostics);
+        // What divides by such a compliance has been told of it.
+        if limits_are_kept {
+            start::check_start(model, equations, graph, (program, &values), found, diagnostics);
+        }
     }
 }
 

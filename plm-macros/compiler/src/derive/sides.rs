@@ -43,6 +43,10 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         model.jumps.extend(index.map(|side| Jump { side, ..jump }));
     }
     kinks::substitute(model, &pairs, graph);
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let in_rows = graph.reachable(&rows);
+    let released = pairs.iter().filter(|pair| in_rows.contains(&pair.1));
+    model.released = released.map(|&(condition, held)| (held, condition)).collect();
     for load in &mut model.loads {
         load.force = std::array::from_fn(|k| graph.substitute(&[load.force[k]], &pairs)[0]);
     }
@@ -89,7 +93,6 @@ fn hold_rows(
                 pair
             }
         };
-        model.released.push((pair.1, pair.0));
         if let Some(symbol) = graph.symbols(&[pair.1]).first().copied() {
             jumps.extend(of_rows.into_iter().map(|jump| (symbol, jump)));
         }

@@ -1,4 +1,4 @@
-//! What the parameters may be, which of them the mechanism is assembled by, and how that is done again.
+//! What the parameters may be, which of them the mechanism is assembled by, how that is done again, and whether it must be.
 
 use std::fmt::Write;
 
@@ -7,10 +7,11 @@ use plm_cas::Expr;
 use super::{Emission, defaults, push};
 use crate::units::DisplayUnit;
 
-/// `check`, `fingerprint` and `renew`, in `Mechanism`.
+/// `check`, `fingerprint`, `renew` and `opening`, in `Mechanism`.
 pub(crate) fn emit(text: &mut String, emission: &Emission) {
     check(text, emission);
     renew(text, emission);
+    opening(text, emission);
 }
 
 /// A call of `check`, where there are parameters.
@@ -169,6 +170,25 @@ fn renew(text: &mut String, emission: &Emission) {
 
 ",
             fields.join(", ")
+        ),
+    );
+}
+
+/// How far joints are open that joint coordinates keep closed.
+fn opening(text: &mut String, emission: &Emission) {
+    if emission.reduced.is_none() {
+        return;
+    }
+    let ((length, _), held) = (emission.state_length(), emission.held("S"));
+    push(
+        text,
+        format_args!(
+            "        fn opening(&self, t: S, held: &{held}, x: &[S; {length}]) -> rt::Drift<S> {{
+            let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose();
+            absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
+        }}
+
+"
         ),
     );
 }
