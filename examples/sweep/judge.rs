@@ -7,9 +7,13 @@ use crate::reference::dd::Dd;
 use crate::reference::{Accuracy, Begin, Course, Stop, assemble, follow};
 use crate::run::{By, EVERY, Order, Outcome, Seen};
 
-/// The reference, and the same with less, which tells how exact both are and costs a third.
-const FINE: Accuracy = Accuracy { order: 24, tolerance: 1e-17 };
-const COARSE: Accuracy = Accuracy { order: 18, tolerance: 1e-12 };
+/// The reference, from less to more exact. What two of them differ by tells how exact they are; near misses need more.
+const STAGES: [Accuracy; 4] = [
+    Accuracy { order: 18, tolerance: 1e-12 },
+    Accuracy { order: 22, tolerance: 1e-16 },
+    Accuracy { order: 25, tolerance: 1e-19 },
+    Accuracy { order: 30, tolerance: 1e-24 },
+];
 /// Where the two differ by more than this, what is between them is not known well enough to judge by.
 const KNOWN: f64 = 1e-8;
 /// The start is moved by so much, rad or m, to see what becomes of it.
@@ -98,7 +102,9 @@ struct Sizes {
 
 /// All modes of a case.
 pub fn judge(case: &Case) -> Vec<Judged> {
-    let known = know(case);
+    // Where no mode can decide, what is costliest is not asked for.
+    let some = Mode::ALL.into_iter().any(|mode| case.decidable(mode.epsilon()));
+    let known = if some { know(case) } else { Err(None) };
     Mode::ALL.into_iter().map(|mode| one(case, mode, known.as_ref())).collect()
 }
 
@@ -178,23 +184,31 @@ fn off(outcome: &Outcome, known: &Known, allowed: f64) -> (f64, Option<f64>, f64
 fn know(case: &Case) -> Result<Known, Option<Stop>> {
     let times: Vec<f64> = (1..=case.samples).map(|index| EVERY * index as f64).collect();
     let course = |state, accuracy| follow(&case.scene, state, &times, accuracy).map_err(Some);
-    let fine = course(case.state.clone(), FINE)?;
-    let coarse = course(case.state.clone(), COARSE)?;
-    let (moved, by) = moved(case);
-    let other = course(assemble(&case.scene, &moved).map_err(Some)?, COARSE)?;
-    let sizes = Sizes::of(case, &fine);
-    let [fine, coarse, other] = [fine, coarse, other].map(|course| seen(&course));
-    let own = coarse.iter().zip(&fine).fold(0.0_f64, |own, (a, b)| own.max(sizes.error(a, b)));
-    if !(own < KNOWN) {
-        return Err(None);
-    }
-    let mut growth = Vec::new();
+    // What misses a flat pose by little is never known by the least exact one.
+    let mut stage = usize::from(case.offset.is_some());
+    let mut coarse = course(case.state.clone(), STAGES[stage])?;
+    let (fine, sizes, own) = loop {
+        let fine = course(case.state.clone(), STAGES[stage + 1])?;
+        let sizes = Sizes::of(case, &fine);
+        let pairs = seen(&coarse).into_iter().zip(seen(&fine));
+        let own = pairs.fold(0.0_f64, |own, (a, b)| own.max(sizes.error(&a, &b)));
+        if own < KNOWN {
+            break (fine, sizes, own);
+        }
+        stage += 1;
+        if stage + 1 == STAGES.len() {
+            return Err(None);
+        }
+        coarse = fine;
+    };
+    let (begin, by) = moved(case);
+    let other = course(assemble(&case.scene, &begin).map_err(Some)?, STAGES[stage])?;
     let mut most = 0.0_f64;
-    for (a, b) in other.iter().zip(&coarse) {
-        most = most.max(sizes.error(a, b) / by);
-        growth.push(most);
-    }
-    Ok(Known { samples: fine, sizes, growth, own })
+    let growth = seen(&other).into_iter().zip(seen(&coarse)).map(|(a, b)| {
+        most = most.max(sizes.error(&a, &b) / by);
+        most
+    });
+    Ok(Known { growth: growth.collect(), samples: seen(&fine), sizes, own })
 }
 
 /// The start moved by a little, and by how much.
@@ -256,7 +270,7 @@ impl Sizes {
             (0..6).for_each(|k| take(found[k], known[k], sizes[k]));
         }
         (0..2).for_each(|k| {
-            take(found.energy[k], known.energy[k], self.energy.max(known.energy[k].abs() * 1e-3))
+            take(found.energy[k], known.energy[k], self.energy.max(known.energy[k].abs() * 1e-3));
         });
         worst
     }

@@ -16,6 +16,7 @@
 //! The program fails if a case is wrong.
 #![allow(missing_docs, reason = "the modules are private to an example")]
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what is not a number is to fail")]
 
 mod cases;
 mod judge;
@@ -56,7 +57,9 @@ fn single(seed: u64, number: u64) -> bool {
     let case = Case::new(seed, number);
     println!("{}", case.describe());
     let judged = judge(&case);
-    judged.iter().for_each(|judged| println!("{}", told(judged)));
+    for judged in &judged {
+        println!("{}", told(judged));
+    }
     judged.iter().all(|judged| matches!(judged.verdict, Verdict::Right | Verdict::Undecidable))
 }
 

@@ -77,7 +77,7 @@ pub struct Outcome {
 }
 
 /// No motion of the sweep needs more steps; one that does is ended as one that creeps.
-const MOST_STEPS: u64 = 100_000;
+const MOST_STEPS: u64 = 20_000;
 
 /// With any method.
 pub fn any<M: Build<S = f64> + Linear>(order: &Order) -> Outcome {
@@ -149,7 +149,7 @@ fn look<M: Build>(index: usize, state: &M::State) -> Seen {
     let mut bodies = Vec::new();
     M::bodies(state, |body| {
         let plm::BodyState { x, y, angle, vx, vy, omega } = body;
-        bodies.push([x, y, angle, vx, vy, omega].map(|value| value.to_f64()));
+        bodies.push([x, y, angle, vx, vy, omega].map(Scalar::to_f64));
     });
-    Seen { index, bodies, energy: M::energies(state).map(|value| value.to_f64()) }
+    Seen { index, bodies, energy: M::energies(state).map(Scalar::to_f64) }
 }

@@ -29,7 +29,9 @@ impl Factor {
         let mut dense = vec![Dd::ZERO; weights.len()];
         let mut a = vec![Dd::ZERO; size * size];
         for (i, row) in rows.iter().enumerate() {
-            row.iter().for_each(|(index, value)| dense[*index] = *value * weights[*index]);
+            for (index, value) in row {
+                dense[*index] = *value * weights[*index];
+            }
             for (j, other) in rows.iter().enumerate().take(i + 1) {
                 let mut sum = Dd::ZERO;
                 for (index, value) in other {
@@ -40,7 +42,9 @@ impl Factor {
                 a[i * size + j] = sum;
                 a[j * size + i] = sum;
             }
-            row.iter().for_each(|(index, _)| dense[*index] = Dd::ZERO);
+            for (index, _) in row {
+                dense[*index] = Dd::ZERO;
+            }
         }
         Self::eliminate(size, a)
     }

@@ -27,8 +27,6 @@ pub struct Begin {
 /// A moment of a motion.
 #[derive(Clone, Debug)]
 pub struct Sample {
-    /// s
-    pub time: f64,
     /// (x, y, theta) of each body.
     pub q: Vec<Dd>,
     pub v: Vec<Dd>,
@@ -41,8 +39,6 @@ pub struct Sample {
 pub struct Course {
     pub samples: Vec<Sample>,
     pub steps: usize,
-    /// How near to a singular pose a state was, see `Motion::least`.
-    pub least: f64,
 }
 
 /// The scene assembled: pose and velocity that satisfy the constraints to all digits.
@@ -90,17 +86,17 @@ pub fn follow(
 ) -> Result<Course, Stop> {
     let model = Model::new(scene);
     let first = model.energy(&q, &v);
-    let mut samples = vec![Sample { time: 0.0, q: q.clone(), v: v.clone(), energy: first }];
+    let mut samples = vec![Sample { q: q.clone(), v: v.clone(), energy: first }];
     let mut motion = Motion::new(model, accuracy, q, v);
     let mut next = times.iter().copied().filter(|time| *time > 0.0).peekable();
     motion.advance(times.last().copied().unwrap_or(0.0), |motion, end| {
         while let Some(time) = next.next_if(|time| *time <= end) {
             let (q, v) = motion.at(time);
             let energy = motion.model.energy(&q, &v);
-            samples.push(Sample { time, q, v, energy });
+            samples.push(Sample { q, v, energy });
         }
     })?;
-    Ok(Course { samples, steps: motion.steps, least: motion.least })
+    Ok(Course { samples, steps: motion.steps })
 }
 
 /// Energy of the joints' springs at a pose, J.

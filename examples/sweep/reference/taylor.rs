@@ -45,15 +45,12 @@ pub struct Motion {
     series: Vec<Vec<Dd>>,
     begin: Dd,
     pub steps: usize,
-    /// The smallest pivot at a state, see `Factor::least`.
-    pub least: f64,
 }
 
 impl Motion {
     pub fn new(model: Model, accuracy: Accuracy, q: Vec<Dd>, v: Vec<Dd>) -> Self {
         let series = q.iter().map(|_| vec![Dd::ZERO; accuracy.order + 1]).collect();
-        let mut motion =
-            Self { model, accuracy, time: Dd::ZERO, q, v, series, begin: Dd::ZERO, steps: 0, least: 1.0 };
+        let mut motion = Self { model, accuracy, time: Dd::ZERO, q, v, series, begin: Dd::ZERO, steps: 0 };
         motion.model.tape.reserve(accuracy.order);
         motion
     }
@@ -113,7 +110,6 @@ impl Motion {
         self.model.tape.evaluate(1, &self.series);
         let first = self.model.derivatives();
         let factor = Factor::new(&first, &self.model.inverse);
-        self.least = self.least.min(factor.least);
         let mut multipliers: Vec<Vec<Dd>> = vec![Vec::with_capacity(order); first.len()];
         let mut forces = vec![Dd::ZERO; n];
         for k in 0..=order - 2 {
@@ -130,7 +126,9 @@ impl Motion {
                 .collect();
             factor.solve(&mut r);
             for ((row, of), kept) in r.iter().zip(&first).zip(&mut multipliers) {
-                of.iter().for_each(|(i, entry)| forces[*i] -= *entry * *row);
+                for (i, entry) in of {
+                    forces[*i] -= *entry * *row;
+                }
                 kept.push(*row);
             }
             for i in 0..n {
@@ -234,7 +232,9 @@ impl Model {
         let rows = self.derivatives();
         Factor::new(&rows, weights).solve(r);
         for (row, r) in rows.iter().zip(r) {
-            row.iter().for_each(|(i, entry)| x[*i] -= weights[*i] * *entry * *r);
+            for (i, entry) in row {
+                x[*i] -= weights[*i] * *entry * *r;
+            }
         }
     }
 }
