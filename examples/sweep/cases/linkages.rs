@@ -1,0 +1,199 @@
+//! Linkages of bars on a grid of lengths, so that sums and differences are exact: those that lie flat somewhere, and those
+//! that miss it by little.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::Draft;
+use crate::mechanisms::{bars, ladders, redundant};
+use crate::random::{Random, round};
+use crate::scene::{Scene, Shape};
+
+/// Offsets are spread over these.
+const OFFSETS: (f64, f64) = (1e-15, 1e-2);
+/// Starts next to flat are spread over these, rad.
+const FLAT: (f64, f64) = (1e-9, 1e-1);
+
+/// Where two circles meet, to the left of the line from the first centre to the second, or to the right.
+fn meet(a: [f64; 2], ra: f64, b: [f64; 2], rb: f64, left: bool) -> Option<[f64; 2]> {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let square = dx * dx + dy * dy;
+    let along = 0.5 * (square + (ra - rb) * (ra + rb)) / square;
+    let rest = ra * ra / square - along * along;
+    // Rounding may take a flat pose a little beyond the reach.
+    if !(rest > -1e-12) {
+        return None;
+    }
+    let across = rest.max(0.0).sqrt() * if left { 1.0 } else { -1.0 };
+    Some([a[0] + along * dx - across * dy, a[1] + along * dy + across * dx])
+}
+
+/// A bar along the x axis of its body, from `-back` to `length - back`; the far end misses by `offset`.
+fn bar(scene: &mut Scene, body: usize, back: f64, length: f64, offset: f64) {
+    let ports = &mut scene.bodies[body].ports;
+    ports[0] = [-back, 0.0, 0.0];
+    ports[1] = [(length - back) + offset, 0.0, 0.0];
+}
+
+/// Pose of a bar from its ends.
+fn pose(q: &mut Vec<f64>, from: [f64; 2], to: [f64; 2], back: f64) {
+    let angle = (to[1] - from[1]).atan2(to[0] - from[0]);
+    q.extend([from[0] + back * angle.cos(), from[1] + back * angle.sin(), angle]);
+}
+
+/// An angle of the crank: anywhere, or next to one at which bars lie flat.
+fn angle(random: &mut Random, flat: f64) -> (f64, Option<f64>) {
+    if random.chance(0.7) {
+        return (random.single(-3.0, 3.0), None);
+    }
+    let off = random.logarithmic(FLAT.0, FLAT.1);
+    (if flat == 0.0 { round(off) } else { flat + off }, Some(off))
+}
+
+pub fn neutral_four_bar(random: &mut Random) -> Option<Draft> {
+    four_bar(random, 0.0)
+}
+
+pub fn nearly_neutral_four_bar(random: &mut Random) -> Option<Draft> {
+    let offset = random.logarithmic(OFFSETS.0, OFFSETS.1);
+    four_bar(random, offset)
+}
+
+fn four_bar(random: &mut Random, offset: f64) -> Option<Draft> {
+    let mut scene = Scene::of(&bars::four_bar::SHAPE);
+    let [crank, coupler] = [0.25, 0.5].map(|least| random.grid(least, 1.5));
+    let (rocker, span) = match random.below(6) {
+        0..=2 => (crank, coupler),
+        3 => (coupler, crank),
+        4 => {
+            let span = random.grid(0.25, 1.5);
+            (crank + span - coupler, span)
+        }
+        _ => {
+            let span = random.grid(0.25, 1.5);
+            (crank + coupler - span, span)
+        }
+    };
+    // Twins of more than one kind lie flat everywhere, or fold into a point.
+    if !(0.2..=2.0).contains(&rocker) || (crank == coupler && rocker == span) {
+        return None;
+    }
+    let lengths = [crank, coupler, rocker];
+    let backs = lengths.map(|length| (length * random.between(0.2, 0.8) * 256.0).round() / 256.0);
+    let missed = random.below(4);
+    for body in 0..3 {
+        bar(&mut scene, body, backs[body], lengths[body], if missed == body { offset } else { 0.0 });
+    }
+    let span = if missed == 3 { span + offset } else { span };
+    scene.ground[1] = [span, 0.0, 0.0];
+    let (theta, flat) = angle(random, 0.0);
+    let long = |body: usize| scene.bodies[body].ports[1][0] + backs[body];
+    let (a, d) = ([0.0, 0.0], [span, 0.0]);
+    let b = [long(0) * theta.cos(), long(0) * theta.sin()];
+    let c = meet(b, long(1), d, long(2), random.chance(0.5))?;
+    let mut q = Vec::new();
+    pose(&mut q, a, b, backs[0]);
+    q[2] = theta;
+    pose(&mut q, b, c, backs[1]);
+    pose(&mut q, d, c, backs[2]);
+    Some(Draft { scene, q, driver: Some(2), offset: (offset != 0.0).then_some(offset), flat })
+}
+
+/// A slider-crank whose rod is as long as its crank, or misses that; half of the offsets are exactly zero.
+pub fn slider_crank(random: &mut Random) -> Option<Draft> {
+    let mut scene = Scene::of(&bars::slider_crank::SHAPE);
+    let length = random.grid(0.25, 1.0);
+    let back = [0.0; 2].map(|_| (length * random.between(0.2, 0.8) * 256.0).round() / 256.0);
+    let offset = if random.chance(0.3) { 0.0 } else { random.logarithmic(OFFSETS.0, OFFSETS.1) };
+    let missed = random.below(3);
+    for body in 0..2 {
+        bar(&mut scene, body, back[body], length, if missed == body { offset } else { 0.0 });
+    }
+    let rail = if missed == 2 { offset } else { 0.0 };
+    scene.ground[1] = [0.0, rail, 0.0];
+    let (theta, flat) = angle(random, FRAC_PI_2);
+    let [crank, rod] = [0, 1].map(|body| scene.bodies[body].ports[1][0] + back[body]);
+    let b = [crank * theta.cos(), crank * theta.sin()];
+    let reach = rod * rod - (b[1] - rail) * (b[1] - rail);
+    if !(reach > -1e-12) {
+        return None;
+    }
+    let side = if random.chance(0.5) { 1.0 } else { -1.0 };
+    let c = [b[0] + side * reach.max(0.0).sqrt(), rail];
+    let mut q = Vec::new();
+    pose(&mut q, [0.0, 0.0], b, back[0]);
+    q[2] = theta;
+    pose(&mut q, b, c, back[1]);
+    q.extend([c[0], c[1], 0.0]);
+    Some(Draft { scene, q, driver: Some(2), offset: (offset != 0.0).then_some(offset), flat })
+}
+
+pub fn ladder(random: &mut Random) -> Option<Draft> {
+    rungs(random, 0.0)
+}
+
+pub fn nearly_neutral_ladder(random: &mut Random) -> Option<Draft> {
+    let offset = random.logarithmic(OFFSETS.0, OFFSETS.1);
+    rungs(random, offset)
+}
+
+/// A ladder of two to five windows, each a square; one post misses its length.
+#[allow(clippy::unnecessary_wraps, reason = "kinds are drawn by functions of one type")]
+fn rungs(random: &mut Random, offset: f64) -> Option<Draft> {
+    let shapes: [&'static Shape; 4] = [
+        &ladders::ladder_2::SHAPE,
+        &ladders::ladder_3::SHAPE,
+        &ladders::ladder_4::SHAPE,
+        &ladders::ladder_5::SHAPE,
+    ];
+    let windows = random.below(4) + 2;
+    let mut scene = Scene::of(shapes[windows - 2]);
+    let [high, wide] =
+        [1.0, 1.0].map(|length| if random.chance(0.5) { length } else { random.grid(0.5, 1.5) });
+    let missed = 1 + random.below(windows);
+    for post in 0..=windows {
+        bar(&mut scene, post, 0.5 * high, high, if post == missed { offset } else { 0.0 });
+        scene.ground[post] = [post as f64 * wide, 0.0, 0.0];
+    }
+    for rung in 1..=windows {
+        bar(&mut scene, windows + rung, 0.5 * wide, wide, 0.0);
+    }
+    let theta = random.single(0.2, 2.9) * if random.chance(0.5) { 1.0 } else { -1.0 };
+    let foot = |post: usize| [post as f64 * wide, 0.0];
+    let top = |post: usize| [foot(post)[0] + high * theta.cos(), high * theta.sin()];
+    let mut q = Vec::new();
+    for post in 0..=windows {
+        pose(&mut q, foot(post), top(post), 0.5 * high);
+    }
+    q[2] = theta;
+    for rung in 1..=windows {
+        pose(&mut q, top(rung - 1), top(rung), 0.5 * wide);
+    }
+    Some(Draft { scene, q, driver: Some(2), offset: (offset != 0.0).then_some(offset), flat: None })
+}
+
+/// Three parallel cranks: what the third says, the first two say already.
+#[allow(clippy::unnecessary_wraps, reason = "kinds are drawn by functions of one type")]
+pub fn third_crank(random: &mut Random) -> Option<Draft> {
+    let mut scene = Scene::of(&redundant::third_crank::SHAPE);
+    let (length, beam) = (random.grid(0.25, 1.5), random.grid(0.5, 1.5));
+    let (third, rise) = (random.grid(0.1, 2.0), random.grid(-0.5, 0.5));
+    for body in [0, 2, 3] {
+        bar(&mut scene, body, 0.5 * length, length, 0.0);
+    }
+    let back = 0.5 * beam;
+    scene.bodies[1].ports = vec![[-back, 0.0, 0.0], [back, 0.0, 0.0], [third - back, rise, 0.0]];
+    let feet = [[0.0, 0.0], [beam, 0.0], [third, rise]];
+    for (port, foot) in scene.ground.iter_mut().zip(feet) {
+        *port = [foot[0], foot[1], 0.0];
+    }
+    // Three feet in a line leave it flat twice a turn; else it is regular everywhere.
+    let (theta, flat) = if rise == 0.0 { angle(random, 0.0) } else { (random.single(-PI, PI), None) };
+    let top = |foot: [f64; 2]| [foot[0] + length * theta.cos(), foot[1] + length * theta.sin()];
+    let mut q = Vec::new();
+    pose(&mut q, feet[0], top(feet[0]), 0.5 * length);
+    q[2] = theta;
+    pose(&mut q, top(feet[0]), top(feet[1]), back);
+    pose(&mut q, feet[1], top(feet[1]), 0.5 * length);
+    pose(&mut q, feet[2], top(feet[2]), 0.5 * length);
+    Some(Draft { scene, q, driver: Some(2), offset: None, flat })
+}

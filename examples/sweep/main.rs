@@ -1,0 +1,116 @@
+//! Random mechanisms against a reference in higher precision: no run that ends `Ok` may be off, none may be ended where the
+//! motion goes on.
+//!
+//! ```sh
+//! cargo run --release --example sweep -- 10000                     # so many cases
+//! cargo run --release --example sweep -- --seed 7 --only six-bar   # others, of some kinds
+//! cargo run --release --example sweep -- --seed 7 --case 123       # one of them, with all its numbers
+//! cargo run --release --example sweep -- --check-reference         # is the reference right?
+//! ```
+//!
+//! Every case is run on the rung that the compiler takes, in absolute coordinates (`rung: absolute;`), and in f32. Poses,
+//! velocities and energies of all samples are compared: 1e-6 of the size is allowed (1e-3 in f32), more where the motion
+//! multiplies a change of 1e-9 at its start by more than a thousand. Where lengths miss a flat pose by less than 1e-13 of
+//! the size, numbers of 16 digits cannot tell which motion is meant; such cases are counted apart.
+//!
+//! The program fails if a case is wrong.
+#![allow(missing_docs, reason = "the modules are private to an example")]
+#![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what is not a number is to fail")]
+
+mod cases;
+mod judge;
+mod mechanisms;
+mod options;
+mod random;
+mod reference;
+mod run;
+mod scene;
+mod table;
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use cases::{Case, KINDS};
+use judge::{Judged, Verdict, judge};
+use options::Options;
+use table::Table;
+
+fn main() -> ExitCode {
+    let options = match Options::read(std::env::args().skip(1)) {
+        Ok(options) => options,
+        Err(what) => {
+            eprintln!("{what}\n{}", options::USAGE);
+            return ExitCode::from(2);
+        }
+    };
+    let holds = match (options.check_reference, options.case) {
+        (true, _) => reference::check::all(),
+        (false, Some(number)) => single(options.seed, number),
+        (false, None) => sweep(&options),
+    };
+    if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// One case with all its numbers.
+fn single(seed: u64, number: u64) -> bool {
+    let case = Case::new(seed, number);
+    println!("{}", case.describe());
+    let judged = judge(&case);
+    for judged in &judged {
+        println!("{}", told(judged));
+    }
+    judged.iter().all(|judged| matches!(judged.verdict, Verdict::Right | Verdict::Undecidable))
+}
+
+fn sweep(options: &Options) -> bool {
+    let clock = Instant::now();
+    println!("seed {}, {} cases", options.seed, options.cases);
+    let wanted = |number: &u64| {
+        let name = KINDS[Case::kind_of(*number)].name;
+        options.only.as_ref().is_none_or(|only| name.contains(only.as_str()))
+    };
+    let numbers: Vec<u64> = (0..options.cases).filter(wanted).collect();
+    let points = plm::batch::points(numbers).quiet();
+    let points = match options.threads {
+        Some(threads) => points.threads(threads),
+        None => points,
+    };
+    let runs = points.run(|number| Ok(judge(&Case::new(options.seed, number))));
+    let (mut table, mut holds) = (Table::new(), true);
+    for (number, judged) in runs.values() {
+        let kind = Case::kind_of(*number);
+        for judged in judged {
+            table.add(kind, judged);
+            let wrong = !matches!(judged.verdict, Verdict::Right | Verdict::Undecidable);
+            if wrong && options.verbose {
+                let name = KINDS[kind].name;
+                println!("--seed {} --case {number}  {name}, {}", options.seed, told(judged));
+            }
+        }
+    }
+    for failed in runs.failed() {
+        println!("--seed {} --case {}  {:?}", options.seed, failed.parameters, failed.result.as_ref().err());
+        holds = false;
+    }
+    holds &= table.print();
+    println!("{:.1} s", clock.elapsed().as_secs_f64());
+    holds
+}
+
+/// A verdict in a line.
+fn told(judged: &Judged) -> String {
+    let Judged { mode, verdict, worst, first, own, lively } = judged;
+    let what = match verdict {
+        Verdict::Right => "right".to_owned(),
+        Verdict::WrongOk => "WRONG, and Ok".to_owned(),
+        Verdict::FalseStop(fault) => format!("FALSE STOP, {fault}"),
+        Verdict::Undecidable => "undecidable".to_owned(),
+        Verdict::Unknown(stop) => format!("the reference does not know: {stop:?}"),
+    };
+    let first = first.map_or(String::new(), |first| format!(", first at {first:.3} s"));
+    format!(
+        "{}: {what}; worst {worst:.1e}{first}; the reference's own {own:.1e}; grows {lively:.0}-fold",
+        mode.name()
+    )
+}

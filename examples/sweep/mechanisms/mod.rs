@@ -1,0 +1,74 @@
+//! The mechanisms, each declared once; every number is a parameter.
+
+#[macro_use]
+mod declare;
+
+pub mod bars;
+pub mod groups;
+pub mod ladders;
+pub mod redundant;
+pub mod six_bars;
+pub mod trees;
+
+use plm::{BodyState, Mechanism};
+
+use crate::run::{self, Order, Outcome};
+use crate::scene::Shape;
+
+/// A declared mechanism that takes its numbers from a scene.
+pub trait Build: Mechanism {
+    /// With parameters in the order of `Scene::numbers`, and with start values: of each body x, y, angle, vx, vy, omega,
+    /// and whether they are locked.
+    fn build(numbers: &[f64], starts: &[(f64, bool)]) -> Self;
+    /// Gives `each` the bodies in their order.
+    fn bodies(state: &Self::State, each: impl FnMut(BodyState<Self::S>));
+    /// Kinetic energy and that of gravity, J.
+    fn energies(state: &Self::State) -> [Self::S; 2];
+}
+
+/// A mechanism by the ways in which it can be run.
+pub struct Entry {
+    pub shape: &'static Shape,
+    pub default: Runner,
+    pub absolute: Runner,
+    pub single: Runner,
+    /// Whether `default` knows all methods, or only the one that `start()` takes.
+    pub every_method: bool,
+}
+
+/// Runs a case.
+pub type Runner = fn(&Order) -> Outcome;
+
+macro_rules! entries {
+    ($($file:ident::$module:ident $default:ident $every:literal),* $(,)?) => {
+        /// Every mechanism. All methods for all of them would cost minutes of compilation and show nothing more.
+        pub static ENTRIES: &[Entry] = &[$(Entry {
+            shape: &$file::$module::SHAPE,
+            default: run::$default::<$file::$module::loops::Linkage<f64>>,
+            absolute: run::usual::<$file::$module::absolute::Linkage<f64>>,
+            single: run::usual::<$file::$module::loops::Linkage<f32>>,
+            every_method: $every,
+        }),*];
+    };
+}
+entries!(
+    trees::tree_2 usual false,
+    trees::tree_3 any true,
+    trees::tree_4 usual false,
+    trees::tree_5 usual false,
+    bars::four_bar any true,
+    bars::slider_crank any true,
+    bars::shaper usual false,
+    six_bars::watt_1 usual false,
+    six_bars::watt_2 usual false,
+    six_bars::stephenson_1 usual false,
+    six_bars::stephenson_2 usual false,
+    six_bars::stephenson_3 any true,
+    groups::platform usual false,
+    groups::butterfly usual false,
+    ladders::ladder_2 usual false,
+    ladders::ladder_3 usual false,
+    ladders::ladder_4 usual false,
+    ladders::ladder_5 usual false,
+    redundant::third_crank usual false,
+);

@@ -1,0 +1,186 @@
+//! Double-double arithmetic: a number as the unevaluated sum of two, some 31 digits.
+//!
+//! T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971); Y. Hida,
+//! X. S. Li, D. H. Bailey, Library for double-double and quad-double arithmetic (2007). Without fused operations, so that
+//! every host gives the same bits.
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// `hi + lo`, where `lo` is at most half a unit in the last place of `hi`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Dd {
+    pub hi: f64,
+    pub lo: f64,
+}
+
+/// The sum and what rounding took from it, if `a` is the larger.
+#[inline]
+fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let s = a + b;
+    (s, b - (s - a))
+}
+
+#[inline]
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let s = a + b;
+    let t = s - a;
+    (s, (a - (s - t)) + (b - t))
+}
+
+/// The two halves of 26 bits (Veltkamp).
+#[inline]
+fn split(a: f64) -> (f64, f64) {
+    let t = 134_217_729.0 * a;
+    let hi = t - (t - a);
+    (hi, a - hi)
+}
+
+#[inline]
+fn two_prod(a: f64, b: f64) -> (f64, f64) {
+    let p = a * b;
+    let ((ah, al), (bh, bl)) = (split(a), split(b));
+    (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
+}
+
+impl Dd {
+    pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    /// pi/2 in two numbers; what is left of it is below 1e-33.
+    const HALF_PI: Self = Self { hi: std::f64::consts::FRAC_PI_2, lo: 6.123_233_995_736_766e-17 };
+
+    #[inline]
+    fn of_sum((s, e): (f64, f64)) -> Self {
+        let (hi, lo) = quick_two_sum(s, e);
+        Self { hi, lo }
+    }
+
+    pub fn abs(self) -> Self {
+        if self.hi < 0.0 { -self } else { self }
+    }
+
+    /// Sine and cosine: quarter turns off, an eighth of what is left by its series, doubled three times.
+    pub fn sin_cos(self) -> (Self, Self) {
+        let quarters = (self.hi / Self::HALF_PI.hi).round();
+        let rest = (self - Self::HALF_PI * Self::from(quarters)) * Self::from(0.125);
+        let square = rest * rest;
+        // 1 - cos is carried, so that doubling loses nothing where the angle is small.
+        let (mut sine, mut versine) = (rest, square * Self::from(0.5));
+        let (mut term_s, mut term_c) = (rest, versine);
+        for k in 1..14 {
+            let k = f64::from(2 * k);
+            term_s = -term_s * square / Self::from(k * (k + 1.0));
+            term_c = -term_c * square / Self::from((k + 1.0) * (k + 2.0));
+            sine += term_s;
+            versine += term_c;
+        }
+        for _ in 0..3 {
+            let cosine = Self::ONE - versine;
+            versine = sine * sine * Self::from(2.0);
+            sine = sine * cosine * Self::from(2.0);
+        }
+        let cosine = Self::ONE - versine;
+        match quarters.rem_euclid(4.0) as u8 {
+            0 => (sine, cosine),
+            1 => (cosine, -sine),
+            2 => (-sine, -cosine),
+            _ => (-cosine, sine),
+        }
+    }
+}
+
+impl From<f64> for Dd {
+    #[inline]
+    fn from(hi: f64) -> Self {
+        Self { hi, lo: 0.0 }
+    }
+}
+
+impl Add for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        let (s, e) = two_sum(self.hi, b.hi);
+        let (t, f) = two_sum(self.lo, b.lo);
+        let (s, e) = quick_two_sum(s, e + t);
+        Self::of_sum((s, e + f))
+    }
+}
+
+impl Neg for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self { hi: -self.hi, lo: -self.lo }
+    }
+}
+
+impl Sub for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, b: Self) -> Self {
+        self + -b
+    }
+}
+
+impl Mul for Dd {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        let (p, e) = two_prod(self.hi, b.hi);
+        Self::of_sum((p, e + (self.hi * b.lo + self.lo * b.hi)))
+    }
+}
+
+impl Div for Dd {
+    type Output = Self;
+
+    fn div(self, b: Self) -> Self {
+        let first = self.hi / b.hi;
+        let rest = self - b * Self::from(first);
+        let second = rest.hi / b.hi;
+        let rest = rest - b * Self::from(second);
+        Self::of_sum(quick_two_sum(first, second)) + Self::from(rest.hi / b.hi)
+    }
+}
+
+impl AddAssign for Dd {
+    #[inline]
+    fn add_assign(&mut self, b: Self) {
+        *self = *self + b;
+    }
+}
+
+impl SubAssign for Dd {
+    #[inline]
+    fn sub_assign(&mut self, b: Self) {
+        *self = *self - b;
+    }
+}
+
+/// Of order `k` in the product of two series.
+#[inline]
+pub fn convolved(a: &[Dd], b: &[Dd], k: usize) -> Dd {
+    let mut sum = Dd::ZERO;
+    for j in 0..=k {
+        sum += a[j] * b[k - j];
+    }
+    sum
+}
+
+/// The sum of a series at `h`.
+pub fn horner(series: &[Dd], h: Dd) -> Dd {
+    series.iter().rev().fold(Dd::ZERO, |sum, coefficient| sum * h + *coefficient)
+}
+
+/// The rate of a series at `h`.
+pub fn horner_rate(series: &[Dd], h: Dd) -> Dd {
+    let mut sum = Dd::ZERO;
+    for (k, coefficient) in series.iter().enumerate().skip(1).rev() {
+        sum = sum * h + *coefficient * Dd::from(k as f64);
+    }
+    sum
+}

@@ -1,0 +1,155 @@
+//! A case run by `plm`.
+
+use plm::runtime::Linear;
+use plm::{Dop853, Dopri5, Fault, Gauss, Method, Moment, RadauIia5, Rk4, Ros34Pw2, Scalar, Sim};
+
+use crate::mechanisms::Build;
+
+/// Which method; a step is a fraction of the usual one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    Dop853,
+    Dopri5,
+    Rk4,
+    Gauss,
+    Radau,
+    Ros34Pw2,
+}
+
+impl By {
+    pub const ALL: [Self; 6] =
+        [Self::Dop853, Self::Dopri5, Self::Rk4, Self::Gauss, Self::Radau, Self::Ros34Pw2];
+
+    /// Whether its steps have a fixed length, which decides how exact it is.
+    pub fn fixed(self) -> bool {
+        matches!(self, Self::Rk4 | Self::Gauss | Self::Ros34Pw2)
+    }
+}
+
+/// How the interval is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// `step` of a millisecond.
+    Milli,
+    /// `step` of a tenth of a second.
+    Tenth,
+    /// One `step`.
+    Whole,
+    /// `run` with samples.
+    Samples,
+}
+
+impl Pace {
+    pub const ALL: [Self; 4] = [Self::Milli, Self::Tenth, Self::Whole, Self::Samples];
+}
+
+/// Samples are so far apart, s.
+pub const EVERY: f64 = 0.025;
+
+/// What is to be run.
+pub struct Order<'c> {
+    pub numbers: &'c [f64],
+    pub starts: &'c [(f64, bool)],
+    /// Number of samples; the run ends with the last.
+    pub samples: usize,
+    pub by: By,
+    pub pace: Pace,
+    /// Steps of methods that have fixed ones are divided by this.
+    pub finer: f64,
+}
+
+/// Poses, velocities and energies at a moment.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// Number of the sample.
+    pub index: usize,
+    /// x, y, angle, vx, vy, omega of each body.
+    pub bodies: Vec<[f64; 6]>,
+    pub energy: [f64; 2],
+}
+
+/// What came of it.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    pub seen: Vec<Seen>,
+    pub fault: Option<Fault>,
+    pub steps: u64,
+}
+
+/// No motion of the sweep needs more steps; one that does is ended as one that creeps.
+const MOST_STEPS: u64 = 20_000;
+
+/// With any method.
+pub fn any<M: Build<S = f64> + Linear>(order: &Order) -> Outcome {
+    let short = 1e-3 / order.finer;
+    match order.by {
+        By::Dopri5 => with::<M, _>(order, Dopri5::default().with_most_steps(MOST_STEPS)),
+        By::Rk4 => with::<M, _>(order, Rk4::new(short)),
+        By::Gauss => with::<M, _>(order, Gauss::<M, 3>::new(short)),
+        By::Radau => with::<M, _>(order, RadauIia5::default().with_most_steps(MOST_STEPS)),
+        By::Ros34Pw2 => with::<M, _>(order, Ros34Pw2::new(short)),
+        By::Dop853 => usual::<M>(order),
+    }
+}
+
+/// With the method that `start()` takes.
+pub fn usual<M: Build>(order: &Order) -> Outcome {
+    with::<M, _>(order, Dop853::default().with_most_steps(MOST_STEPS))
+}
+
+fn with<M: Build, I: Method<M>>(order: &Order, method: I) -> Outcome {
+    let mut outcome = Outcome::default();
+    let started = M::build(order.numbers, order.starts).start_with(method);
+    let mut sim = match started {
+        Ok(sim) => sim,
+        Err(fault) => {
+            outcome.fault = Some(fault);
+            return outcome;
+        }
+    };
+    outcome.seen.push(look::<M>(0, sim.state()));
+    outcome.fault = pace(order, &mut sim, &mut outcome.seen).err();
+    outcome.steps = sim.stats().steps;
+    outcome
+}
+
+fn pace<M: Build, I: Method<M>>(
+    order: &Order,
+    sim: &mut Sim<M, I>,
+    seen: &mut Vec<Seen>,
+) -> Result<(), Fault> {
+    let lit = M::S::lit;
+    let (length, calls) = match order.pace {
+        Pace::Milli => (1e-3, 25),
+        Pace::Tenth => (0.1, 1),
+        Pace::Whole => (EVERY * order.samples as f64, 1),
+        Pace::Samples => {
+            let mut index = 0;
+            return sim.run(lit(EVERY * order.samples as f64), lit(EVERY), |state| {
+                if index > 0 {
+                    seen.push(look::<M>(index, state));
+                }
+                index += 1;
+            });
+        }
+    };
+    let stride = (length * f64::from(calls) / EVERY).round() as usize;
+    for index in (stride..=order.samples).step_by(stride) {
+        for _ in 0..calls {
+            sim.step(lit(length))?;
+        }
+        // Many short intervals need not end where their number says: the time is the mechanism's own.
+        debug_assert!((sim.time().to_f64() - EVERY * index as f64).abs() < 1e-3);
+        seen.push(look::<M>(index, sim.state()));
+    }
+    Ok(())
+}
+
+fn look<M: Build>(index: usize, state: &M::State) -> Seen {
+    let mut bodies = Vec::new();
+    M::bodies(state, |body| {
+        let plm::BodyState { x, y, angle, vx, vy, omega } = body;
+        bodies.push([x, y, angle, vx, vy, omega].map(Scalar::to_f64));
+    });
+    Seen { index, bodies, energy: M::energies(state).map(Scalar::to_f64) }
+}
