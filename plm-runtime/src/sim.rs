@@ -206,7 +206,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let Self { state, method, stats, watch, limits, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course { system, held, time, x, end, stats };
+        let mut course = Course::new((system, held), (time, x), end, stats);
         let mut outcome = Ok(());
         while outcome.is_ok() && course.time < end {
             let instant = system.next_instant(course.time, &course.held);
@@ -279,14 +279,27 @@ fn stretch<M: Mechanism, I: Method<M>>(
     method.begin(course)?;
     while course.time < course.end {
         let mut outcome = Ok(());
-        if !M::Rescue::holds(&course.held) {
+        if !M::Rescue::holds(course) {
             outcome = step(method, course, (watch, limits), observer);
         }
-        if M::Rescue::holds(&course.held) || outcome.is_err() {
+        if M::Rescue::holds(course) || outcome.is_err() {
             rescue(method, course, (watch, limits), (outcome, observer))?;
         }
     }
     Ok(())
+}
+
+/// Advances to the end of the course from a step that may have failed.
+pub(crate) fn alone<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    failed: Result<(), Fault>,
+) -> Result<(), Fault> {
+    if failed.is_err() {
+        rescue(method, course, (&mut *watch, limits), (failed, &mut Unobserved))?;
+    }
+    stretch(method, course, (watch, limits), &mut Unobserved)
 }
 
 /// One step; it may be refused, and is not made then.
@@ -298,7 +311,13 @@ fn step<M: Mechanism, I: Method<M>>(
     observer: &mut impl Observer<M>,
 ) -> Result<(), Fault> {
     let before = (course.time, course.x);
+    course.health = M::S::lit(1.0);
     let due = watch.step(method, course)?;
+    if M::Rescue::is_due(course) {
+        course.rescued = Some(course.time);
+        refuse(course, before, watch);
+        return Ok(());
+    }
     let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
     // Samples within the step belong to what was held over it.
     observer.see(method, course)?;
@@ -323,7 +342,7 @@ fn rescue<M: Mechanism, I: Method<M>>(
         watch.begin(method, course)?;
     }
     let mut rescue = M::Rescue::new();
-    while course.time < course.end && M::Rescue::holds(&course.held) {
+    while course.time < course.end && M::Rescue::holds(course) {
         let before = (course.time, course.held, course.x);
         let outcome = step(&mut rescue, course, (&mut *watch, limits), observer);
         // The cause is that which the mechanism's own coordinates tell.
@@ -406,10 +425,7 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
         Ok(accepted) => Ok(Some(Next { accepted, held, x })),
         Err(fault) => {
             let (h, time) = (course.time - before.0, course.time);
-            (course.time, course.x) = before;
-            course.stats.steps -= 1;
-            course.stats.rejected += 1;
-            watch.forget();
+            refuse(course, before, watch);
             if method.shorten(h) && h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs() {
                 watch.begin(method, course)?;
                 return Ok(None);
@@ -417,6 +433,14 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
             Err(fault)
         }
     }
+}
+
+/// Goes back to where a step began.
+fn refuse<M: Mechanism>(course: &mut Course<'_, M>, before: (M::S, M::X), watch: &mut Watch<M::S, M::G>) {
+    (course.time, course.x) = before;
+    course.stats.steps -= 1;
+    course.stats.rejected += 1;
+    watch.forget();
 }
 
 /// Compares the energy after a step with that before and the work in between, by the trapezoidal rule.

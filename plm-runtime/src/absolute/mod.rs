@@ -27,7 +27,9 @@ pub use assemble::assemble;
 pub use assembly::{Assembly, Status};
 pub use carry::check_carried;
 pub use jump::{Crossing, jump};
+pub use nearest::flat_part;
 pub(crate) use nearest::{nearest, smallest_pivot};
+pub(crate) use redundancy::beside;
 pub use renew::renew;
 pub use settle::{balance, drift, opening, residuals, settle, settle_state};
 

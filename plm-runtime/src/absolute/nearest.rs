@@ -50,3 +50,23 @@ pub(crate) fn smallest_pivot<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, c
     let mut dq = [S::ZERO; NQ];
     m.min_norm(t, q, &m.inverse_mass(), &[S::ZERO; NC], &mut dq).0
 }
+
+/// The part whose constraint takes the longest way to close by a unit: near a singular pose, one of those that are flat.
+pub fn flat_part<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+) -> &'static str {
+    let (mut longest, mut part) = (S::ZERO, "");
+    for (row, name) in M::PARTS.into_iter().enumerate() {
+        let r = core::array::from_fn(|j| if j == row { S::lit(1.0) } else { S::ZERO });
+        let mut dq = [S::ZERO; NQ];
+        m.min_norm(t, q, &[S::lit(1.0); NQ], &r, &mut dq);
+        // What is not a number is as long as can be.
+        let way = largest(&dq);
+        if !(way <= longest) {
+            (longest, part) = (way, name);
+        }
+    }
+    part
+}

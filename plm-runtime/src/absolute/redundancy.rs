@@ -100,7 +100,7 @@ fn mark<S: Real, const N: usize>(marks: &mut [bool; N], vector: &[S; N], size: S
 
 /// A position beside `q` that no symmetry singles out: free coordinates moved by up to 0.1 (rad, and m, or less where the
 /// mechanism is smaller), by the fractions of multiples of the golden ratio. The rank there is the highest that the equations can have, off phi = 0.
-pub(super) fn beside<S: Real, const NQ: usize>(q: &[S; NQ], free: &[S; NQ], length: S) -> [S; NQ] {
+pub(crate) fn beside<S: Real, const NQ: usize>(q: &[S; NQ], free: &[S; NQ], length: S) -> [S; NQ] {
     let (mut fraction, reach) = (0.0, S::lit(0.2) * length.min(S::lit(1.0)));
     core::array::from_fn(|i| {
         fraction += 0.618_033_988_749_894_9;

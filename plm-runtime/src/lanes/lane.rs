@@ -5,7 +5,8 @@ use crate::events::Watch;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, FixedStep, Formula, Method, Plan};
-use crate::sim::{Limits, Sim, look};
+use crate::sim::{Limits, Sim, alone, look};
+use crate::singular::Rescue;
 use crate::vector::Vector;
 
 /// A simulation on its way through an interval.
@@ -26,7 +27,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
         let Sim { state, method, stats, watch, limits, .. } = sim;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course { system, held, time: state.time(), x, end, stats };
+        let mut course = Course::new((system, held), (state.time(), x), end, stats);
         let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
         Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, coasted: 0 }
     }
@@ -38,7 +39,8 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
 
     /// Whether its steps may be made with the others', in their chart.
     pub(super) fn joins(&self, chart: usize) -> bool {
-        self.runs && !self.method.careful && M::chart(&self.course.held) == chart
+        let regular = !self.method.careful && !M::Rescue::holds(&self.course);
+        self.runs && regular && M::chart(&self.course.held) == chart
     }
 
     /// Makes the next step with the others and without a look at it, if none is due.
@@ -53,8 +55,13 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     /// Makes the next step of the plan from the state `x`, to `next` if that is known, and looks at it.
     pub(super) fn step(&mut self, time: f64, plan: &Plan<f64>, x: M::X, next: Option<M::X>) {
         (self.course.time, self.course.x, self.method.plan) = (time, x, *plan);
-        self.outcome = self.land(next);
-        self.runs = self.outcome.is_ok();
+        self.outcome = if M::Rescue::holds(&self.course) { Ok(()) } else { self.land(next) };
+        self.runs = self.outcome.is_ok() && !M::Rescue::holds(&self.course);
+        if !self.runs {
+            // Near a singular pose it goes on without the others.
+            let Self { course, method, watch, limits, outcome, .. } = self;
+            *outcome = alone(*method, course, (&mut **watch, *limits), *outcome);
+        }
     }
 
     fn land(&mut self, next: Option<M::X>) -> Result<(), Fault> {

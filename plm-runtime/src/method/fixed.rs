@@ -80,6 +80,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         if !self.careful {
             let health = F::plain_step(course.system, course.time, &course.held, x, self.plan.h);
             course.stats.evaluations += F::STAGES;
+            course.health = course.health.min(health.0);
             if health.is_good() {
                 return Ok(());
             }

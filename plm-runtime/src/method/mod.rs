@@ -111,9 +111,23 @@ pub struct Course<'a, M: System> {
     pub end: M::S,
     /// What was done so far.
     pub stats: &'a mut Stats,
+    /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`](crate::Health).
+    pub health: M::S,
+    /// Steps are made without what the mechanism's own coordinates need, until this time at least.
+    pub(crate) rescued: Option<M::S>,
 }
 
-impl<M: System> Course<'_, M> {
+impl<'a, M: System> Course<'a, M> {
+    /// A state at a time, on its way to `end`.
+    pub fn new(
+        (system, held): (&'a M, M::U),
+        (time, x): (M::S, M::X),
+        end: M::S,
+        stats: &'a mut Stats,
+    ) -> Self {
+        Self { system, held, time, x, end, stats, health: M::S::lit(1.0), rescued: None }
+    }
+
     /// A fault at the time reached.
     pub(crate) fn fault(&self, cause: Cause) -> Fault {
         Fault::new(self.time.to_f64(), cause)
@@ -122,7 +136,9 @@ impl<M: System> Course<'_, M> {
     /// The rate at `(t, x)`, by rank where it is unhealthy.
     fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         self.stats.evaluations += 1;
-        if self.system.rate(t, &self.held, x, dx).is_good() {
+        let health = self.system.rate(t, &self.held, x, dx);
+        self.health = self.health.min(health.0);
+        if health.is_good() {
             return Ok(());
         }
         // What is not a number makes every matrix look singular; it is named for what it is.

@@ -37,7 +37,10 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     fn new() -> Self;
 
     /// Is the state one that only this method can go on from?
-    fn holds(held: &M::U) -> bool;
+    fn holds(course: &Course<'_, M>) -> bool;
+
+    /// Did the last step lead over poses that are so nearly singular that only this method can be trusted?
+    fn is_due(course: &Course<'_, M>) -> bool;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
     fn take(course: &mut Course<'_, M>) -> bool;
@@ -70,7 +73,10 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
         dx: &mut [Twofold<Self::S>; NX],
     );
 
-    /// Is the mechanism held in absolute coordinates?
+    /// The mechanism has charts, which say themselves whether they are regular.
+    const CHARTED: bool;
+
+    /// Is the mechanism held without a chart?
     fn is_near(held: &Self::U) -> bool;
 
     /// The state in absolute coordinates.
@@ -92,7 +98,11 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         Self(core::marker::PhantomData)
     }
     #[inline]
-    fn holds(_held: &M::U) -> bool {
+    fn holds(_course: &Course<'_, M>) -> bool {
+        false
+    }
+    #[inline]
+    fn is_due(_course: &Course<'_, M>) -> bool {
         false
     }
     fn take(_course: &mut Course<'_, M>) -> bool {

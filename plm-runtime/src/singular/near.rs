@@ -5,12 +5,12 @@ use super::collocation::Polynomial;
 use super::equations::{Equations, Evaluated};
 use super::leap::{Refused, leap};
 use super::{Fine, Rescue};
-use crate::absolute::{Absolute, split};
+use crate::absolute::{Absolute, beside, smallest_pivot, split};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
-use crate::system::Drift;
+use crate::system::{Drift, Health};
 use crate::vector::Vector;
 
 /// Relative tolerance of the steps around a pose ...
@@ -22,6 +22,10 @@ const TOLERANCE_SINGLE: f64 = 1e-6;
 const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
 /// Distances, rad, that a step away from a singular pose may span.
 const AWAY: [f64; 4] = [0.1, 0.05, 0.02, 0.005];
+/// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
+const ELSEWHERE: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
+/// Pivots below this part of those at other poses are near a singular one.
+const POOR: f64 = 1e-2;
 /// A pose over which no step leads is tried again where it is nearer by this factor.
 const NEARER: f64 = 0.2;
 
@@ -63,14 +67,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     ) -> Result<(), Fault> {
         let equations = &here.equations;
         self.around.longest_step = longest;
-        let mut inner = Course {
-            system: equations,
-            held: course.held,
-            time: course.time,
-            x: here.full,
-            end: course.end,
-            stats: &mut *course.stats,
-        };
+        let mut inner =
+            Course::new((equations, course.held), (course.time, here.full), course.end, &mut *course.stats);
         self.around.begin(&mut inner)?;
         self.around.advance(&mut inner)?;
         let (time, mut full) = (inner.time, inner.x);
@@ -122,6 +120,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     fn arrive(&self, course: &mut Course<'_, M>, time: M::S, full: &[M::S; NX]) {
         course.time = time;
         course.system.hold(&mut course.held, &mut course.x, full);
+        if course.rescued.is_some_and(|until| until <= time) && is_regular(course.system, time, full) {
+            course.rescued = None;
+        }
     }
 
     /// A state from which nothing is known but its pose and velocity.
@@ -133,6 +134,40 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         let times = times.filter(|h| h.is_finite());
         self.step_over(course, here, (times, None)).map_err(|refused| fault(course, here, refused))
     }
+}
+
+/// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
+fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    full: &[M::S; NX],
+) -> M::S {
+    let (q, _) = split::<_, NX, NQ>(full);
+    let pivot = |turns: &f64| {
+        let far = beside(&q, &[M::S::lit(*turns); NQ], system.length());
+        smallest_pivot(system, t, &far)
+    };
+    ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
+}
+
+/// Has the last step come to poses that are far more singular than others? Where rows always depend on each other, none is.
+#[cold]
+fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    course: &Course<'_, M>,
+) -> bool {
+    let full = course.system.full(course.time, &course.held, &course.x);
+    let usual = usual(course.system, course.time, &full);
+    Health(usual).is_good() && course.health < M::S::lit(POOR) * usual
+}
+
+/// Is a state away from singular poses?
+fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    full: &[M::S; NX],
+) -> bool {
+    let (q, _) = split::<_, NX, NQ>(full);
+    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, full)
 }
 
 /// What ends a run at a singular pose.
@@ -173,6 +208,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         if !equations.is_beside(&full, evaluated) {
             return Err(fault(course, &here, Refused::NotFound));
         }
+        let here = Here { full: evaluated.x, ..here };
+        let Some(evaluated) = &here.evaluated else {
+            return self.leave(course, &here);
+        };
         let ahead = Ahead::of(&equations, (course.time, &course.held), evaluated);
         let (longest, rest) = (ahead.longest_step(), course.end - course.time);
         match ahead.flat().filter(|_| rest > longest) {
@@ -202,7 +241,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         let equations = Equations(*course.system);
         let x = course.system.full(course.time, &course.held, &course.x);
         let (held, time, end) = (course.held, course.time, course.end);
-        let mut inner = Course { system: &equations, held, time, x, end, stats: &mut *course.stats };
+        let mut inner = Course::new((&equations, held), (time, x), end, &mut *course.stats);
         self.around.densify(&mut inner)
     }
 
@@ -248,8 +287,14 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
         Self { around: Embedded::new(M::S::lit(tolerance)), over: None, passed: None, tried: M::S::INFINITY }
     }
 
-    fn holds(held: &M::U) -> bool {
-        M::is_near(held)
+    #[inline]
+    fn holds(course: &Course<'_, M>) -> bool {
+        if M::CHARTED { M::is_near(&course.held) } else { course.rescued.is_some() }
+    }
+
+    #[inline]
+    fn is_due(course: &Course<'_, M>) -> bool {
+        !M::CHARTED && course.health < M::S::lit(POOR) && is_poor(course)
     }
 
     fn take(course: &mut Course<'_, M>) -> bool {
@@ -258,6 +303,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
             return false;
         }
         course.system.hold(&mut course.held, &mut course.x, &full);
+        course.rescued = (!M::CHARTED).then_some(course.time);
         true
     }
 

@@ -184,7 +184,7 @@ fn opening(text: &mut String, emission: &Emission) {
         text,
         format_args!(
             "        fn opening(&self, t: S, held: &{held}, x: &[S; {length}]) -> rt::Drift<S> {{
-            let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose();
+            let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
             absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
         }}
 

@@ -2,7 +2,7 @@
 
 use plm_cas::Expr;
 
-use super::{Emission, defaults, mechanism, push, reduced, sides, solved};
+use super::{Emission, defaults, mechanism, push, reduced, sides, singular, solved};
 use crate::formulate::coordinate_name;
 use crate::model::{Stabilisation, State};
 
@@ -25,6 +25,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
         reduced::contract(&mut text, emission);
     } else {
         system(&mut text, emission);
+        singular::emit(&mut text, emission);
     }
     mechanism::emit(&mut text, emission);
     constraints(&mut text, emission);

@@ -114,6 +114,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             let end = P::step::<M>(t, h, &x, rate, k, &mut rates);
             let worst = rates.worst;
             course.stats.evaluations += P::EVALUATIONS;
+            course.health = course.health.min(worst.0);
             if worst.is_good() {
                 return Ok(Trial { x: end, by_rank: false });
             }
