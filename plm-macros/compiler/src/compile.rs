@@ -9,7 +9,7 @@ use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
 use crate::fallback;
-use crate::formulate::{Absolute, Assembled, Reduced, formulate, lay_out, reduce};
+use crate::formulate::{Absolute, Assembled, Known, Reduced, formulate, lay_out, reduce};
 use crate::front::{self, Reading};
 use crate::model::{Model, Output, Rung, Stabilisation};
 use crate::oracle::Oracle;
@@ -125,6 +125,9 @@ struct Lowered {
     assembly: OnceCell<Assembly>,
 }
 
+/// Values of parameters that are tried until the joints close.
+const VARIATIONS: u64 = 8;
+
 fn lower(mut model: Model, observed: Observed) -> Lowered {
     let mut graph = std::mem::take(&mut model.graph);
     let held = hold(&mut model, &mut graph);
@@ -148,7 +151,17 @@ fn lower(mut model: Model, observed: Observed) -> Lowered {
                     values,
                 })
             };
-            let reduced = reduce(&model, &equations, (length, &assembled), &mut graph);
+            // With other values of the parameters, dimensions do not make rows say what others say.
+            let freedom_elsewhere = |graph: &Graph| {
+                (1..=VARIATIONS).find_map(|seed| {
+                    let others = check::varied(&model, graph, seed)?;
+                    let found = check::assemble(&model, &equations, &program, graph, &others);
+                    let freedom = || check::freedom(&equations, &program, graph, (&others, length), &found);
+                    found.is_closed().then(freedom)
+                })
+            };
+            let known = Known { length, assembled: &assembled, freedom_elsewhere: &freedom_elsewhere };
+            let reduced = reduce(&model, &equations, known, &mut graph);
             if model.rung.is_some() {
                 reduced
             } else {

@@ -82,6 +82,18 @@ pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
     values
 }
 
+/// Values of parameters, inputs and states where those parameters that have dimensions of a mechanism are others than declared;
+/// none without parameters.
+pub(crate) fn varied(model: &Model, graph: &Graph, seed: u64) -> Option<Vec<(Expr, f64)>> {
+    let mut random = random::Random(seed);
+    let mut values = defaults(model, graph);
+    for param in &model.params {
+        let (_, value) = values.iter_mut().find(|(symbol, _)| *symbol == param.symbol)?;
+        *value += (0.3 + 0.2 * value.abs()) * random.unit();
+    }
+    (!model.params.is_empty()).then_some(values)
+}
+
 /// Adds the sides of the conditions at a state whose other symbols have values.
 pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f64)>) {
     for side in &model.sides {

@@ -19,4 +19,4 @@ mod sides;
 pub(crate) use absolute::{Absolute, coordinate_name, formulate};
 pub(crate) use function::{Function, Place};
 pub(crate) use outputs::user as lay_out;
-pub(crate) use reduced::{Assembled, Augmented, Chart, Part, Reduced, Term, formulate as reduce};
+pub(crate) use reduced::{Assembled, Augmented, Chart, Known, Part, Reduced, Term, formulate as reduce};

@@ -132,8 +132,16 @@ pub(crate) struct Assembled {
     pub(crate) values: Vec<(Expr, f64)>,
 }
 
-/// The size of the scene, m, and what gives the start if the joints close.
-pub(crate) type Known<'a> = (f64, &'a dyn Fn(&Graph) -> Option<Assembled>);
+/// What is known of dimensions and the start.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'a> {
+    /// The size of the scene, m.
+    pub(crate) length: f64,
+    /// The start, if the joints close.
+    pub(crate) assembled: &'a dyn Fn(&Graph) -> Option<Assembled>,
+    /// Coordinates less the rank of `phi_q` with other values of the parameters, if there are any and the joints close then.
+    pub(crate) freedom_elsewhere: &'a dyn Fn(&Graph) -> Option<usize>,
+}
 
 /// Lays out rung 1, 2 or 3.
 ///
@@ -142,11 +150,11 @@ pub(crate) type Known<'a> = (f64, &'a dyn Fn(&Graph) -> Option<Assembled>);
 pub(crate) fn formulate(
     model: &Model,
     equations: &Equations,
-    (length, assembled): Known,
+    known: Known,
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
-    let schemes = schemes(model, equations, &coordinates, (length, assembled), graph)?;
+    let schemes = schemes(model, equations, &coordinates, known, graph)?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
@@ -156,7 +164,7 @@ pub(crate) fn formulate(
     iterated.sort_unstable();
     iterated.dedup();
     let memory = Memory::new(&coordinates, (freedom, dyads), &iterated, graph);
-    let length = graph.number(plm_cas::Number::from_f64(length));
+    let length = graph.number(plm_cas::Number::from_f64(known.length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
     let turning = coordinates.unknowns.iter().filter_map(|unknown| match *unknown {
@@ -184,7 +192,7 @@ fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    (length, assembled): Known,
+    Known { length, assembled, freedom_elsewhere }: Known,
     graph: &mut Graph,
 ) -> Result<Vec<Scheme>, String> {
     let counted = charts::schemes(model, coordinates, graph);
@@ -209,6 +217,12 @@ fn schemes(
         (Err(reason), _) => reason.clone(),
     };
     let assembled = assembled.as_ref().ok_or_else(|| reason.clone())?;
+    // Defaults of parameters may be such as no mechanism has: lengths of zero. What is redundant at a start is found there.
+    if let Ok(counted) = counted
+        && freedom_elsewhere(graph) == counted.first().map(|scheme| scheme.drivers.len())
+    {
+        return Ok(counted);
+    }
     redundant::schemes(model, equations, coordinates, (length, assembled), graph).ok_or(reason)
 }
 
