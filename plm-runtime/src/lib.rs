@@ -17,6 +17,7 @@
 //! | [`ports`] | inputs and outputs by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`tube`] | numbers over an interval of time |
 //! | [`statics`] | what vanishes at an equilibrium |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
@@ -44,6 +45,7 @@ pub mod sim;
 pub mod start;
 pub mod statics;
 pub mod system;
+pub mod tube;
 pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
@@ -62,4 +64,5 @@ pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, System};
+pub use tube::{Interval, Tube};
 pub use vector::Vector;

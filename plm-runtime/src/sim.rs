@@ -5,9 +5,10 @@ use core::ops::{Deref, DerefMut};
 use crate::events::Watch;
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Dop853, Method};
+use crate::method::{Course, Dop853, Method, two_sum};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Accepted, Drift, System};
+use crate::system::{Accepted, Drift, Energy, System};
+use crate::vector::Vector;
 
 /// A running simulation.
 ///
@@ -20,6 +21,10 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) stats: Stats,
     pub(crate) watch: Watch<M::S, M::G>,
     pub(crate) limits: Limits<M::S>,
+    /// What rounding has left out of the time.
+    pub(crate) clock: Clock<M::S>,
+    /// The longest step so far, s.
+    pub(crate) longest_step: M::S,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -49,6 +54,8 @@ pub struct Stats {
     pub change_points: u64,
     /// Conditions that switched, and known times that were passed.
     pub switches: u64,
+    /// Conditions that came and went within a step of a method without dense output, and were passed over.
+    pub passed_over: u64,
     /// Longest accepted step, s.
     pub longest_step: f64,
 }
@@ -63,6 +70,12 @@ pub enum Notice {
         /// Step times decay rate.
         h_alpha: f64,
     },
+    /// Conditions came and went within steps of equal length, which passed over them: shorter steps, or a method with dense
+    /// output, which ends a step there.
+    PassedOver {
+        /// How often.
+        conditions: u64,
+    },
 }
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
@@ -74,16 +87,24 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             stats: Stats::default(),
             watch: Watch::new(),
             limits: Limits { energy_jump: None, change_points: false },
+            clock: Clock { time: M::S::ZERO, rest: M::S::ZERO },
+            longest_step: M::S::ZERO,
         }
     }
 
     /// Runs for the communication interval `dt`, in s, and ends exactly there.
     ///
+    /// What rounding leaves out of the time is made up for by the intervals that follow: a million of a millisecond end
+    /// at 1000 s, in `f32` as well.
+    ///
     /// # Errors
     /// When the interval cannot be integrated; the state is then that of the last accepted step.
     #[inline]
     pub fn step(&mut self, dt: M::S) -> Result<(), Fault> {
-        self.advance(self.state.time() + dt, |_, _| Ok(()))
+        let clock = self.clock.after(self.state.time(), dt);
+        self.advance(clock.time, dt, |_, _| Ok(()))?;
+        self.clock = clock;
+        Ok(())
     }
 
     /// Runs until the time `until` and gives a sample at the current time and after every `every`, in s.
@@ -91,36 +112,46 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Methods with dense output are not made to step shorter by samples. A sample that drifted is settled.
     ///
     /// # Errors
-    /// When the run cannot be continued; the samples before that moment have been given.
+    /// When the run cannot be continued; the samples before that moment have been given. Before all, when `until` has passed,
+    /// or when `every` is not positive or too short to move the time.
     pub fn run(&mut self, until: M::S, every: M::S, mut sample: impl FnMut(&M::State)) -> Result<(), Fault> {
         let start = self.state.time();
-        // Rounding must not cost the last sample.
-        let count = ((until - start) / every).to_f64() * (1.0 + 16.0 * M::S::EPSILON.to_f64());
-        if !(count >= 0.0 && count.is_finite()) {
+        let (length, one) = (until - start, M::S::lit(1.0));
+        if !(until >= start && until.is_finite()) {
+            return Err(self.bad_interval(length));
+        }
+        let ulp = M::S::EPSILON * start.abs().max(until.abs());
+        if !(every > M::S::ZERO && every > M::S::lit(4.0) * ulp) {
             return Err(self.bad_interval(every));
         }
-        let time_of = |k: u64| (start + M::S::lit(k as f64) * every).min(until);
+        // Rounding must not cost the last sample.
+        let last = (length / every * (one + M::S::lit(16.0) * M::S::EPSILON)).floor();
+        let time_of = |k: M::S| (start + k * every).min(until);
         sample(&self.state);
+        let mut k = one;
         if !I::DENSE {
-            for k in 1..=count as u64 {
-                self.advance(time_of(k), |_, _| Ok(()))?;
+            while k <= last {
+                self.advance(time_of(k), every, |_, _| Ok(()))?;
                 sample(&self.state);
+                k = k + one;
             }
-            return self.advance(until, |_, _| Ok(()));
+            return self.advance(until, length, |_, _| Ok(()));
         }
-        let (mut k, last) = (1, count as u64);
         let mut moment = self.state;
-        self.advance(until, |method, course| {
+        self.advance(until, length, |method, course| {
             while k <= last && time_of(k) <= course.time {
                 sample_at(method, course, time_of(k), &mut moment)?;
                 sample(&moment);
-                k += 1;
+                k = k + one;
             }
             Ok(())
         })
     }
 
     /// Projects the state onto its constraints.
+    ///
+    /// After a run that has ended with [`Cause::Drift`] the state is that before the step, which was on its constraints: to
+    /// settle it changes nothing.
     ///
     /// # Errors
     /// When the projection does not converge.
@@ -156,14 +187,18 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// What was done so far.
     pub fn stats(&self) -> Stats {
-        self.stats
+        Stats { longest_step: self.longest_step.to_f64(), ..self.stats }
     }
 
     /// What the user should know although the run goes on.
     pub fn notice(&self) -> Option<Notice> {
-        let alpha = self.state.mechanism().baumgarte_rate()?;
-        let h_alpha = self.stats.longest_step * alpha;
-        (h_alpha > 0.5).then_some(Notice::StiffStabilisation { h_alpha })
+        let alpha = self.state.mechanism().baumgarte_rate().unwrap_or_default();
+        let h_alpha = self.longest_step.to_f64() * alpha;
+        if h_alpha > 0.5 {
+            return Some(Notice::StiffStabilisation { h_alpha });
+        }
+        let conditions = self.stats.passed_over;
+        (conditions > 0).then_some(Notice::PassedOver { conditions })
     }
 
     /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run
@@ -190,20 +225,21 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         *self = snapshot.0;
     }
 
-    /// Advances to `end`; `observe` sees every accepted step.
+    /// Advances to `end`, which is to be `length` from here; `observe` sees every accepted step.
     fn advance(
         &mut self,
         end: M::S,
+        length: M::S,
         mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end.is_finite()) {
-            return Err(self.bad_interval(end - time));
+            return Err(self.bad_interval(length));
         }
-        let Self { state, method, stats, watch, limits } = self;
+        let Self { state, method, stats, watch, limits, longest_step, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course { system, held, time, x, end, stats };
+        let mut course = Course { system, held, time, x, end, stats, longest_step };
         let mut outcome = Ok(());
         while outcome.is_ok() && course.time < end {
             let instant = system.next_instant(course.time, &course.held);
@@ -249,6 +285,25 @@ fn stretch<M: Mechanism, I: Method<M>>(
         watch.switch(method, course, due)?;
     }
     Ok(())
+}
+
+/// The time as the intervals so far have it: what rounding has left out of it is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Clock<S> {
+    /// The time that it belongs to, s.
+    pub(crate) time: S,
+    /// What is to be added to it, s.
+    pub(crate) rest: S,
+}
+
+impl<S: Real> Clock<S> {
+    /// The clock after `dt`, from the time `now`; what is known of another time is forgotten.
+    pub(crate) fn after(self, now: S, dt: S) -> Self {
+        let rest = if self.time == now { self.rest } else { S::ZERO };
+        let (length, low) = two_sum(dt, rest);
+        let (time, high) = two_sum(now, length);
+        Self { time, rest: high + low }
+    }
 }
 
 /// What ends a run although its state could be continued.
@@ -327,9 +382,29 @@ fn audit<M: Mechanism>(course: &Course<'_, M>, fraction: M::S, before: &(M::S, M
     let fits = jump.abs() <= fraction * moves;
     if !fits {
         let cause = Cause::EnergyJump { by: jump.to_f64(), of: moves.to_f64() };
-        return Err(Fault::new(course.time.to_f64(), cause));
+        return Err(Fault::of_part(course.time.to_f64(), moved_most(course, before, from), cause));
     }
     Ok(())
+}
+
+/// The part whose own change in a step changes the energy most.
+#[cold]
+fn moved_most<M: Mechanism>(
+    course: &Course<'_, M>,
+    (time, x): &(M::S, M::X),
+    from: Energy<M::S>,
+) -> &'static str {
+    let mut most = ("", M::S::ZERO);
+    for i in 0..M::X::LEN {
+        let mut alone = *x;
+        alone.set(i, course.x.at(i));
+        let Some(to) = course.system.energy(*time, &course.held, &alone) else { continue };
+        let change = ((to.kinetic - from.kinetic) + (to.gravity - from.gravity)).abs();
+        if change > most.1 {
+            most = (course.system.part_of_state(i), change);
+        }
+    }
+    most.0
 }
 
 impl<M: Mechanism> Next<M> {

@@ -21,6 +21,7 @@ mod euler;
 mod fixed;
 mod gauss;
 mod jacobian;
+mod path;
 mod plan;
 mod radau;
 mod rates;
@@ -33,6 +34,7 @@ pub use embedded::{Embedded, Limits, Pair};
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
 pub use fixed::{FixedStep, Formula};
 pub use gauss::Gauss;
+pub use path::Path;
 pub(crate) use plan::Plan;
 pub use radau::RadauIia5;
 pub use rates::Rates;
@@ -77,6 +79,11 @@ pub trait Method<M: System>: Copy {
     /// The state at a time within the last step, after [`densify`](Self::densify); a rougher one (order 3) without.
     fn interpolate(&self, time: M::S) -> M::X;
 
+    /// What [`interpolate`](Self::interpolate) gives, as polynomials; none where nothing is known of a step.
+    fn path(&self) -> Option<Path<M::S, M::X>> {
+        None
+    }
+
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
     fn restart(&mut self);
 
@@ -106,6 +113,8 @@ pub struct Course<'a, M: System> {
     pub end: M::S,
     /// What was done so far.
     pub stats: &'a mut Stats,
+    /// The longest step so far, s.
+    pub longest_step: &'a mut M::S,
 }
 
 impl<M: System> Course<'_, M> {
@@ -163,4 +172,11 @@ fn larger<S: Real>(a: S, b: S) -> S {
         Some(_) => a,
         None => a + b,
     }
+}
+
+/// a + b as a rounded sum and the rest, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+pub(crate) fn two_sum<S: Real>(a: S, b: S) -> (S, S) {
+    let sum = a + b;
+    let b_part = sum - a;
+    (sum, (a - (sum - b_part)) + (b - b_part))
 }

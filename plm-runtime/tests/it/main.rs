@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs)]
 
 mod assembly;
+mod brief;
 mod change_points;
 mod charts;
 mod dense;

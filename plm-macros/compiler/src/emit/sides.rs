@@ -36,11 +36,32 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
     if guards > 0 {
         let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
         let (required, only) = requirements(emission.model);
+        let within = call.replace("self.", "mechanism.");
+        let held = emission.held("rt::Tube<S>");
         push(
             text,
             format_args!(
                 "        fn guards(&self, t: S, u: &Self::U, x: &[S; {length}], g: &mut [S; {guards}]) {{
             {call};
+        }}
+
+        fn guards_within(
+            &self,
+            t: rt::Tube<S>,
+            u: &Self::U,
+            x: &impl Fn(usize) -> rt::Tube<S>,
+            each: &mut impl FnMut(usize, rt::Tube<S>),
+        ) -> bool {{
+            use rt::lanes::Pack;
+            let constant = |[s]: [S; 1]| rt::Tube::constant(s);
+            let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
+            let mut tubes = [rt::Tube::constant(S::lit(0.0)); {guards}];
+            let within = |u: &{held}, x: &[rt::Tube<S>; {length}], g: &mut [rt::Tube<S>; {guards}]| {within};
+            within(&held, &core::array::from_fn(x), &mut tubes);
+            for (index, tube) in tubes.into_iter().enumerate() {{
+                each(index, tube);
+            }}
+            true
         }}
 
 {required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{

@@ -4,7 +4,7 @@ mod tableau;
 
 use self::tableau::{Legendre, Nodes, Tableau};
 use super::plan::Plan;
-use super::{Course, Method, drift_of_size};
+use super::{Course, Method, drift_of_size, two_sum};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -161,13 +161,6 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
             sum
         })
     }
-}
-
-/// a + b as a rounded sum and the rest, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
-fn two_sum<S: Real>(a: S, b: S) -> (S, S) {
-    let sum = a + b;
-    let b_part = sum - a;
-    (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
 impl<M: System<S: Real> + Copy, const STAGES: usize> Method<M> for Gauss<M, STAGES>
