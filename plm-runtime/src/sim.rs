@@ -1,14 +1,20 @@
 //! A running simulation: a mechanism at a moment, a method, and what was done.
 
+mod audit;
+mod clock;
+mod told;
+
 use core::ops::{Deref, DerefMut};
 
+use self::audit::audit;
+pub(crate) use self::clock::Clock;
+pub use self::told::{Notice, Stats};
 use crate::events::Watch;
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Dop853, Method, two_sum};
+use crate::method::{Course, Dop853, Method};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Accepted, Drift, Energy, System};
-use crate::vector::Vector;
+use crate::system::{Accepted, Drift, System};
 
 /// A running simulation.
 ///
@@ -30,53 +36,6 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
 #[derive(Clone, Copy)]
 pub struct Snapshot<M: Mechanism, I = Dop853<M>>(Sim<M, I>);
-
-/// What a simulation has done since it began.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stats {
-    /// Accepted internal steps.
-    pub steps: u64,
-    /// Rejected internal steps.
-    pub rejected: u64,
-    /// Evaluations of the rate.
-    pub evaluations: u64,
-    /// Matrices of derivatives of the rate.
-    pub jacobians: u64,
-    /// Decompositions of such matrices.
-    pub factorisations: u64,
-    /// Projections onto the constraints.
-    pub settled: u64,
-    /// Evaluations that were done again by rank.
-    pub by_rank: u64,
-    /// Changes of chart.
-    pub charts: u64,
-    /// Singular poses that were passed, where the mechanism could have gone on in another way.
-    pub change_points: u64,
-    /// Conditions that switched, and known times that were passed.
-    pub switches: u64,
-    /// Conditions that came and went within a step of a method without dense output, and were passed over.
-    pub passed_over: u64,
-    /// Longest accepted step, s.
-    pub longest_step: f64,
-}
-
-/// Something that the user should know although the run goes on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Notice {
-    /// The longest step times Baumgarte's decay rate is above 0.5: the stabilisation costs accuracy (and above 2.785
-    /// Runge-Kutta 4 is unstable). Shorten the step or lengthen the time constant.
-    StiffStabilisation {
-        /// Step times decay rate.
-        h_alpha: f64,
-    },
-    /// Conditions came and went within steps of equal length, which passed over them: shorter steps, or a method with dense
-    /// output, which ends a step there.
-    PassedOver {
-        /// How often.
-        conditions: u64,
-    },
-}
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
@@ -287,25 +246,6 @@ fn stretch<M: Mechanism, I: Method<M>>(
     Ok(())
 }
 
-/// The time as the intervals so far have it: what rounding has left out of it is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Clock<S> {
-    /// The time that it belongs to, s.
-    pub(crate) time: S,
-    /// What is to be added to it, s.
-    pub(crate) rest: S,
-}
-
-impl<S: Real> Clock<S> {
-    /// The clock after `dt`, from the time `now`; what is known of another time is forgotten.
-    pub(crate) fn after(self, now: S, dt: S) -> Self {
-        let rest = if self.time == now { self.rest } else { S::ZERO };
-        let (length, low) = two_sum(dt, rest);
-        let (time, high) = two_sum(now, length);
-        Self { time, rest: high + low }
-    }
-}
-
 /// What ends a run although its state could be continued.
 #[derive(Clone, Copy)]
 pub(crate) struct Limits<S> {
@@ -367,44 +307,6 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
             Err(fault)
         }
     }
-}
-
-/// Compares the energy after a step with that before and the work in between, by the trapezoidal rule.
-fn audit<M: Mechanism>(course: &Course<'_, M>, fraction: M::S, before: &(M::S, M::X)) -> Result<(), Fault> {
-    let energy = |t: M::S, x: &M::X| course.system.energy(t, &course.held, x);
-    let (Some(from), Some(to)) = (energy(before.0, &before.1), energy(course.time, &course.x)) else {
-        return Ok(());
-    };
-    let half = M::S::lit(0.5) * (course.time - before.0);
-    let jump = (to.kinetic - from.kinetic) + (to.gravity - from.gravity) - half * (from.power + to.power);
-    let moves = from.kinetic.max(to.kinetic).max((half * from.power).abs()).max((half * to.power).abs());
-    // False for what is not a number.
-    let fits = jump.abs() <= fraction * moves;
-    if !fits {
-        let cause = Cause::EnergyJump { by: jump.to_f64(), of: moves.to_f64() };
-        return Err(Fault::of_part(course.time.to_f64(), moved_most(course, before, from), cause));
-    }
-    Ok(())
-}
-
-/// The part whose own change in a step changes the energy most.
-#[cold]
-fn moved_most<M: Mechanism>(
-    course: &Course<'_, M>,
-    (time, x): &(M::S, M::X),
-    from: Energy<M::S>,
-) -> &'static str {
-    let mut most = ("", M::S::ZERO);
-    for i in 0..M::X::LEN {
-        let mut alone = *x;
-        alone.set(i, course.x.at(i));
-        let Some(to) = course.system.energy(*time, &course.held, &alone) else { continue };
-        let change = ((to.kinetic - from.kinetic) + (to.gravity - from.gravity)).abs();
-        if change > most.1 {
-            most = (course.system.part_of_state(i), change);
-        }
-    }
-    most.0
 }
 
 impl<M: Mechanism> Next<M> {

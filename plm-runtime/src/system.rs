@@ -68,7 +68,15 @@ pub trait System {
         let _ = (t, u, x, g);
     }
 
-    /// The same over an interval: gives each guard with its index, for a time and components of the state that move. False if
+    /// How many numbers the rate bends at where they pass zero; a step ends there if that matters.
+    const KINKS: usize = 0;
+
+    /// Gives each of these numbers with its index.
+    fn kinks(&self, t: Self::S, u: &Self::U, x: &Self::X, each: &mut impl FnMut(usize, Self::S)) {
+        let _ = (t, u, x, each);
+    }
+
+    /// Guards over an interval, and kinks behind them: gives each with its index, for a time and components of the state that move. False if
     /// a system cannot, and then conditions that last shorter than a small part of a step can be missed.
     fn guards_within(
         &self,

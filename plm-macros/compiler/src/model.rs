@@ -54,6 +54,8 @@ pub struct Model {
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub sides: Vec<Side>,
+    /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
+    pub kinks: Vec<Expr>,
     /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
     /// Sizes of parts for pictures.
@@ -305,6 +307,11 @@ pub struct Side {
 }
 
 impl Model {
+    /// Number of sides that depend on the state, and of kinks: what is looked at in every step.
+    pub fn watched(&self) -> usize {
+        self.guards() + self.kinks.len()
+    }
+
     /// Number of sides that depend on the state.
     pub fn guards(&self) -> usize {
         self.sides.iter().filter(|side| side.instant.is_none()).count()

@@ -7,9 +7,11 @@
 //! The step is done again, because what follows starts from that state: it has the accuracy of every other step and the
 //! constraints are kept, while the dense output is of lower order and off the constraints.
 
+mod kinks;
 mod root;
 mod search;
 
+use self::kinks::Kinks;
 use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, Method, Path};
@@ -99,7 +101,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         method: &mut I,
         course: &mut Course<'_, M>,
     ) -> Result<Option<usize>, Fault> {
-        if G::LEN == 0 {
+        if G::LEN == 0 && (M::KINKS == 0 || !I::DENSE) {
             method.advance(course)?;
             return Ok(None);
         }
@@ -112,13 +114,16 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         // What would end a step so early that it hardly moves the time happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
-        let (due, time) = match self.search(method, course)? {
+        let (mut due, mut time) = match self.search(method, course)? {
             Some((search, Found::Crossing(index, theta))) => (Some(index), search.time(theta)),
             Some((search, Found::Open(theta))) if search.time(theta) - start.time > least => {
                 (None, search.time(theta))
             }
             _ => (None, course.time),
         };
+        if let Some(kink) = kink(method, course, start.time)?.filter(|kink| *kink < time) {
+            (due, time) = (None, kink);
+        }
         if time >= course.time {
             self.arrive(end);
             return Ok(due);
@@ -201,7 +206,10 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         &self,
         method: &mut I,
         course: &mut Course<'a, M>,
-    ) -> Result<Option<(Search<'a, M>, Found<S>)>, Fault> {
+    ) -> Result<Option<Searched<'a, M>>, Fault> {
+        if G::LEN == 0 {
+            return Ok(None);
+        }
         method.densify(course)?;
         Ok(method.path().map(|path| {
             let search = Search::new(course.system, course.held, path, &self.left_over);
@@ -239,8 +247,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
     ) -> Result<(), Fault> {
         course.stats.switches += u64::from(switched);
         let time = course.time;
-        let short =
-            (S::lit(SHORT) * *course.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
+        let short = (S::lit(SHORT) * *course.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
         if time - self.since > short || time < self.since {
             (self.since, self.count) = (time, 0);
         }
@@ -252,6 +259,37 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         Err(Fault::of_part(time.to_f64(), course.system.guard_name(index), cause))
     }
 }
+
+/// The time of the first kink in the last step that is not smaller than the tolerance.
+///
+/// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
+fn kink<M: System<S: Real>, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    start: M::S,
+) -> Result<Option<M::S>, Fault> {
+    let (Some(tolerance), Some(path), true) = (method.tolerance(), method.path(), M::KINKS > 0) else {
+        return Ok(None);
+    };
+    let (system, held) = (course.system, course.held);
+    if (Kinks { system, held, path }).first().is_none() {
+        return Ok(None);
+    }
+    method.densify(course)?;
+    let Some(path) = method.path() else { return Ok(None) };
+    let mut outcome = Ok(());
+    let theta = Kinks { system, held, path }.first_that_matters(tolerance, |t, x| {
+        let mut rate = *x;
+        outcome = course.rate(t, x, &mut rate);
+        outcome.is_ok().then_some(rate)
+    });
+    outcome?;
+    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(course.end.abs());
+    Ok(theta.map(|theta| path.time(theta)).filter(|time| *time - start > least))
+}
+
+/// A search, and what it has found.
+type Searched<'a, M> = (Search<'a, M>, Found<<M as System>::S>);
 
 /// Where a step began.
 struct Start<S, X> {

@@ -75,8 +75,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     /// Over `path`; `left_over` is how far guards were on the wrong side when they were switched there.
     pub(super) fn new(system: &'a M, held: M::U, path: Path<M::S, M::X>, left_over: &M::G) -> Self {
         let zero = M::G::fill(M::S::ZERO);
-        let mut search =
-            Self { system, held, path, base: zero, from: zero, noise: zero, only: None };
+        let mut search = Self { system, held, path, base: zero, from: zero, noise: zero, only: None };
         search.noise = search.rounding(M::S::ZERO);
         for i in 0..M::G::LEN {
             if left_over.at(i) < M::S::ZERO {
@@ -227,7 +226,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let (middle, radius) = (half * (piece.from + piece.to), half * (piece.to - piece.from));
         let (time, x) = self.path.around(middle, radius);
         let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
-            each(i, tube.range(radius), tube.slope);
+            if i < M::G::LEN {
+                each(i, tube.range(radius), tube.slope);
+            }
         });
         if known || level < ROUGHEST {
             return known;
@@ -264,7 +265,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             &|i| rounded(x.at(i), size(i)),
             &mut |i, tube| {
                 let size = tube.slope.size();
-                if size.is_finite() {
+                if i < M::G::LEN && size.is_finite() {
                     noise.set(i, noise.at(i) + size);
                 }
             },

@@ -95,6 +95,11 @@ pub trait Method<M: System>: Copy {
         false
     }
 
+    /// The relative tolerance of steps that are chosen by their error.
+    fn tolerance(&self) -> Option<M::S> {
+        None
+    }
+
     /// The drift above which a state is settled.
     fn drift_limit(&self, system: &M) -> Drift<M::S>;
 }
@@ -124,7 +129,7 @@ impl<M: System> Course<'_, M> {
     }
 
     /// The rate at `(t, x)`, by rank where it is unhealthy.
-    fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
+    pub(crate) fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         self.stats.evaluations += 1;
         if self.system.rate(t, &self.held, x, dx).is_good() {
             return Ok(());

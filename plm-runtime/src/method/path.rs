@@ -65,6 +65,14 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
+    /// Its derivative, per step.
+    pub(crate) fn slope(&self, theta: S) -> X {
+        X::from_fn(|i| {
+            let powers = self.coefficients.iter().enumerate().skip(1).rev();
+            powers.fold(S::ZERO, |sum, (k, power)| sum.mul_add(theta, S::lit(k as f64) * power.at(i)))
+        })
+    }
+
     /// Time and state from `radius` before to `radius` after a fraction of the step; slopes are per step.
     pub(crate) fn around(&self, middle: S, radius: S) -> (Tube<S>, impl Fn(usize) -> Tube<S>) {
         let (from, to) = (self.time(middle - radius), self.time(middle + radius));

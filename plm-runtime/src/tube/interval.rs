@@ -75,8 +75,8 @@ impl<S: Real> Interval<S> {
     pub(super) fn outward(low: S, high: S) -> Self {
         let (below, above) = (low - S::EPSILON * low.abs(), high + S::EPSILON * high.abs());
         Self {
-            low: if below == below { below } else { -S::INFINITY },
-            high: if above == above { above } else { S::INFINITY },
+            low: if below >= -S::INFINITY { below } else { -S::INFINITY },
+            high: if above <= S::INFINITY { above } else { S::INFINITY },
         }
     }
 

@@ -190,7 +190,7 @@ impl<S: Real> Scalar for Tube<S> {
         let square = a.square() + b.square();
         let middle = self.middle.atan2(x.middle);
         // The angle jumps by a turn on the negative x axis.
-        if b.contains(S::ZERO) && !(a.low > S::ZERO) {
+        if b.contains(S::ZERO) && a.low <= S::ZERO {
             let half = S::lit(core::f64::consts::PI);
             return Self { middle, value: Interval::outward(-half, half), slope: Interval::everything() };
         }

@@ -274,14 +274,14 @@ fn what_touches_its_boundary_ends_no_run() {
 
 #[test]
 fn single_precision_finds_what_it_can_resolve() {
-    let gate =
-        Gate { guard: Guard::Parabola, rate: 1.0_f32, at: 3.456, wide: 1e-3, must_hold: false };
+    let gate = Gate { guard: Guard::Parabola, rate: 1.0_f32, at: 3.456, wide: 1e-3, must_hold: false };
     for interval in [10.0_f32, 1.0, 0.1] {
         let mut sim = gate.start_with(Dop853::new(1e-5)).unwrap();
         for _ in 0..(10.0 / interval).round() as u32 {
             sim.step(interval).unwrap();
         }
         assert_eq!(sim.stats().switches, 2, "{interval}");
-        assert!((sim.x[2] - 2e-3).abs() < 2e-5, "{interval}: {}", sim.x[2]);
+        // Coefficients of the dense output are sums of terms up to 500, so that it knows a place to 1e-4 of a step.
+        assert!((sim.x[2] - 2e-3).abs() < 2e-4 * interval.min(1.0), "{interval}: {}", sim.x[2]);
     }
 }

@@ -1,7 +1,8 @@
 //! Conditions at which forces and rates jump: each gets a side that is held over a step, so that within it everything is
-//! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is, for the error control to see.
+//! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is; what it compares is looked at in every
+//! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
 
-use plm_cas::{Expr, Graph, Node};
+use plm_cas::{Expr, Function, Graph, Node};
 
 use crate::model::{Model, Side};
 
@@ -24,6 +25,7 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         let difference = graph.sub(a, b);
         let instant = instant(model, difference, graph);
         if instant.is_none() && !jumps(&roots, condition, difference, graph) {
+            model.kinks.push(difference);
             continue;
         }
         let symbol = graph.symbol(&format!("side_{}", model.sides.len()));
@@ -31,6 +33,7 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         pairs.push((condition, graph.less(symbol, zero)));
         model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
     }
+    bends(model, &roots, graph);
     if pairs.is_empty() {
         return pairs;
     }
@@ -46,6 +49,40 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         output.components = graph.substitute(&output.components, &pairs);
     }
     pairs
+}
+
+/// Adds what `min`, `max` and `abs` compare to the kinks, and leaves those that can be looked at: they read the state or the
+/// time, and nothing that is not known before accelerations are.
+fn bends(model: &mut Model, roots: &[Expr], graph: &mut Graph) {
+    let mut kinks = std::mem::take(&mut model.kinks);
+    for expr in graph.reachable(roots) {
+        let difference = match graph.node(expr) {
+            Node::Call(Function::Min | Function::Max, arguments) => match arguments[..] {
+                [a, b] => graph.sub(a, b),
+                _ => continue,
+            },
+            Node::Call(Function::Abs, arguments) => match arguments[..] {
+                [a] => a,
+                _ => continue,
+            },
+            _ => continue,
+        };
+        kinks.push(difference);
+    }
+    let moving: Vec<Expr> = (model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v)))
+        .chain(model.states.iter().map(|state| state.symbol))
+        .chain([model.time])
+        .collect();
+    let held: Vec<Expr> = (model.params.iter().map(|param| param.symbol))
+        .chain(model.inputs.iter().map(|input| input.symbol))
+        .collect();
+    for kink in kinks {
+        let read = graph.symbols(&[kink]);
+        let known = read.iter().all(|symbol| moving.contains(symbol) || held.contains(symbol));
+        if known && read.iter().any(|symbol| moving.contains(symbol)) && !model.kinks.contains(&kink) {
+            model.kinks.push(kink);
+        }
+    }
 }
 
 /// What may jump, and whose it is.

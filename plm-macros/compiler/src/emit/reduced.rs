@@ -83,7 +83,7 @@ pub(crate) fn guards(
     signature: &str,
     arguments: &[&str],
 ) {
-    let count = emission.model.guards();
+    let count = emission.model.watched();
     if count == 0 {
         return;
     }
@@ -94,7 +94,7 @@ pub(crate) fn guards(
         origin,
         &Shape {
             docs: &[
-                "How far every condition is from switching: positive while the side that is held applies.",
+                "How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.",
             ],
             attribute: "",
             signature: &format!("{signature}, g: &mut [S; {count}])"),

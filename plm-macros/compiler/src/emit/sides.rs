@@ -31,18 +31,44 @@ pub(crate) fn instants(text: &mut String, emission: &Emission) {
 /// What `System` says of them; `call` is the call of the guards' function with `g` as its last argument.
 pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
     let (length, _) = emission.state_length();
-    let guards = emission.model.guards();
     let input = emission.input();
-    if guards > 0 {
-        let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
-        let (required, only) = requirements(emission.model);
-        let within = call.replace("self.", "mechanism.");
-        let held = emission.held("rt::Tube<S>");
-        push(
-            text,
-            format_args!(
-                "        fn guards(&self, t: S, u: &Self::U, x: &[S; {length}], g: &mut [S; {guards}]) {{
+    if emission.model.watched() > 0 {
+        watched(text, emission, call, length);
+    }
+    if emission.model.guards() > 0 {
+        switches(text, emission, length);
+    }
+    known_times(text, emission, input);
+}
+
+/// What is looked at in every step: guards and kinks, at a time and over an interval.
+fn watched(text: &mut String, emission: &Emission, call: &str, length: usize) {
+    let (guards, kinks, all) =
+        (emission.model.guards(), emission.model.kinks.len(), emission.model.watched());
+    let within = call.replace("self.", "mechanism.");
+    let held = emission.held("rt::Tube<S>");
+    push(
+        text,
+        format_args!(
+            "        const KINKS: usize = {kinks};
+
+        fn guards(&self, t: S, u: &Self::U, x: &[S; {length}], g: &mut [S; {guards}]) {{
+            let mut all = [S::lit(0.0); {all}];
+            let out = g;
+            let g = &mut all;
             {call};
+            for (guard, value) in out.iter_mut().zip(all) {{
+                *guard = value;
+            }}
+        }}
+
+        fn kinks(&self, t: S, u: &Self::U, x: &[S; {length}], each: &mut impl FnMut(usize, S)) {{
+            let mut all = [S::lit(0.0); {all}];
+            let g = &mut all;
+            {call};
+            for (index, value) in all.into_iter().skip({guards}).enumerate() {{
+                each(index, value);
+            }}
         }}
 
         fn guards_within(
@@ -55,8 +81,8 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
             use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Tube::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
-            let mut tubes = [rt::Tube::constant(S::lit(0.0)); {guards}];
-            let within = |u: &{held}, x: &[rt::Tube<S>; {length}], g: &mut [rt::Tube<S>; {guards}]| {within};
+            let mut tubes = [rt::Tube::constant(S::lit(0.0)); {all}];
+            let within = |u: &{held}, x: &[rt::Tube<S>; {length}], g: &mut [rt::Tube<S>; {all}]| {within};
             within(&held, &core::array::from_fn(x), &mut tubes);
             for (index, tube) in tubes.into_iter().enumerate() {{
                 each(index, tube);
@@ -64,7 +90,20 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
             true
         }}
 
-{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
+"
+        ),
+    );
+}
+
+/// What `System` says of the sides that depend on the state.
+fn switches(text: &mut String, emission: &Emission, length: usize) {
+    let (guards, input) = (emission.model.guards(), emission.input());
+    let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
+    let (required, only) = requirements(emission.model);
+    push(
+        text,
+        format_args!(
+            "{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
             {only}if let Some(side) = {input}.side.get_mut(index) {{
                 *side = -*side;
             }}
@@ -76,11 +115,9 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
         }}
 
 ",
-                names.collect::<Vec<_>>().join(", ")
-            ),
-        );
-    }
-    known_times(text, emission, input);
+            names.collect::<Vec<_>>().join(", ")
+        ),
+    );
 }
 
 /// `must_hold`, and what keeps `switch` away from such conditions.

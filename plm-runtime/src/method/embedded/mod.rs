@@ -152,7 +152,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 
     /// The part of the state with the largest error, each component by itself.
     #[cold]
-    fn worst(&self, course: &Course<'_, M>, k: &P::Stages<M::X>) -> &'static str {
+    fn worst(course: &Course<'_, M>, k: &P::Stages<M::X>) -> &'static str {
         let typical = course.system.typical();
         let mut most = ("", M::S::ZERO);
         for i in 0..M::X::LEN {
@@ -226,7 +226,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         loop {
             proposal = proposal.min(self.longest_step);
             let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)
-                .map_err(|fault| Fault { part: self.worst(course, &k), ..fault })?;
+                .map_err(|fault| Fault { part: Self::worst(course, &k), ..fault })?;
             let mut attempt = self.trial(course, &rate, h, &mut k);
             let (error, drift) = match &attempt {
                 Ok(trial) => self.judge(course, h, &k, &trial.x),
@@ -253,8 +253,9 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             }
             course.stats.rejected += 1;
             proposal = h * self.control.reject(&P::LIMITS, worst);
-            ensure_moves(course, proposal, attempt)
-                .map_err(|fault| if fault.part.is_empty() { Fault { part: self.worst(course, &k), ..fault } } else { fault })?;
+            ensure_moves(course, proposal, attempt).map_err(|fault| {
+                if fault.part.is_empty() { Fault { part: Self::worst(course, &k), ..fault } } else { fault }
+            })?;
         }
     }
 
@@ -293,6 +294,10 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         self.control.refuse();
         self.proposal = Some(M::S::lit(0.5) * h);
         true
+    }
+
+    fn tolerance(&self) -> Option<M::S> {
+        Some(Embedded::tolerance(self))
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {

@@ -310,6 +310,10 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         true
     }
 
+    fn tolerance(&self) -> Option<M::S> {
+        Some(RadauIia5::tolerance(self))
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
     }
