@@ -60,7 +60,6 @@ mod bounce {
 
 #[test]
 fn a_kink_ends_a_step_where_it_matters_and_costs_little() {
-    use plm::Mechanism;
     fn off<I: Method<bounce::Bounce>>(method: I) -> (f64, plm::Stats) {
         let mut sim = bounce::Bounce::new().start_with(method).unwrap();
         sim.step(10.0).unwrap();

@@ -18,8 +18,11 @@ const FINEST: u32 = 12;
 const MOST: u32 = 64;
 /// Kinks that are followed in a step.
 const FOLLOWED: usize = 8;
-/// The part of a step, 2^-10, behind its beginning where signs are taken: it may begin at a kink.
-const BEHIND: f64 = 1.0 / 1024.0;
+/// The part of a step behind a kink where its sign has changed, and nothing else yet: signs are taken so far behind the
+/// beginning of a step too, which may be a kink.
+const BESIDE: f64 = 1e-9;
+/// That part in units in the last place, at least.
+const BESIDE_ULPS: f64 = 64.0;
 /// A kink matters if what it adds to the error of a step is more than so many tolerances: the derivative of the dense
 /// output is some times less exact than the step itself.
 const MATTERS: f64 = 10.0;
@@ -34,7 +37,7 @@ pub(super) struct Kinks<'a, M: System> {
 impl<M: System<S: Real>> Kinks<'_, M> {
     /// The first fraction of the step at which a sign changes.
     pub(super) fn first(&self) -> Option<M::S> {
-        self.after(M::S::lit(BEHIND)).map(|(theta, _)| theta)
+        self.after(beside()).map(|(theta, _)| theta)
     }
 
     /// The first kink that matters, by the error of the dense output beyond it in units of `tolerance`; `rate` is the rate.
@@ -44,7 +47,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         mut rate: impl FnMut(M::S, &M::X) -> Option<M::X>,
     ) -> Option<M::S> {
         let (one, half) = (M::S::lit(1.0), M::S::lit(0.5));
-        let (first, mut past) = self.after(M::S::lit(BEHIND))?;
+        let (first, mut past) = self.after(beside())?;
         let (mut from, mut sum) = (first, M::S::ZERO);
         for _ in 0..FOLLOWED {
             let next = self.after(past).unwrap_or((one, one));
@@ -137,8 +140,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
                 first = first.min(root(a, b, tolerance, |theta| sign * self.value(theta, i)));
             }
         }
-        let behind = (first + M::S::lit(BEHIND) * (to - from)).max(first + tolerance + tolerance);
-        (first, behind)
+        (first, first + beside())
     }
 
     /// One of the numbers.
@@ -162,6 +164,11 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         });
         signs
     }
+}
+
+/// How far behind a kink its sign is taken, as a part of the step.
+fn beside<S: Real>() -> S {
+    S::lit(BESIDE).max(S::lit(BESIDE_ULPS) * S::EPSILON)
 }
 
 /// The bit of a kink; those behind the first 128 are left to error control.
