@@ -8,6 +8,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use plm_math::exact::Split;
+
 use crate::scalar::{Real, Scalar};
 
 /// A number and its derivatives in `K` directions.
@@ -221,10 +223,22 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     }
 }
 
+/// The halves are those of the value. The upper one moves and the lower one does not, as if it were a constant.
+impl<S: Real, const K: usize> Split for Dual<S, K> {
+    const DIGITS: u32 = S::DIGITS;
+
+    #[inline]
+    fn split(self) -> (Self, Self) {
+        let (high, low) = self.value.split();
+        (Self { value: high, ..self }, Self::constant(low))
+    }
+}
+
 impl<S: Real, const K: usize> Real for Dual<S, K> {
     const ZERO: Self = Self { value: S::ZERO, tangents: [S::ZERO; K] };
     const EPSILON: Self = Self { value: S::EPSILON, tangents: [S::ZERO; K] };
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };
+    const TWOFOLD_EPSILON: Self = Self { value: S::TWOFOLD_EPSILON, tangents: [S::ZERO; K] };
     const INFINITY: Self = Self { value: S::INFINITY, tangents: [S::ZERO; K] };
 
     #[inline]

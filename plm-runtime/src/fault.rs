@@ -19,6 +19,17 @@ pub struct Fault {
 pub enum Cause {
     /// A state or its rate is infinite or not a number.
     NotFinite,
+    /// A parameter gives the part a value that the equations do not allow: what the compiler says of such a literal.
+    NotAllowed {
+        /// What it is: `mass`, `inertia`, `compliance`, `parameter`.
+        what: &'static str,
+        /// What it must be.
+        wanted: &'static str,
+        /// What it is.
+        found: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
     /// The equations of motion could not be decomposed.
     Singular {
         /// Number of constraint rows.
@@ -53,6 +64,11 @@ pub enum Cause {
     Flat,
     /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there.
     ChangePoint,
+    /// The lengths of a loop differ so little from those with which it could go on in several ways that rounding decides.
+    Undecided {
+        /// The difference, m.
+        gap: f64,
+    },
     /// The energy jumped by what no force has done.
     EnergyJump {
         /// By how much, J.
@@ -67,6 +83,16 @@ pub enum Cause {
     },
     /// A requirement of the part does not hold.
     Required,
+    /// The two sides of a constraint row differ where a condition in it changes: what it holds would have to jump, or would
+    /// need an impulse. The part is the row.
+    Jump {
+        /// By how much: m, rad, or that over s.
+        by: f64,
+        /// The row is an angle.
+        angular: bool,
+        /// The speed jumps, not the place.
+        speed: bool,
+    },
     /// A condition switches more and more often: the times have a limit that they do not pass.
     Zeno {
         /// How often something switched.
@@ -145,6 +171,10 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite => write!(f, "the state or its rate is infinite or not a number"),
+            Self::NotAllowed { what, wanted, found, unit } => {
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(f, "the {what} must be {wanted}, found {found}{space}{unit}")
+            }
             Self::Singular { rows } => {
                 write!(f, "the {rows} constraint rows could not be decomposed")
             }
@@ -176,11 +206,29 @@ impl fmt::Display for Cause {
                 "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
             ),
             Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
+            Self::Undecided { gap } => write!(
+                f,
+                "its loop comes to lie in one line but for a difference of {gap:.1e} m in its lengths: so little that \
+                 rounding decides which way it goes on; make the lengths equal, or differ by more"
+            ),
             Self::EnergyJump { by, of } => {
                 write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Required => write!(f, "this requirement does not hold any more"),
+            Self::Jump { by, angular, speed } => {
+                let unit = if *angular { "rad" } else { "m" };
+                match speed {
+                    false => write!(
+                        f,
+                        "the place that this row holds jumps by {by:e} {unit}; its sides must agree"
+                    ),
+                    true => write!(
+                        f,
+                        "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
+                    ),
+                }
+            }
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")
             }
@@ -228,7 +276,12 @@ fn redundant(
     joints: &Names,
 ) -> fmt::Result {
     let plural = if count == 1 { "" } else { "s" };
-    write!(f, "{count} redundant {what} constraint{plural}: {locks:#}")?;
+    write!(f, "{count} redundant {what} constraint{plural}: ")?;
+    if what == "velocity" {
+        locks.write_rates(f)?;
+    } else {
+        write!(f, "{locks:#}")?;
+    }
     if !joints.is_empty() {
         write!(f, ", tied by {joints}")?;
     }
@@ -271,6 +324,29 @@ impl Names {
         listed.filter_map(|i| self.table.get(usize::from(i)).copied())
     }
 
+    /// As locks of the rates of the coordinates that were named: `arm.vx (locked), arm.omega (locked)`.
+    fn write_rates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, name) in self.iter().enumerate() {
+            let comma = if i == 0 { "" } else { ", " };
+            let (body, coordinate) = name.rsplit_once('.').unwrap_or(("", name));
+            let rate = match coordinate {
+                "x" => "vx",
+                "y" => "vy",
+                "angle" => "omega",
+                other => other,
+            };
+            write!(f, "{comma}{body}.{rate} (locked)")?;
+        }
+        self.write_unlisted(f)
+    }
+
+    fn write_unlisted(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.unlisted() {
+            0 => Ok(()),
+            more => write!(f, " and {more} more"),
+        }
+    }
+
     /// How many names were given that were not kept.
     pub fn unlisted(&self) -> usize {
         usize::from(self.len).saturating_sub(Self::CAPACITY)
@@ -296,9 +372,6 @@ impl fmt::Display for Names {
             let comma = if i == 0 { "" } else { ", " };
             write!(f, "{comma}{name}{lock}")?;
         }
-        match self.unlisted() {
-            0 => Ok(()),
-            more => write!(f, " and {more} more"),
-        }
+        self.write_unlisted(f)
     }
 }

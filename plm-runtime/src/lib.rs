@@ -13,11 +13,14 @@
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
+//! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
+//! | [`limits`] | what parameters may be |
 //! | [`ports`] | inputs and outputs by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`tube`] | numbers over an interval of time |
+//! | [`twofold`] | numbers of twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
@@ -33,6 +36,7 @@ pub mod dual;
 pub mod events;
 pub mod fault;
 pub mod lanes;
+pub mod limits;
 pub mod linalg;
 pub mod linear;
 pub mod mechanism;
@@ -42,10 +46,12 @@ mod operations;
 pub mod ports;
 pub mod scalar;
 pub mod sim;
+pub mod singular;
 pub mod start;
 pub mod statics;
 pub mod system;
 pub mod tube;
+pub mod twofold;
 pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
@@ -53,6 +59,7 @@ pub use axes::{to_absolute, to_relative};
 pub use body::BodyState;
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
+pub use limits::{Least, Limit};
 pub use linear::Linear;
 pub use mechanism::{Mechanism, Moment};
 pub use method::{Dop853, Dopri5, Method, Rk4, SemiImplicitEuler};
@@ -65,4 +72,5 @@ pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, System};
 pub use tube::{Interval, Tube};
+pub use twofold::Twofold;
 pub use vector::Vector;

@@ -4,6 +4,7 @@ use crate::fault::Fault;
 use crate::method::{Dop853, Method};
 use crate::scalar::Real;
 use crate::sim::Sim;
+use crate::singular::Rescue;
 use crate::system::System;
 
 /// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.
@@ -39,12 +40,39 @@ pub trait Moment: Copy {
 pub trait Mechanism: System<S: Real> + Copy {
     /// The generated readable state.
     type State: Moment<M = Self>;
+    /// How it goes on near singular poses.
+    type Rescue: Rescue<Self>;
 
     /// The assembled state at the time `t`, with the inputs as declared.
     ///
     /// # Errors
     /// When the mechanism cannot be assembled, or when locks are redundant.
     fn start_state(&self, t: Self::S) -> Result<(Self::U, Self::X), Fault>;
+
+    /// Looks at the parameters; `t` is the time that a fault tells.
+    ///
+    /// # Errors
+    /// [`Cause::NotAllowed`](crate::Cause::NotAllowed): a parameter that is not a number, or one that makes a mass, an
+    /// inertia or a compliance what it cannot be.
+    fn check(&self, t: Self::S) -> Result<(), Fault> {
+        let _ = t;
+        Ok(())
+    }
+
+    /// A number that changes with every single parameter that joints, masses or known times read.
+    fn fingerprint(&self) -> u64 {
+        0
+    }
+
+    /// Assembles anew, from the state `x` as the start and with nothing locked, after parameters were changed: joint
+    /// coordinates stay as they are where they close the joints, else the joints are closed by the shortest steps.
+    ///
+    /// # Errors
+    /// When the joints cannot be closed, with the part that stays open widest.
+    fn renew(&self, t: Self::S, held: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, held, x);
+        Ok(())
+    }
 
     /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 8(5,3).
     ///

@@ -8,6 +8,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use plm_math as math;
+use plm_math::exact::Split;
 
 /// A number, or several in lanes, with the operations of a right-hand side.
 pub trait Scalar:
@@ -29,6 +30,9 @@ pub trait Scalar:
     /// With the ratio r such a solution is good to about eps / r, the one by rank to eps / sqrt(r). At
     /// r = eps^(1/3) the first still has two thirds of all digits, which no step of usual accuracy notices.
     const HEALTHY: f64;
+    /// Largest ratio of a diagonal entry to its pivot; a row beyond it depends on others and is left out. Where numbers are
+    /// as exact as the lengths, rounding cannot be told from a singular pose, and none is.
+    const MOST_GROWTH: f64 = f64::INFINITY;
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;
@@ -128,17 +132,20 @@ pub trait Scalar:
     }
 }
 
-/// One real number: `f32` or `f64`, or one with its derivatives ([`Dual`](crate::Dual)).
-pub trait Real: Scalar<Mask = bool> + PartialOrd {
+/// One real number: `f32` or `f64`, two of them in one ([`Twofold`](crate::Twofold)), or one with its derivatives
+/// ([`Dual`](crate::Dual)).
+pub trait Real: Scalar<Mask = bool> + PartialOrd + Split {
     /// 0.
     const ZERO: Self;
-    /// Distance from 1 to the next larger number.
+    /// Distance from 1 to the next larger number; of [`Twofold`](crate::Twofold) the unit of its errors.
     const EPSILON: Self;
     /// Singular values below this fraction of the largest count as zero: the square root of [`EPSILON`](Self::EPSILON).
     ///
     /// To keep a direction with the relative singular value s amplifies rounding to eps / s; to drop it leaves an
     /// error of order s. The two are equal at s = sqrt(eps).
     const RANK_TOLERANCE: Self;
+    /// Precision of two such numbers in one ([`Twofold`](crate::Twofold)): the square of [`EPSILON`](Self::EPSILON).
+    const TWOFOLD_EPSILON: Self;
     /// Larger than every finite number.
     const INFINITY: Self;
     /// The largest integer that is not above the number.
@@ -250,6 +257,7 @@ macro_rules! real {
             const ZERO: Self = 0.0;
             const EPSILON: Self = $real::EPSILON;
             const RANK_TOLERANCE: Self = $rank_tolerance;
+            const TWOFOLD_EPSILON: Self = $real::EPSILON * $real::EPSILON;
             const INFINITY: Self = $real::INFINITY;
 
             #[inline]

@@ -1,25 +1,29 @@
 //! A running simulation: a mechanism at a moment, a method, and what was done.
 
 mod audit;
+mod changes;
 mod clock;
+mod samples;
 mod told;
-
-use core::ops::{Deref, DerefMut};
 
 use self::audit::audit;
 pub(crate) use self::clock::Clock;
+use self::samples::{Observer, Sampler, Unobserved};
 pub use self::told::{Notice, Stats};
-use crate::events::Watch;
+use crate::events::{self, Watch};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dop853, Method};
 use crate::scalar::{Real, Scalar};
+use crate::singular::Rescue;
 use crate::system::{Accepted, Drift, System};
 
 /// A running simulation.
 ///
 /// It dereferences to the mechanism's state: `sim.arm_angle()`, `sim.input.drive = 1.0`. Any mutable access makes the
-/// method forget the rate that it had kept, because state, parameters or inputs may have been changed.
+/// method forget the rate that it had kept, because state, parameters or inputs may have been changed. The next step looks
+/// at what was: a parameter whose value the equations do not allow is a fault, and one that joints read makes it assemble
+/// anew from the present pose ([`Mechanism::renew`]).
 #[derive(Clone, Copy)]
 pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) state: M::State,
@@ -31,6 +35,10 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) clock: Clock<M::S>,
     /// The longest step so far, s.
     pub(crate) longest_step: M::S,
+    /// Before this time an interval may end.
+    latest: M::S,
+    /// What the parameters were when they were looked at last.
+    parameters: u64,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -41,6 +49,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
     pub fn new(state: M::State, method: I) -> Self {
         Self {
+            parameters: state.mechanism().fingerprint(),
             state,
             method,
             stats: Stats::default(),
@@ -48,6 +57,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             limits: Limits { energy_jump: None, change_points: false },
             clock: Clock { time: M::S::ZERO, rest: M::S::ZERO },
             longest_step: M::S::ZERO,
+            latest: Self::end_of_time(),
         }
     }
 
@@ -61,7 +71,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     #[inline]
     pub fn step(&mut self, dt: M::S) -> Result<(), Fault> {
         let clock = self.clock.after(self.state.time(), dt);
-        self.advance(clock.time, dt, |_, _| Ok(()))?;
+        self.advance(clock.time, dt, &mut Unobserved)?;
         self.clock = clock;
         Ok(())
     }
@@ -83,6 +93,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !(every > M::S::ZERO && every > M::S::lit(4.0) * ulp) {
             return Err(self.bad_interval(every));
         }
+        self.take_changes()?;
         // Rounding must not cost the last sample.
         let last = (length / every * (one + M::S::lit(16.0) * M::S::EPSILON)).floor();
         let time_of = |k: M::S| (start + k * every).min(until);
@@ -90,21 +101,14 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let mut k = one;
         if !I::DENSE {
             while k <= last {
-                self.advance(time_of(k), every, |_, _| Ok(()))?;
+                self.advance(time_of(k), every, &mut Unobserved)?;
                 sample(&self.state);
                 k = k + one;
             }
-            return self.advance(until, length, |_, _| Ok(()));
+            return self.advance(until, length, &mut Unobserved);
         }
-        let mut moment = self.state;
-        self.advance(until, length, |method, course| {
-            while k <= last && time_of(k) <= course.time {
-                sample_at(method, course, time_of(k), &mut moment)?;
-                sample(&moment);
-                k = k + one;
-            }
-            Ok(())
-        })
+        let mut sampler = Sampler { next: one, last, time_of, moment: self.state, sample };
+        self.advance(until, length, &mut sampler)
     }
 
     /// Projects the state onto its constraints.
@@ -113,8 +117,9 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// settle it changes nothing.
     ///
     /// # Errors
-    /// When the projection does not converge.
+    /// When the projection does not converge, or a parameter has been changed to what cannot be.
     pub fn settle(&mut self) -> Result<(), Fault> {
+        self.take_changes()?;
         let (time, mut x) = (self.state.time(), *self.state.x());
         self.state.mechanism().settle(time, &mut x)?;
         let held = self.state.held();
@@ -184,16 +189,11 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         *self = snapshot.0;
     }
 
-    /// Advances to `end`, which is to be `length` from here; `observe` sees every accepted step.
-    fn advance(
-        &mut self,
-        end: M::S,
-        length: M::S,
-        mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
-    ) -> Result<(), Fault> {
+    /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
+    fn advance(&mut self, end: M::S, length: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
         let time = self.state.time();
-        if !(end >= time && end.is_finite()) {
-            return Err(self.bad_interval(length));
+        if !(end >= time && end < self.latest) {
+            self.begin(end, length)?;
         }
         let Self { state, method, stats, watch, limits, longest_step, .. } = self;
         let limits = *limits;
@@ -204,9 +204,11 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             let instant = system.next_instant(course.time, &course.held);
             let instant = instant.filter(|instant| *instant > course.time && *instant <= end);
             course.end = instant.unwrap_or(end);
-            outcome = stretch(method, &mut course, (watch, limits), &mut observe);
-            if outcome.is_ok() && instant.is_some() {
-                pass(method, &mut course, watch);
+            outcome = stretch(method, &mut course, (watch, limits), observer);
+            match outcome {
+                Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch),
+                Ok(()) => {}
+                Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),
             }
         }
         let (time, held, x) = (course.time, course.held, course.x);
@@ -219,10 +221,6 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         self.method.restart();
         self.watch.forget();
     }
-
-    fn bad_interval(&self, length: M::S) -> Fault {
-        Fault::new(self.state.time().to_f64(), Cause::Interval { length: length.to_f64() })
-    }
 }
 
 /// Advances to the end of the course; no known time lies before it.
@@ -230,20 +228,87 @@ fn stretch<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     (watch, limits): Guarded<'_, M>,
-    mut observe: impl FnMut(&mut I, &mut Course<'_, M>) -> Result<(), Fault>,
+    observer: &mut impl Observer<M>,
 ) -> Result<(), Fault> {
     watch.begin(method, course)?;
     method.begin(course)?;
     while course.time < course.end {
-        let before = (course.time, course.x);
-        let due = watch.step(method, course)?;
-        let Some(next) = look(method, course, (watch, limits), before)? else { continue };
-        // Samples within the step belong to what was held over it.
-        observe(method, course)?;
-        next.hold(method, course);
-        watch.switch(method, course, due)?;
+        let mut outcome = Ok(());
+        if !M::Rescue::holds(&course.held) {
+            outcome = step(method, course, (watch, limits), observer);
+        }
+        if M::Rescue::holds(&course.held) || outcome.is_err() {
+            rescue(method, course, (watch, limits), (outcome, observer))?;
+        }
     }
     Ok(())
+}
+
+/// One step; it may be refused, and is not made then.
+#[inline]
+fn step<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    observer: &mut impl Observer<M>,
+) -> Result<(), Fault> {
+    let before = (course.time, course.x);
+    let due = watch.step(method, course)?;
+    let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
+    // Samples within the step belong to what was held over it.
+    observer.see(method, course)?;
+    next.hold(method, course);
+    watch.switch(method, course, due)
+}
+
+/// Steps near singular poses, until the mechanism's own coordinates are regular again; also where they are said to be
+/// singular by what a step has led to.
+#[cold]
+fn rescue<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    (failed, observer): (Result<(), Fault>, &mut impl Observer<M>),
+) -> Result<(), Fault> {
+    if let Err(fault) = failed {
+        if !(is_singular(&fault) && M::Rescue::take(course)) {
+            return Err(fault);
+        }
+        watch.forget();
+        watch.begin(method, course)?;
+    }
+    let mut rescue = M::Rescue::new();
+    while course.time < course.end && M::Rescue::holds(&course.held) {
+        let before = (course.time, course.held, course.x);
+        let outcome = step(&mut rescue, course, (&mut *watch, limits), observer);
+        // The cause is that which the mechanism's own coordinates tell.
+        outcome.map_err(|fault| failed.err().map_or(fault, |cause| Fault { time: fault.time, ..cause }))?;
+        if let Some(part) = rescue.passed() {
+            if limits.change_points {
+                let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);
+                (course.time, course.held, course.x) = before;
+                return Err(fault);
+            }
+            course.stats.change_points += 1;
+        }
+    }
+    method.restart();
+    method.begin(course)
+}
+
+/// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
+fn is_singular(fault: &Fault) -> bool {
+    use Cause::{Locked, NotConverged, NotFinite, Singular, StepTooSmall, TurnedTooFar};
+    let cause = &fault.cause;
+    matches!(
+        cause,
+        Locked
+            | TurnedTooFar { .. }
+            | StepTooSmall { .. }
+            | NotConverged { .. }
+            | NotFinite
+            | Singular { .. }
+    )
 }
 
 /// What ends a run although its state could be continued.
@@ -326,44 +391,12 @@ fn pass<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     watch: &mut Watch<M::S, M::G>,
-) {
-    course.system.pass(course.time, &mut course.held);
+) -> Result<(), Fault> {
+    let mut after = course.held;
+    course.system.pass(course.time, &mut after);
+    events::hold(course, after)?;
     course.stats.switches += 1;
     method.restart();
     watch.forget();
-}
-
-/// Puts `moment` at a time within the last step, onto the constraints.
-fn sample_at<M: Mechanism, I: Method<M>>(
-    method: &mut I,
-    course: &mut Course<'_, M>,
-    time: M::S,
-    moment: &mut M::State,
-) -> Result<(), Fault> {
-    let mut x = course.x;
-    if time < course.time {
-        method.densify(course)?;
-        x = method.interpolate(time);
-    }
-    let (drift, limit) = (course.system.drift(time, &x), method.drift_limit(course.system));
-    if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
-        course.system.settle(time, &mut x)?;
-    }
-    moment.set(time, &course.held, &x);
     Ok(())
-}
-
-impl<M: Mechanism, I> Deref for Sim<M, I> {
-    type Target = M::State;
-
-    fn deref(&self) -> &M::State {
-        &self.state
-    }
-}
-
-impl<M: Mechanism, I: Method<M>> DerefMut for Sim<M, I> {
-    fn deref_mut(&mut self) -> &mut M::State {
-        self.forget();
-        &mut self.state
-    }
 }

@@ -121,9 +121,16 @@ pub trait System {
         None
     }
 
-    /// The time has come to an instant: holds the sides that apply after it.
+    /// The time has come to an instant, or a parameter has moved one: holds the sides that apply from now on.
     fn pass(&self, t: Self::S, u: &mut Self::U) {
         let _ = (t, u);
+    }
+
+    /// A jump that what is held demands: of rows whose condition has another side in `after` than in `u`; without that, of
+    /// rows at whose boundary the state is.
+    fn jump(&self, t: Self::S, u: &Self::U, x: &Self::X, after: Option<&Self::U>) -> Option<Fault> {
+        let _ = (t, u, x, after);
+        None
     }
 
     /// Energy at a state, where it can be accounted for: no motion is prescribed, whose drive would do work.

@@ -85,6 +85,7 @@ macro_rules! mechanism {
 
         impl<S: Real> Mechanism for $name<S> {
             type State = State<Self>;
+            type Rescue = plm::runtime::singular::Never<Self>;
 
             fn start_state(&self, _t: S) -> Result<(S, [S; $n]), Fault> {
                 Ok((S::ZERO, [S::ZERO; $n]))

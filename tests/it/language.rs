@@ -72,20 +72,48 @@ mod first_order {
 
 mod taken {
     plm::mechanism! {
-        /// Outputs that are called like methods of the generated code.
+        /// Outputs that are called like what the generated code has for itself.
         pub Taken {
             ground { port o: (0, 0) m; }
             body wheel { mass: 1 kg; inertia: 2 kg*m^2; port o: (0, 0) m; start angle: 1 rad, locked; }
             revolute bearing(ground.o, wheel.o);
-            output pose = wheel.angle, absolute = 2*wheel.angle, solved = 3*wheel.angle, time = t;
+            output pose = wheel.angle, absolute = 2*wheel.angle, solved = 3*wheel.angle;
+        }
+    }
+}
+
+mod required {
+    plm::mechanism! {
+        /// A spring whose stiffness must be said, and a length that follows from one that must be.
+        pub Spring {
+            param stiffness: N/m;
+            param damping: N*s/m = 0;
+            param reach: m;
+            param start_at: m = 0.5*reach;
+            ground { port o: (0, 0) m; }
+            body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: start_at, locked; }
+            prismatic rail(ground.o, block.o) { stiffness: stiffness; damping: damping; }
         }
     }
 }
 
 #[test]
-fn outputs_may_be_called_like_methods_of_the_generated_code() {
+fn a_parameter_without_a_default_is_asked_for() {
+    let spring = required::Spring { damping: 0.0, ..required::Spring::new(200.0, 0.4) };
+    let mut sim = spring.start_with(plm::Dop853::new(1e-12)).unwrap();
+    assert_eq!(sim.block().x, 0.2);
+    // Half a period of x'' = -(k/m) x later.
+    sim.step(std::f64::consts::PI / 10.0).unwrap();
+    assert!((sim.block().x + 0.2).abs() < 1e-10, "{}", sim.block().x);
+    let single = required::Spring::<f32>::of(200.0, 0.4);
+    assert_eq!((single.stiffness, single.start_at), (200.0, 0.2));
+}
+
+#[test]
+fn outputs_may_be_called_like_what_the_generated_code_has_for_itself() {
     let sim = taken::Taken::new().start().unwrap();
-    assert_eq!(sim.outputs(), [1.0, 2.0, 3.0, 0.0]);
+    assert_eq!(sim.outputs(), [1.0, 2.0, 3.0]);
+    assert_eq!([sim.pose(), sim.absolute(), sim.solved()], [1.0, 2.0, 3.0]);
 }
 
 #[test]

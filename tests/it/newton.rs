@@ -1,7 +1,7 @@
 //! Loops that do not split, by Newton's iteration: against rung 5, and where the iteration could fail.
 
 use plm::runtime::Absolute;
-use plm::{Cause, Dop853, Moment, Rk4, System};
+use plm::{Dop853, Moment, Rk4, System};
 
 use super::rungs::{close, on_both, on_rung_5, values};
 
@@ -116,19 +116,23 @@ fn a_double_butterfly_turns_over() {
 /// Tolerances so loose that steps reach beyond what the iteration can follow: shorter ones are made.
 #[test]
 fn steps_are_no_longer_than_the_iteration_can_follow() {
-    let mut loose = double_butterfly::least::Scene::new().start_with(Dop853::new(1e-4)).unwrap();
+    let mut loose = double_butterfly::least::Scene::new().start_with(Dop853::new(1e-5)).unwrap();
     let mut exact = double_butterfly::absolute::Scene::new().start_with(Dop853::new(1e-10)).unwrap();
     loose.step(3.0).unwrap();
     exact.step(3.0).unwrap();
-    close("base", values(loose.base()), values(exact.base()), 1e-2);
+    close("base", values(loose.base()), values(exact.base()), 1e-3);
 }
 
+/// The first step of half a second would end at another solution of the iteration: it is divided.
 #[test]
-fn a_fixed_step_that_is_too_long_is_named() {
+fn a_fixed_step_that_is_too_long_is_divided() {
     let scene = double_butterfly::least::Scene::new();
-    let fault = scene.start_with(Rk4::new(0.5)).unwrap().step(1.0).unwrap_err();
-    assert!(matches!(fault.cause, Cause::TurnedTooFar { angle } if angle > 0.1), "{fault:?}");
-    assert_eq!(fault.part, "p4");
+    let mut coarse = scene.start_with(Rk4::new(0.5)).unwrap();
+    let mut exact = double_butterfly::absolute::Scene::new().start_with(Dop853::new(1e-10)).unwrap();
+    coarse.step(0.5).unwrap();
+    exact.step(0.5).unwrap();
+    assert!(coarse.stats().near_singular > 0, "{:?}", coarse.stats());
+    close("base", values(coarse.base()), values(exact.base()), 1e-3);
 }
 
 /// Runge-Kutta 4 keeps its order: what the iteration leaves is below it.

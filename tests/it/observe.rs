@@ -123,11 +123,11 @@ fn observing_costs_nothing_in_a_step() {
 fn quantities_are_found_by_name() {
     type State = seen::press::State;
     let chosen = State::find(["ram.x", "guide.force.y", "rod.eye.velocity.x", "push.force_on_b.y"]).unwrap();
-    assert_eq!(chosen.map(|of| of.unit), ["mm", "N", "m/s", "N"]);
+    // By name all is SI, whatever an output asks for.
+    assert_eq!(chosen.map(|of| of.unit), ["m", "N", "m/s", "N"]);
     let sim = seen::Press::new().start().unwrap();
     let values = sim.observed(chosen);
-    let expected =
-        [1e3 * sim.ram_x(), sim.guide_force()[1], sim.rod_eye_velocity()[0], sim.push_force_on_b()[1]];
+    let expected = [sim.ram_x(), sim.guide_force()[1], sim.rod_eye_velocity()[0], sim.push_force_on_b()[1]];
     for (found, expected) in values.into_iter().zip(expected) {
         assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{found}, {expected}");
     }

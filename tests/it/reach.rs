@@ -35,7 +35,7 @@ fn rocks(h: f64) -> (f64, f64, Option<Fault>) {
         gap = phi.iter().fold(gap, |gap, phi| f64::max(gap, phi.abs()));
     }
     // Every link comes to a dead point again and again: none could drive alone.
-    assert!(sim.stats().charts >= 10, "{:?}", sim.stats());
+    assert!(sim.stats().charts >= 4, "{:?}", sim.stats());
     (gap, (sim.kinetic_energy() / start - 1.0).abs(), None)
 }
 
@@ -51,15 +51,13 @@ fn dead_points_are_passed_in_other_charts() {
     assert!((sim.kinetic_energy() / start - 1.0).abs() < 1e-8, "{:e}", sim.kinetic_energy() / start - 1.0);
 }
 
+/// Steps that would tear a loop open, or in which it could go through a flat pose unseen, are divided.
 #[test]
-fn steps_that_are_too_long_for_a_loop_end_the_run_by_name() {
+fn steps_that_are_too_long_for_a_loop_are_divided() {
     for h in [0.1, 0.05, 0.03, 0.02] {
         let (gap, _, fault) = rocks(h);
-        let fault = fault.unwrap();
-        let named = ["a", "b", "c", "d", "crank", "coupler", "rocker"].contains(&fault.part);
-        assert!(named && matches!(fault.cause, Cause::Locked | Cause::TurnedTooFar { .. }), "{fault}");
-        // No state was given in which they were apart.
-        assert!(gap < 64.0 * f64::EPSILON, "{gap:e}");
+        assert!(fault.is_none(), "{h}: {fault:?}");
+        assert!(gap < 64.0 * f64::EPSILON, "{h}: {gap:e}");
     }
 }
 

@@ -1,8 +1,10 @@
 //! The passes, in order.
 
+use std::cell::OnceCell;
+
 use plm_cas::{Expr, Graph};
 
-use crate::check;
+use crate::check::{self, Assembly};
 use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
 use crate::diag::{Code as Problem, Diagnostics};
 use crate::emit::{self, Code};
@@ -36,6 +38,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     let reading = front::read(sources, &mut sink);
     let mut expansion = match reading.model(&mut sink) {
         Some(model) => {
+            check::check_names(&model, &mut sink);
             let (model, observed) = apart(&reading, model);
             back_end(model, observed, &mut sink)
         }
@@ -78,9 +81,13 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     }
     let mut lowered = lower(model, observed);
     check_feedback(&lowered.model, &mut lowered.graph, sink);
+    check::check_jumps(&lowered.model, &lowered.graph, sink);
     if sink.has_errors() {
         return Expansion::default();
     }
+    let length =
+        report::length(&lowered.model, &lowered.graph, &check::defaults(&lowered.model, &lowered.graph));
+    check::check_pairs(&lowered.model, &lowered.equations, &lowered.graph, length, sink);
     if let (Some((rung @ (Rung::Tree | Rung::Loops), span)), Err(reason)) =
         (lowered.model.rung, &lowered.reduced)
     {
@@ -89,11 +96,12 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
             .help("leave `rung` out: the least formulation is taken, and the report says which and why");
     }
     let mut report = lowered.report();
-    let Lowered { model, graph, equations, program, reduced } = &lowered;
-    check::check_assembly(model, equations, (program, reduced.as_ref().ok()), graph, &mut report, sink);
+    let Lowered { model, graph, equations, program, reduced, .. } = &lowered;
+    let forms = (program, reduced.as_ref().ok());
+    check::check_assembly(model, equations, forms, graph, lowered.assembly(), &mut report, sink);
     sink.allow(&model.allowed);
     let code = lowered.emit(&report);
-    let Lowered { model, graph, equations, program, reduced } = lowered;
+    let Lowered { model, graph, equations, program, reduced, .. } = lowered;
     let oracle = Oracle { model, graph, equations, program, reduced: reduced.ok() };
     Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() }
 }
@@ -113,6 +121,8 @@ struct Lowered {
     program: Absolute,
     /// The rung above it that is taken, or why there is none.
     reduced: Result<Reduced, String>,
+    /// The declared start, once somebody asks for it.
+    assembly: OnceCell<Assembly>,
 }
 
 fn lower(mut model: Model, observed: Observed) -> Lowered {
@@ -120,6 +130,7 @@ fn lower(mut model: Model, observed: Observed) -> Lowered {
     let held = hold(&mut model, &mut graph);
     let equations = derive(&model, &mut graph);
     let mut program = formulate(&model, &equations, &mut graph);
+    let assembly = OnceCell::new();
     let reduced = match (model.rung, model.stabilisation) {
         (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
@@ -128,11 +139,14 @@ fn lower(mut model: Model, observed: Observed) -> Lowered {
             let length = report::length(&model, &graph, &check::defaults(&model, &graph));
             let assembled = |graph: &Graph| {
                 let others = check::defaults(&model, graph);
-                let found = check::assemble(&model, &equations, &program, graph, &others);
-                let rows = 0..equations.phi.len();
-                let rank = found.rank.independent.iter().filter(|row| rows.contains(row)).count();
-                let freedom = equations.q.len() - rank;
-                found.is_closed().then(|| Assembled { freedom, values: found.values(&equations, &others) })
+                let assemble = || check::assemble(&model, &equations, &program, graph, &others);
+                let found = assembly.get_or_init(assemble);
+                let mut values = found.values(&equations, &others);
+                check::add_sides(&model, graph, &mut values);
+                found.is_closed().then(|| Assembled {
+                    freedom: check::freedom(&equations, &program, graph, (&others, length), found),
+                    values,
+                })
             };
             let reduced = reduce(&model, &equations, (length, &assembled), &mut graph);
             if model.rung.is_some() {
@@ -151,7 +165,7 @@ fn lower(mut model: Model, observed: Observed) -> Lowered {
         program.outputs.user.extend(lay_out(&outputs, &equations, &mut graph));
         model.outputs.extend(outputs);
     }
-    Lowered { model, graph, equations, program, reduced }
+    Lowered { model, graph, equations, program, reduced, assembly }
 }
 
 /// Rung 4, if it has fewer operations than rung 5, of which iterations can take more; a rung above it is taken as it is.
@@ -166,6 +180,13 @@ fn cheaper(reduced: Reduced, program: &Absolute, graph: &Graph) -> Result<Reduce
 }
 
 impl Lowered {
+    /// The declared start as it can be assembled.
+    fn assembly(&self) -> &Assembly {
+        let Lowered { model, graph, equations, program, .. } = self;
+        let assemble = || check::assemble(model, equations, program, graph, &check::defaults(model, graph));
+        self.assembly.get_or_init(assemble)
+    }
+
     fn report(&self) -> Report {
         let defaults = check::defaults(&self.model, &self.graph);
         let formulation = self.reduced.as_ref().map_err(String::as_str);
@@ -173,7 +194,7 @@ impl Lowered {
     }
 
     fn emit(&self, report: &Report) -> Code {
-        let Lowered { model, graph, equations, program, reduced } = self;
+        let Lowered { model, graph, equations, program, reduced, .. } = self;
         emit::emit(model, graph, equations, program, reduced.as_ref().ok(), report)
     }
 }

@@ -25,5 +25,5 @@ pub mod units;
 pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, compile, names_only};
 pub use emit::Code;
-pub use oracle::Oracle;
+pub use oracle::{InChart, Oracle};
 pub use report::Report;

@@ -9,8 +9,9 @@
 
 use plm_cas::{Expr, Graph};
 
+use crate::diag::Use;
 use crate::span::Span;
-use crate::units::DisplayUnit;
+use crate::units::{Dimension, DisplayUnit};
 
 /// A mechanism with every name bound.
 #[derive(Debug)]
@@ -27,6 +28,8 @@ pub struct Model {
     pub graph: Graph,
     /// The symbol of time, s.
     pub time: Expr,
+    /// Symbol of the largest growth of a pivot's reciprocal that does not say that its row depends on others: the scalar's.
+    pub most_growth: Expr,
     /// Gravity, m/s^2, positive downwards along -y.
     pub gravity: Expr,
     /// The rung that the user ordered, and where.
@@ -47,6 +50,8 @@ pub struct Model {
     pub rows: Vec<Row>,
     /// Rows of joints with a compliance: no constraints, their `lambda` is an expression, and it stands in the loads.
     pub compliant: Vec<Row>,
+    /// Values beside masses and inertias that only some numbers make sense for.
+    pub limits: Vec<Limit>,
     /// Generalised forces on bodies.
     pub loads: Vec<Load>,
     /// First-order states.
@@ -56,6 +61,11 @@ pub struct Model {
     pub sides: Vec<Side>,
     /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
     pub kinks: Vec<Expr>,
+    /// Where rows jump or may jump; derivation finds them.
+    pub jumps: Vec<Jump>,
+    /// What stands in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
+    /// and projection, the conditions themselves decide: on the boundary both sides agree.
+    pub released: Vec<(Expr, Expr)>,
     /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
     /// Sizes of parts for pictures.
@@ -64,6 +74,15 @@ pub struct Model {
     pub files: Vec<String>,
     /// Warning codes that the declaration allows, e.g. `W0002`.
     pub allowed: Vec<String>,
+}
+
+/// A place in a declaration or in the definition of a part.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// Where it stands.
+    pub span: Span,
+    /// Inside a part: the uses that lead there, from the declaration inwards.
+    pub uses: Vec<Use>,
 }
 
 /// A name and where it stands.
@@ -118,8 +137,11 @@ pub struct Param {
     pub name: Name,
     /// Its symbol.
     pub symbol: Expr,
-    /// Its default, an expression without other symbols than earlier parameters.
+    /// Its default, an expression without other symbols than earlier parameters; 1 in SI units where there is none, for what
+    /// is tried before it is known.
     pub default: Expr,
+    /// Has it no default, so that whoever makes the mechanism must say it?
+    pub required: bool,
     /// Unit that it was declared in.
     pub unit: DisplayUnit,
     /// Documentation lines.
@@ -220,6 +242,8 @@ pub struct Part {
     pub kind: String,
     /// Its kinematic pair, if the definition states one.
     pub pair: Option<Pair>,
+    /// Where its definition states the pair.
+    pub declared: Option<Declared>,
     /// The frames that it joins, in the order of its arguments.
     pub frames: Vec<FrameRef>,
 }
@@ -259,8 +283,34 @@ pub struct Row {
     pub lambda: Expr,
     /// Where the constraint stands: the joint in the declaration.
     pub span: Span,
+    /// Where it was written: the equation, of a joint in its definition.
+    pub declared: Declared,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
+}
+
+impl Row {
+    /// Is its residual an angle? Else it is a length.
+    pub fn is_angular(&self) -> bool {
+        self.unit.dimension.same(Dimension::NUMBER)
+    }
+}
+
+/// A value that depends on parameters and must be positive.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// The joint.
+    pub part: String,
+    /// What it is, as written: `compliance`.
+    pub what: String,
+    /// Its value, SI.
+    pub value: Expr,
+    /// Its SI unit.
+    pub unit: String,
+    /// It may be zero.
+    pub or_zero: bool,
+    /// Where it was written.
+    pub span: Span,
 }
 
 /// A generalised force on one body, already carried to G.
@@ -306,10 +356,41 @@ pub struct Side {
     pub must_hold: bool,
 }
 
+/// A row whose place or speed may jump where a condition changes its side.
+#[derive(Clone, Debug)]
+pub struct Jump {
+    /// Index into [`Model::sides`].
+    pub side: usize,
+    /// Index into [`Model::rows`].
+    pub row: usize,
+    /// The row's residual on one side less that on the other, its first and second derivative along the motion; what
+    /// changes its sign at the boundary, and its derivative.
+    pub terms: [Expr; 5],
+    /// What is known of it already.
+    pub steady: Option<Steady>,
+}
+
+/// A jump that happens in every run that comes so far.
+#[derive(Clone, Copy, Debug)]
+pub struct Steady {
+    /// When, s.
+    pub at: f64,
+    /// By how much, in the row's unit, or that over s.
+    pub by: f64,
+    /// The speed jumps, not the place.
+    pub of_speed: bool,
+}
+
 impl Model {
     /// Number of sides that depend on the state, and of kinks: what is looked at in every step.
     pub fn watched(&self) -> usize {
         self.guards() + self.kinks.len()
+    }
+
+    /// Does an expression read a parameter without a default?
+    pub fn reads_required(&self, graph: &Graph, expr: Expr) -> bool {
+        let read = graph.symbols(&[expr]);
+        self.params.iter().any(|param| param.required && read.contains(&param.symbol))
     }
 
     /// Number of sides that depend on the state.

@@ -3,8 +3,21 @@
 use plm_cas::{Expr, Graph, Tape};
 
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Function, Reduced};
+use crate::formulate::{Absolute, Chart, Function, Reduced};
 use crate::model::Model;
+
+/// A state in a chart.
+#[derive(Clone, Debug)]
+pub struct InChart {
+    /// Number of coordinates.
+    pub coordinates: usize,
+    /// How far from flat its loops are: 1 at best, 0 where the coordinates determine nothing.
+    pub measure: f64,
+    /// `[q, v]` of all bodies as the chart works them out.
+    pub pose: Vec<f64>,
+    /// Second derivatives of the coordinates.
+    pub acceleration: Vec<f64>,
+}
 
 /// A compiled mechanism that can be evaluated without rustc.
 #[derive(Debug)]
@@ -35,6 +48,54 @@ impl Oracle {
         let state = chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x);
         let symbols: Vec<Expr> = state.chain(&reduced.memory).copied().collect();
         Some(self.run_at(&chart.rate, time, &symbols, x))
+    }
+
+    /// What each chart of the rung that was taken makes of a state in absolute coordinates, `x` as in
+    /// [`Oracle::dynamics`]; nothing on rung 5.
+    pub fn charts(&self, time: f64, x: &[f64]) -> Vec<InChart> {
+        let Some(reduced) = &self.reduced else { return Vec::new() };
+        reduced.charts.iter().filter_map(|chart| self.in_chart(reduced, chart, time, x)).collect()
+    }
+
+    /// Accelerations of all bodies at a state in absolute coordinates, by the joint coordinates of a mechanism without loops.
+    pub fn accelerations(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
+        let chart = self.reduced.as_ref()?.first()?;
+        let reactions = chart.reactions.as_ref()?;
+        let mut state = self.run(&chart.project, time, x);
+        state.extend_from_slice(x.get(2 * self.equations.q.len()..)?);
+        let symbols: Vec<Expr> =
+            chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x).copied().collect();
+        let mut accelerations = self.run_at(reactions, time, &symbols, &state);
+        accelerations.truncate(self.equations.q.len());
+        Some(accelerations)
+    }
+
+    fn in_chart(&self, reduced: &Reduced, chart: &Chart, time: f64, x: &[f64]) -> Option<InChart> {
+        let survey = chart.survey.as_ref().map(|survey| self.run(survey, time, x));
+        let mut remembered = survey.unwrap_or_else(|| vec![1.0]);
+        let square = remembered.pop()?;
+        if let Some(precision) = remembered.last_mut().filter(|_| reduced.iterates()) {
+            *precision = f64::EPSILON;
+        }
+        let absolute = 2 * self.equations.q.len();
+        let mut state = self.run(&chart.project, time, x);
+        state.truncate(2 * chart.y.len());
+        let coordinates = state.len() / 2;
+        state.extend_from_slice(x.get(absolute..)?);
+        state.extend(remembered);
+        let symbols: Vec<Expr> =
+            chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x).copied().collect();
+        let symbols: Vec<Expr> = symbols.into_iter().chain(reduced.memory.iter().copied()).collect();
+        let mut pose = self.run_at(&chart.pose, time, &symbols, &state);
+        pose.truncate(absolute);
+        let mut rate = self.run_at(&chart.rate, time, &symbols, &state);
+        rate.truncate(2 * coordinates);
+        Some(InChart {
+            coordinates,
+            measure: square.max(0.0).sqrt(),
+            pose,
+            acceleration: rate.split_off(coordinates),
+        })
     }
 
     /// Number of constraint rows.

@@ -4,7 +4,7 @@ use plm_cas::{Count, Expr, Graph, Tape};
 
 use crate::check::Assembly;
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Function, Reduced};
+use crate::formulate::{Absolute, Chart, Function, Reduced};
 use crate::model::{Model, Stabilisation};
 
 /// Degrees per radian.
@@ -55,10 +55,7 @@ impl Report {
         graph: &Graph,
         values: &[(Expr, f64)],
     ) -> Report {
-        let count = |function: &Function| {
-            let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
-            Tape::new(graph, &results).count()
-        };
+        let count = |function: &Function| counted(function, graph);
         let constraints = [
             ("phi", &program.phi),
             ("phi_dot", &program.phi_dot),
@@ -131,8 +128,15 @@ impl Report {
         }
     }
 
-    /// Adds how far the charts are from flat at the start.
-    pub(crate) fn add_measures(&mut self, measures: &[f64]) {
+    /// Adds how far the charts are from flat at the start, and counts the operations of the one that is taken there.
+    pub(crate) fn add_measures(&mut self, measures: &[f64], reduced: Option<&Reduced>, graph: &Graph) {
+        let taken = taken_first(measures);
+        if let Some(chart) = reduced.and_then(|reduced| reduced.charts.get(taken)).filter(|_| taken > 0) {
+            self.rate = counted(&chart.rate, graph);
+            if let Some(line) = self.formulation.iter_mut().find(|line| line.starts_with(ACCELERATIONS)) {
+                *line = format!("Chart {taken} is taken first. {}", accelerations(chart));
+            }
+        }
         if !measures.is_empty() {
             let each: Vec<String> =
                 measures.iter().enumerate().map(|(k, measure)| format!("{k}: {measure:.3}")).collect();
@@ -217,9 +221,31 @@ fn joint_coordinates(reduced: &Reduced) -> Vec<String> {
         lines.push(format!("{label}: {names}{then}."));
     }
     if let Some(chart) = reduced.first().filter(|chart| !chart.names.is_empty()) {
-        lines.push(format!("Accelerations by {}.", chart.method));
+        lines.push(accelerations(chart));
     }
     lines
+}
+
+const ACCELERATIONS: &str = "Accelerations by";
+
+fn accelerations(chart: &Chart) -> String {
+    format!("{ACCELERATIONS} {}.", chart.method)
+}
+
+/// The chart in which a run begins: the first if it is not flat at the start, else the best; as the runtime's
+/// `charts::enter`.
+fn taken_first(measures: &[f64]) -> usize {
+    const FLAT: f64 = 0.3;
+    let better = |best: usize, k: usize| if measures[k] > measures[best] { k } else { best };
+    match measures.first() {
+        Some(first) if *first < FLAT => (0..measures.len()).fold(0, better),
+        _ => 0,
+    }
+}
+
+fn counted(function: &Function, graph: &Graph) -> Count {
+    let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
+    Tape::new(graph, &results).count()
 }
 
 /// `forearm.angle: 0 deg moved by -25.7586 deg`.

@@ -115,3 +115,23 @@ fn every_mistake_is_reported_where_it_is_marked() {
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     assert!(files.len() > 20, "only {} files", files.len());
 }
+
+/// A run dereferences to the state: an output with the name of one of its methods could not be read.
+#[test]
+fn no_output_is_hidden_by_a_method_of_a_run() {
+    let run = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../plm-runtime/src/sim.rs");
+    let text = fs::read_to_string(run).unwrap();
+    let methods: Vec<&str> = text
+        .split("pub fn ")
+        .skip(1)
+        .filter(|item| item.split_once('{').is_some_and(|(head, _)| head.contains("self")))
+        .filter_map(|item| item.split(|c: char| !c.is_alphanumeric() && c != '_').next())
+        .collect();
+    assert!(methods.len() > 10 && methods.contains(&"step"), "{methods:?}");
+    for method in methods {
+        let mut sources = Sources::new();
+        sources.add_text("declaration", &format!("pub P {{ output {method} = 1; }}"));
+        let found = compile(&mut sources).diagnostics;
+        assert!(found.iter().any(|of| of.code == Code::ReservedName), "an output `{method}` is hidden");
+    }
+}

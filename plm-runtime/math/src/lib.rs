@@ -11,6 +11,7 @@
 //! No function allocates or panics. Special cases follow C99, Annex F. `ERRORS.md` has the measured errors.
 //!
 //! [`mod@f64`] and [`mod@f32`] hold the same functions. The f32 ones never compute in f64, which small targets lack.
+//! [`exact`] has the rounding errors of sums and products, for numbers of twice the precision.
 //!
 //! With the feature `std` square roots come from the processor; without it they are found and corrected in integers, with
 //! the same bits. With the feature `fma` polynomials are evaluated with one rounding a term: other bits, within the same
@@ -25,6 +26,7 @@ extern crate std;
 
 mod asin;
 mod atan;
+pub mod exact;
 mod exp;
 mod float;
 mod functions;

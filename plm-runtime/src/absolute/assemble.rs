@@ -8,7 +8,9 @@ use super::Absolute;
 use super::assembly::{Assembly, Status};
 use super::newton::assembly_step;
 use super::redundancy::{Dependencies, beside};
-use super::settle::{descend, is_closed, widest};
+use super::renew::open;
+use super::scale::Scale;
+use super::settle::descend;
 use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -69,15 +71,15 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
 }
 
 /// Where Newton's iteration ended.
-struct Pose<S, const NQ: usize, const NC: usize> {
-    q: [S; NQ],
+pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
+    pub(super) q: [S; NQ],
     iterations: u32,
-    residual: [S; NC],
+    pub(super) residual: [S; NC],
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
     fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
-        is_closed(&self.residual, m.length())
+        Scale::of_position(m, &self.q).is_closed::<M, NQ, NC>(&self.residual)
     }
 }
 
@@ -98,12 +100,11 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
         reject_locks(m, t, &q0, free, &at_start, POSITION)?;
     }
-    let (part, gap) = (widest(&pose.residual, &M::PARTS), largest(&pose.residual).to_f64());
-    Err(Fault::of_part(t.to_f64(), part, Cause::Open { gap }))
+    Err(open(t, &pose.residual, &M::PARTS, |gap| Cause::Open { gap }))
 }
 
 /// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.
-fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     q0: &[S; NQ],
@@ -122,8 +123,10 @@ fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         }
     }
     if pose.is_closed(m) {
-        let size = m.length().max(largest(&pose.q));
-        pose.residual = descend(size, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
+        let scale = Scale::of_position(m, &pose.q);
+        let measure = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
+        pose.residual =
+            descend(measure, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
     }
     pose
 }
@@ -140,13 +143,13 @@ fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: us
     check_finite::<S, M, NQ, NC>(t, &v)?;
     let here = Dependencies::at(m, t, q, &free).ok_or(singular(t, NC))?;
     reject_locks(m, t, q, &free, &here, VELOCITY)?;
-    let size = largest(&v).max(S::lit(1.0)) * m.length().max(S::lit(1.0));
-    let r = descend(size, &mut v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
-    if is_closed(&r, size) {
+    let scale = Scale::of_velocity(m, q, &v);
+    let measure = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
+    let r = descend(measure, &mut v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
+    if Scale::of_velocity(m, q, &v).is_closed::<M, NQ, NC>(&r) {
         return Ok(v);
     }
-    let (part, gap) = (widest(&r, &M::PARTS), largest(&r).to_f64());
-    Err(Fault::of_part(t.to_f64(), part, Cause::VelocityOpen { gap }))
+    Err(open(t, &r, &M::PARTS, |gap| Cause::VelocityOpen { gap }))
 }
 
 /// An error if locks are redundant here and beside this position (at a dead point they only seem to be).

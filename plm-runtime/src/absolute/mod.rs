@@ -3,20 +3,32 @@
 //! | function | does |
 //! |---|---|
 //! | [`assemble`] | finds a start position and velocity that the joints allow |
+//! | [`renew`] | the same from where a run is, after a parameter was changed |
+//! | [`jump`] | looks at prescribed motions where they change |
+//! | [`check_carried`] | looks at bodies without mass |
 //! | [`settle`] | projects a state that drifted back onto the constraints |
 //! | [`accelerate`] | accelerations and multipliers by rank, where elimination without pivoting is unhealthy |
 
 mod accelerate;
 mod assemble;
 mod assembly;
+mod carry;
 mod independent;
+mod jump;
+mod nearest;
 mod newton;
 mod redundancy;
+mod renew;
+mod scale;
 mod settle;
 
 pub use accelerate::{Acceleration, accelerate};
 pub use assemble::assemble;
 pub use assembly::{Assembly, Status};
+pub use carry::check_carried;
+pub use jump::{Crossing, jump};
+pub(crate) use nearest::{nearest, smallest_pivot};
+pub use renew::renew;
 pub use settle::{balance, drift, residuals, settle, settle_state};
 
 use crate::scalar::Real;
@@ -31,6 +43,9 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
     const PARTS: [&'static str; NC];
     /// Name of each coordinate, as `arm.x`, `arm.angle`.
     const COORDINATES: [&'static str; NQ];
+
+    /// Which constraint rows are in rad; the others are in m.
+    const ANGULAR: [bool; NC] = [false; NC];
 
     /// Residuals of position, m or rad.
     fn phi(&self, t: S, q: &[S; NQ]) -> [S; NC];

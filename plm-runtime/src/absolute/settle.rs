@@ -25,9 +25,9 @@ pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
 ) -> Result<(), Fault> {
     let w = m.inverse_mass();
     let length = m.length().max(largest(q));
-    let phi = descend(length, q, |q| m.phi(t, q), |q, r| projection_step(m, t, q, &w, r));
+    let phi = descend(rounding(length), q, |q| m.phi(t, q), |q, r| projection_step(m, t, q, &w, r));
     let speed = largest(v).max(S::lit(1.0)) * length.max(S::lit(1.0));
-    let phi_dot = descend(speed, v, |v| m.phi_dot(t, q, v), |_, r| projection_step(m, t, q, &w, r));
+    let phi_dot = descend(rounding(speed), v, |v| m.phi_dot(t, q, v), |_, r| projection_step(m, t, q, &w, r));
     for (residual, size) in [(&phi, length), (&phi_dot, speed)] {
         if !is_closed(residual, size) {
             let part = widest(residual, &M::PARTS);
@@ -113,16 +113,21 @@ pub(super) fn widest<S: Real, const NC: usize>(
     widest.0
 }
 
-/// Corrects `u` until its residual is rounding of numbers of the given size, or falls no more. Returns the residual.
+/// What residuals are rounding of numbers of the given size, and their measure.
+fn rounding<S: Real, const NC: usize>(size: S) -> (S, impl Fn(&[S; NC]) -> S) {
+    (S::EPSILON * size, |r: &[S; NC]| largest(r))
+}
+
+/// Corrects `u` until its residual is at most `least` in a measure, or falls no more. Returns the residual.
 pub(super) fn descend<S: Real, const NQ: usize, const NC: usize>(
-    size: S,
+    (least, measure): (S, impl Fn(&[S; NC]) -> S),
     u: &mut [S; NQ],
     residual: impl Fn(&[S; NQ]) -> [S; NC],
     correction: impl Fn(&[S; NQ], &[S; NC]) -> Option<[S; NQ]>,
 ) -> [S; NC] {
     let mut r = residual(u);
     for _ in 0..ITERATIONS {
-        if largest(&r) <= S::EPSILON * size {
+        if measure(&r) <= least {
             break;
         }
         let Some(du) = correction(u, &r) else { break };
@@ -131,7 +136,7 @@ pub(super) fn descend<S: Real, const NQ: usize, const NC: usize>(
             next[i] = next[i] - du[i];
         }
         let after = residual(&next);
-        if largest(&after) < largest(&r) {
+        if measure(&after) < measure(&r) {
             (*u, r) = (next, after);
         } else {
             break;

@@ -1,18 +1,14 @@
 //! Loops that are solved in charts: which coordinates describe the mechanism, and on which of its mirror images each loop
 //! is.
 //!
-//! A dyad has two solutions, which meet where its determinant vanishes. The determinant and its rates are remembered from
-//! the last accepted state; a stage takes the solution whose determinant has the sign that they predict, so that a pose
-//! where the solutions meet is passed as the motion passes it. After each accepted step, a chart whose worst dyad is
-//! flat is left for one that is better by far, if there is one. So near to a flat pose that rounding would rule, what
-//! cannot be computed there is interpolated from both sides.
+//! A dyad has two solutions, which meet where its determinant vanishes. Which of them is meant is remembered as a sign, and
+//! stays as it is: around a state that was looked at, the coordinates have a box in which no loop comes much nearer to
+//! flat. A step that ends within it needs no look; one that ends far from it may have passed a flat pose, and is refused.
+//! A chart whose worst dyad is flat is left for one that is better by far, if there is one. Where none is good, the
+//! mechanism goes on without a chart ([`crate::singular`]).
 //!
 //! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
 //! state, so that these are followed as well: values, rates, and how the rates change.
-
-mod beside;
-
-pub use beside::{pose, rate_beside};
 
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -24,13 +20,19 @@ use crate::vector::Vector;
 const FLAT: f64 = 0.3;
 /// How much better another chart's measure must be.
 const BETTER: f64 = 2.0;
+/// Below this measure no chart is good: rounding grows with its third power, to `1e-11` in the accelerations ...
+const POOR: f64 = 0.03;
+/// ... and to `1e-5` in single precision.
+const POOR_SINGLE: f64 = 0.2;
+/// By this factor a chart must be better than that, where the mechanism goes on in it.
+const BACK: f64 = 1.3;
 
 /// Below this square of the measure a loop is open; what is nearer to zero may be a flat pose and rounding.
 const OPEN: f64 = -1e-10;
+/// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
+const FAR: f64 = 7.0;
 /// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
 const FARTHEST: f64 = 1.0;
-/// The farthest that a determinant near zero may be from its prediction, as a part of its size before and after.
-const FARTHEST_AREA: f64 = 0.05;
 /// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
 /// measure; other solutions are at least about twice the measure away.
 const FARTHEST_FOLLOWED: f64 = 0.25;
@@ -38,25 +40,23 @@ const FARTHEST_FOLLOWED: f64 = 0.25;
 const NEAR: f64 = 0.1;
 /// Below this square the measure does not narrow that any further.
 const NARROWEST: f64 = 1e-4;
-/// How far a body, and by which part a determinant, should have moved until the next look.
-const CALM: f64 = 0.06;
-/// Place in the memory of the time of the last look.
-const LAST: usize = 0;
-/// Place of the time of the next one, which is followed by an angle, its cosine and its sine for each class of bodies.
-const NEXT: usize = 1;
 
 /// What is held over a step: the inputs, the chart, and what is remembered of the last state that was looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held<I, Y> {
     /// The inputs.
     pub input: I,
-    /// The chart, from 0.
+    /// The chart, from 0; [`Charted::CHARTS`] where there is none.
     pub chart: usize,
-    /// Time, angles, determinants and their rates.
+    /// In a chart: boxes of the coordinates and of the time, angles, determinants, unknowns of iterations. Without one: pose
+    /// and velocity of all bodies.
     pub memory: Y,
 }
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
+///
+/// The memory begins with two numbers for each coordinate, then for the time: where it was at the last look, and how far it
+/// may move until the next one. Behind them stand an angle, its cosine and its sine for each class of bodies.
 pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     /// The inputs.
     type Input: Copy;
@@ -66,7 +66,7 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     type Q: Vector<Self::S>;
     /// Number of charts.
     const CHARTS: usize;
-    /// Numbers in the memory before the determinants, each followed by its rate and half the rate of that.
+    /// Numbers in the memory before the determinants.
     const BEFORE_AREAS: usize;
     /// The bodies whose angles are remembered, in that order.
     const TURNING: &'static [&'static str];
@@ -84,55 +84,139 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     /// What is to be remembered of a state, and the square of the measure.
     fn look(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Memory, Self::S);
 
-    /// The same of a pose and velocity in some chart.
+    /// The same of a pose and velocity in some chart, but for how far the coordinates may move.
     fn survey(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q) -> (Self::Memory, Self::S);
 
     /// Writes the coordinates of a chart and their rates; first-order states stay.
     fn project(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
 }
 
-/// The state in the best chart at a pose that closes the loops; the first chart if it is not flat.
+/// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
 pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
     let (_, first) = system.survey(0, t, q, v);
-    let chart = if first < square(FLAT) { best(system, t, q, v).0 } else { 0 };
-    change(system, t, held, (chart, q, v), x);
+    let (chart, measure) = if first < square(FLAT) { best(system, t, q, v) } else { (0, first) };
+    if measure < regular() {
+        free::<M>(held, (q, v), x);
+    } else {
+        change(system, t, held, (chart, q, v), x);
+    }
 }
 
-/// Remembers an accepted state, and leaves its chart if another one is better by far; not before something can have
-/// changed that matters.
+/// Has the mechanism no chart?
+#[inline]
+pub fn is_free<M: Charted>(held: &M::U) -> bool {
+    held.chart >= M::CHARTS
+}
+
+/// Pose and velocity of all bodies.
+pub fn pose<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> (M::Q, M::Q) {
+    if is_free::<M>(held) {
+        return (Vector::from_fn(|i| held.memory.at(i)), Vector::from_fn(|i| held.memory.at(M::Q::LEN + i)));
+    }
+    let (q, v, _) = system.place(t, held, x);
+    (q, v)
+}
+
+/// The state in absolute coordinates, [q, v, first-order states].
+pub fn full<M: Charted, const N: usize>(system: &M, t: M::S, held: &M::U, x: &M::X) -> [M::S; N] {
+    let (q, v) = pose(system, t, held, x);
+    let nq = M::Q::LEN;
+    Vector::from_fn(|i| match i {
+        _ if i < nq => q.at(i),
+        _ if i < 2 * nq => v.at(i - nq),
+        _ => x.at(2 * M::NQ + i - 2 * nq),
+    })
+}
+
+/// Holds a state in absolute coordinates, without a chart.
+pub fn hold<M: Charted, const N: usize>(held: &mut M::U, x: &mut M::X, full: &[M::S; N]) {
+    let nq = M::Q::LEN;
+    let (q, v) = (M::Q::from_fn(|i| full.at(i)), M::Q::from_fn(|i| full.at(nq + i)));
+    free::<M>(held, (&q, &v), x);
+    for i in 2 * nq..N {
+        x.set(2 * M::NQ + i - 2 * nq, full.at(i));
+    }
+}
+
+/// Remembers an accepted state, and leaves its chart if another one is better by far, or if it is not good; not before
+/// something can have changed that matters.
 ///
 /// # Errors
 /// When the loops cannot be closed there, or cannot have been followed so far.
 #[inline]
 pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Accepted, Fault> {
-    if is_calm::<M>(t, held) {
+    if is_calm::<M>(t, held, x) {
         return Ok(Accepted::default());
     }
-    let (mut memory, mut measure) = system.look(t, held, x);
-    let since = t - held.memory.at(LAST);
-    // False for what is not a number.
-    let far = |k: usize| (M::S::lit(2.0) * since * memory.at(k + 1)).abs().lt(memory.at(k).abs());
-    if !areas::<M>().all(far) {
-        (memory, measure) = look_closely(system, t, held, x)?;
-    }
-    if is_open(measure) {
+    let moved = if is_free::<M>(held) { come_back(system, t, held, x) } else { watch(system, t, held, x)? };
+    Ok(Accepted { moved, passed: None })
+}
+
+/// Whether [`accept`] has nothing to look at yet.
+#[inline]
+pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
+    let within = |moved: M::S, k: usize| moved.abs() < held.memory.at(2 * k + 1);
+    M::FOLLOWED.is_empty()
+        && !is_free::<M>(held)
+        && (0..M::NQ).all(|k| within(x.at(k) - held.memory.at(2 * k), k))
+        && within(t - held.memory.at(2 * M::NQ), M::NQ)
+}
+
+/// A fault for a state at which the rate cannot be computed in the chart that is held.
+#[cold]
+pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fault {
+    locked::<M>(t, held, &system.look(t, held, x).0)
+}
+
+/// Looks at a state; whether its chart was left.
+fn watch<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<bool, Fault> {
+    let (memory, measure) = system.look(t, held, x);
+    if is_open(measure) || !memory.is_finite() {
         return Err(locked::<M>(t, held, &memory));
     }
     check_followed::<M>(t, held, &memory, measure)?;
-    let passed = remember::<M>(t, since, held, memory)?;
-    let moved = M::CHARTS > 1 && measure < square(FLAT) && leave(system, t, held, measure, x);
-    Ok(Accepted { moved, passed: if moved { None } else { passed } })
+    check_near::<M>(t, held, &memory)?;
+    remember::<M>(t, held, memory)?;
+    if measure < square(FLAT) {
+        return Ok(leave(system, t, held, measure, x));
+    }
+    Ok(false)
 }
 
 /// Can a loop not be closed at all?
 fn is_open<S: Real>(measure: S) -> bool {
-    measure < S::lit(OPEN).min(S::lit(-64.0) * S::EPSILON)
+    // False for what is not a number.
+    let closes = measure >= S::lit(OPEN).min(S::lit(-64.0) * S::EPSILON);
+    !closes
+}
+
+/// The square of the measure above which a chart is good.
+fn regular<S: Real>() -> S {
+    square(if S::EPSILON < S::lit(1e-12) { POOR } else { POOR_SINGLE })
+}
+
+/// Is the state so near to the last one that was looked at that no loop can have gone through a flat pose? What the
+/// distances tell of it at one of the two is enough; for the time it must hold at both.
+fn check_near<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Result<(), Fault> {
+    let old = &held.memory;
+    let moved = |k: usize| (memory.at(2 * k) - old.at(2 * k)).abs();
+    let reach = |k: usize| [old, memory].map(|at| M::S::lit(FAR) * at.at(2 * k + 1));
+    let within = (0..M::NQ).all(|k| {
+        let [before, after] = reach(k);
+        moved(k) <= before.max(after)
+    });
+    let [before, after] = reach(M::NQ);
+    if within && moved(M::NQ) <= before.min(after) {
+        return Ok(());
+    }
+    let angle = turned::<M>(held, memory).0.to_f64();
+    Err(Fault { cause: Cause::TurnedTooFar { angle }, ..locked::<M>(t, held, memory) })
 }
 
 /// Are the unknowns of iterations where their rates have taken them, and not at another solution?
 #[inline]
 fn check_followed<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory, measure: M::S) -> Result<(), Fault> {
-    let half = M::S::lit(0.5) * (t - held.memory.at(LAST));
+    let half = M::S::lit(0.5) * (t - last::<M>(held));
     let farthest = square::<M::S>(FARTHEST_FOLLOWED) * measure.max(M::S::lit(NARROWEST));
     for (part, k) in M::FOLLOWED.iter().zip(followed::<M>()) {
         let moved = memory.at(k) - held.memory.at(k);
@@ -150,101 +234,37 @@ fn check_followed<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory, measure:
     Ok(())
 }
 
-/// Whether [`accept`] has nothing to look at yet.
-#[inline]
-pub fn is_calm<M: Charted>(t: M::S, held: &M::U) -> bool {
-    t < held.memory.at(NEXT)
+/// The time of the last look.
+fn last<M: Charted>(held: &M::U) -> M::S {
+    held.memory.at(2 * M::NQ)
 }
 
-/// Writes the memory of a state, with what two states tell together; the part that closes a loop which went through a
-/// flat pose.
-fn remember<M: Charted>(
-    t: M::S,
-    since: M::S,
-    held: &mut M::U,
-    mut memory: M::Memory,
-) -> Result<Option<&'static str>, Fault> {
-    let (old, zero) = (held.memory, M::S::lit(0.0));
-    let (mut passed, mut turned) = (None, zero);
-    for (body, k) in M::TURNING.iter().zip((NEXT + 1..M::BEFORE_AREAS).step_by(3)) {
-        turned = turned.max((memory.at(k) - old.at(k)).abs());
-        if turned > M::S::lit(FARTHEST) {
-            return Err(Fault::of_part(t.to_f64(), body, Cause::TurnedTooFar { angle: turned.to_f64() }));
+/// The farthest that a body has turned since the last look, rad, and which one.
+fn turned<M: Charted>(held: &M::U, memory: &M::Memory) -> (M::S, &'static str) {
+    let mut most = (M::S::lit(0.0), "");
+    for (body, k) in M::TURNING.iter().zip((2 * M::NQ + 2..M::BEFORE_AREAS).step_by(3)) {
+        let turned = (memory.at(k) - held.memory.at(k)).abs();
+        if turned > most.0 {
+            most = (turned, body);
         }
     }
+    most
+}
+
+/// Writes the memory of a state, with what two states tell together.
+fn remember<M: Charted>(t: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<(), Fault> {
+    let (angle, body) = turned::<M>(held, &memory);
+    if angle > M::S::lit(FARTHEST) {
+        return Err(Fault::of_part(t.to_f64(), body, Cause::TurnedTooFar { angle: angle.to_f64() }));
+    }
+    let since = t - last::<M>(held);
     for k in followed::<M>() {
-        if since > zero {
-            memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
+        if since > M::S::lit(0.0) {
+            memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - held.memory.at(k + 1)) / since);
         }
     }
-    // What has moved by so little since the last look does not move far in a like time.
-    let mut calm = M::S::lit(CALM) / turned.max(M::S::lit(CALM / 1.5));
-    for (dyad, k) in areas::<M>().enumerate() {
-        let (area, change) = (memory.at(k), memory.at(k) - old.at(k));
-        if old.at(k) * area < zero {
-            passed = M::CLOSING.get(held.chart).and_then(|parts| parts.get(dyad)).copied();
-        }
-        calm = calm.min(M::S::lit(CALM) * area.abs() / change.abs());
-        if since > zero {
-            memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - old.at(k + 1)) / since);
-        }
-    }
-    // An iteration starts from the last look: the nearer, the better, and a step that is made shorter has to help.
-    let rests = M::FOLLOWED.is_empty() && calm > zero;
-    memory.set(NEXT, if rests { t + calm * since } else { t });
     held.memory = precise::<M>(memory);
-    Ok(passed)
-}
-
-/// Looks at a state near a flat pose, where the sign of a small determinant was predicted and its rate tells more.
-///
-/// The determinant and its rate are continuous, those of the mirror image are their negatives: after a step `h` the image
-/// is taken for which `D_predicted D + h^2 D'_predicted D'` is positive.
-#[cold]
-fn look_closely<M: Charted>(
-    system: &M,
-    t: M::S,
-    held: &mut M::U,
-    x: &M::X,
-) -> Result<(M::Memory, M::S), Fault> {
-    let last = held.memory;
-    let since = t - last.at(LAST);
-    let predicted = |k: usize| {
-        let (area, rate, bend) = (last.at(k), last.at(k + 1), last.at(k + 2));
-        (area + (rate + bend * since) * since, rate + M::S::lit(2.0) * bend * since)
-    };
-    for k in areas::<M>() {
-        let (now, _) = system.look(t, held, x);
-        let (area, rate) = predicted(k);
-        if area * now.at(k) + since * since * rate * now.at(k + 1) < M::S::lit(0.0) {
-            let other = if now.at(k) < M::S::lit(0.0) { 1.0 } else { -1.0 };
-            for (place, value) in [other, 0.0, 0.0].into_iter().enumerate() {
-                held.memory.set(k + place, M::S::lit(value));
-            }
-        }
-    }
-    let (mut memory, measure) = system.look(t, held, x);
-    held.memory = last;
-    if is_open(measure) {
-        return Err(locked::<M>(t, held, &memory));
-    }
-    for k in areas::<M>() {
-        let (area, rate) = predicted(k);
-        if !memory.at(k + 1).is_finite() {
-            memory.set(k + 1, rate);
-        }
-        let size = last.at(k).abs().max(memory.at(k).abs());
-        if (memory.at(k) - area).abs() > M::S::lit(FARTHEST_AREA) * size {
-            let cause = Cause::TurnedTooFar { angle: (since * rate / size).to_f64().abs() };
-            return Err(Fault { cause, ..locked::<M>(t, held, &memory) });
-        }
-    }
-    if memory.is_finite() { Ok((memory, measure)) } else { Err(locked::<M>(t, held, &memory)) }
-}
-
-/// Places of the determinants in the memory.
-fn areas<M: Charted>() -> impl Iterator<Item = usize> {
-    (M::BEFORE_AREAS..M::BEFORE_FOLLOWED).step_by(3)
+    Ok(())
 }
 
 /// Places in the memory of the unknowns of iterations.
@@ -255,44 +275,91 @@ fn followed<M: Charted>() -> impl Iterator<Item = usize> {
 /// A memory with what iterations need to know of the arithmetic.
 fn precise<M: Charted>(mut memory: M::Memory) -> M::Memory {
     if !M::FOLLOWED.is_empty() {
-        memory.set(M::Memory::LEN - 1, M::S::EPSILON);
+        memory.set(M::BEFORE_FOLLOWED + 3 * M::FOLLOWED.len(), M::S::EPSILON);
     }
     memory
 }
 
 /// The fault of the group of a chart that is nearest to not being closed.
 fn locked<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Fault {
-    let parts = M::CLOSING.get(held.chart).copied().unwrap_or_default();
+    let moved = expected_move::<M>(t, held);
+    let angle = moved.to_f64();
+    let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
+    Fault::of_part(t.to_f64(), flattest::<M>(held.chart, memory), cause)
+}
+
+/// The part that closes the loop of a chart with the smallest determinant.
+fn flattest<M: Charted>(chart: usize, memory: &M::Memory) -> &'static str {
+    let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
     let (mut part, mut least) = ("", M::S::INFINITY);
-    for (closing, k) in parts.iter().zip(areas::<M>()) {
+    for (closing, k) in parts.iter().zip(M::BEFORE_AREAS..M::BEFORE_FOLLOWED) {
         let area = memory.at(k).abs();
         if !least.lt(area) {
             (part, least) = (closing, area);
         }
     }
-    let moved = expected_move::<M>(t, &held.memory);
-    let angle = moved.to_f64();
-    let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
-    Fault::of_part(t.to_f64(), part, cause)
+    part
+}
+
+/// The part that closes the loop which is nearest to flat at a pose.
+pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'static str {
+    flattest::<M>(0, &system.survey(0, t, q, v).0)
 }
 
 /// How far the unknowns of iterations should have moved since the last look.
-fn expected_move<M: Charted>(t: M::S, last: &M::Memory) -> M::S {
-    let since = t - last.at(LAST);
-    let moved = followed::<M>().map(|k| ((last.at(k + 1) + last.at(k + 2) * since) * since).abs());
-    moved.fold(M::S::lit(0.0), M::S::max)
+fn expected_move<M: Charted>(t: M::S, held: &M::U) -> M::S {
+    let since = t - last::<M>(held);
+    let rate = |k: usize| held.memory.at(k + 1) + held.memory.at(k + 2) * since;
+    followed::<M>().map(|k| (rate(k) * since).abs()).fold(M::S::lit(0.0), M::S::max)
 }
 
+/// Leaves a chart for one that is better by far, or if it is not good.
 #[cold]
 fn leave<M: Charted>(system: &M, t: M::S, held: &mut M::U, measure: M::S, x: &mut M::X) -> bool {
-    let (q, v) = pose(system, t, held, x);
-    let (chart, other) = best(system, t, &q, &v);
-    let better = chart != held.chart && other > square::<M::S>(BETTER) * measure.max(M::S::lit(0.0));
-    if better && q.is_finite() && v.is_finite() {
+    let (q, v, _) = system.place(t, held, x);
+    if !(q.is_finite() && v.is_finite()) {
+        return false;
+    }
+    let (chart, other) = if M::CHARTS > 1 { best(system, t, &q, &v) } else { (held.chart, measure) };
+    if chart != held.chart && other > square::<M::S>(BETTER) * measure && other > regular() {
         change(system, t, held, (chart, &q, &v), x);
         return true;
     }
-    false
+    let poor = measure < regular();
+    if poor {
+        free::<M>(held, (&q, &v), x);
+    }
+    poor
+}
+
+/// Goes on in a chart where one is good again.
+#[cold]
+fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> bool {
+    let (q, v) = pose(system, t, held, x);
+    let (chart, measure) = best(system, t, &q, &v);
+    if measure < square::<M::S>(BACK) * regular() {
+        return false;
+    }
+    let (alone, rest) = (*held, *x);
+    change(system, t, held, (chart, &q, &v), x);
+    // Lengths that repeat each other may disagree in what a pose does not tell.
+    let closed = !is_open(system.look(t, held, x).1);
+    if !closed {
+        (*held, *x) = (alone, rest);
+    }
+    closed
+}
+
+/// Goes on without a chart.
+fn free<M: Charted>(held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
+    held.chart = M::CHARTS;
+    for i in 0..M::Q::LEN {
+        held.memory.set(i, q.at(i));
+        held.memory.set(M::Q::LEN + i, v.at(i));
+    }
+    for i in 0..2 * M::NQ {
+        x.set(i, M::S::lit(0.0));
+    }
 }
 
 /// The chart with the largest measure at a pose, and its square.
@@ -317,6 +384,10 @@ fn change<M: Charted>(
     held.chart = chart;
     held.memory = precise::<M>(system.survey(chart, t, q, v).0);
     system.project(chart, t, q, v, x);
+    let (memory, measure) = system.look(t, held, x);
+    if !is_open(measure) && memory.is_finite() {
+        held.memory = precise::<M>(memory);
+    }
 }
 
 fn square<S: Scalar>(value: f64) -> S {

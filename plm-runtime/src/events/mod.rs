@@ -8,10 +8,12 @@
 //! constraints are kept, while the dense output is of lower order and off the constraints.
 
 mod kinks;
+mod looks;
 mod root;
 mod search;
 
 use self::kinks::Kinks;
+use self::looks::Looks;
 use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, Method, Path};
@@ -27,6 +29,7 @@ const SHORT: f64 = 1e-6;
 const SHORT_ULPS: f64 = 1000.0;
 /// A step of so many units in the last place of the time is none.
 const LEAST_ULPS: f64 = 32.0;
+
 /// Switches every condition whose guard is past its band at the state `x`; how many did.
 ///
 /// A condition may switch another one: it is repeated until none is past, but not for ever.
@@ -91,7 +94,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         if G::LEN == 0 || self.guards.is_some() {
             return Ok(());
         }
-        self.switch_due(method, course)
+        self.switch_due(method, course, false)
     }
 
     /// One step, ended where the first condition leaves its side; that condition.
@@ -105,7 +108,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             method.advance(course)?;
             return Ok(None);
         }
-        let (before, start) = (*method, Start { time: course.time, x: course.x });
+        let (before, start) = (*method, Start { time: course.time, held: course.held, x: course.x });
         method.advance(course)?;
         let end = guards_here(course)?;
         if !I::DENSE {
@@ -114,11 +117,9 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         // What would end a step so early that it hardly moves the time happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
-        let (mut due, mut time) = match self.search(method, course)? {
-            Some((search, Found::Crossing(index, theta))) => (Some(index), search.time(theta)),
-            Some((search, Found::Open(theta))) if search.time(theta) - start.time > least => {
-                (None, search.time(theta))
-            }
+        let (mut due, mut time) = match self.search(method, course, start.time, &end)? {
+            (Found::Crossing(index, _), time) => (Some(index), time),
+            (Found::Open(_), time) if time - start.time > least => (None, time),
             _ => (None, course.time),
         };
         if let Some(kink) = kink(method, course, start.time)?.filter(|kink| *kink < time) {
@@ -130,7 +131,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         course.stats.steps -= 1;
         course.stats.rejected += 1;
-        (*method, course.time, course.x) = (before, start.time, start.x);
+        (*method, course.time, course.held, course.x) = (before, start.time, start.held, start.x);
         // What happens at once needs no step.
         if time - start.time <= least {
             return Ok(due);
@@ -159,13 +160,15 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             if let Some(index) = self.brief.take() {
                 required(course, index)?;
             }
-            return self.switch_due(method, course);
+            return self.switch_due(method, course, true);
         }
         let Some(index) = due else {
             return Ok(());
         };
         required(course, index)?;
-        course.system.switch(course.time, &mut course.held, &course.x, index);
+        let mut after = course.held;
+        course.system.switch(course.time, &mut after, &course.x, index);
+        hold(course, after)?;
         method.restart();
         let here = guards_here(course)?;
         self.guards = Some(here);
@@ -181,11 +184,12 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         self.left_over = self.left_over.map2(&guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
 
-    /// Switches what is past its guard at the current state.
+    /// Switches what is past its guard at the current state, where a step led; else a change from outside did.
     fn switch_due<M: System<S = S, G = G>>(
         &mut self,
         method: &mut impl Method<M>,
         course: &mut Course<'_, M>,
+        by_step: bool,
     ) -> Result<(), Fault> {
         let here = guards_here(course)?;
         self.guards = Some(here);
@@ -195,32 +199,48 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         for index in (first..G::LEN).filter(|i| is_past(course.system, &here, *i)) {
             required(course, index)?;
         }
-        let switched = switch_where_due(course.system, course.time, &mut course.held, &course.x);
+        let mut after = course.held;
+        let switched = switch_where_due(course.system, course.time, &mut after, &course.x);
+        if by_step {
+            hold(course, after)?;
+        }
+        course.held = after;
         method.restart();
         self.guards = Some(guards_here(course)?);
         self.count(course, switched, first)
     }
 
-    /// Searches the dense output of the last step.
-    fn search<'a, M: System<S = S, G = G>, I: Method<M>>(
+    /// Searches the dense output of the last step: what became of the conditions, and when.
+    fn search<M: System<S = S, G = G>, I: Method<M>>(
         &self,
         method: &mut I,
-        course: &mut Course<'a, M>,
-    ) -> Result<Option<Searched<'a, M>>, Fault> {
+        course: &mut Course<'_, M>,
+        start: S,
+        end: &G,
+    ) -> Result<(Found<S>, S), Fault> {
         if G::LEN == 0 {
-            return Ok(None);
+            return Ok((Found::Nothing, course.time));
         }
         method.densify(course)?;
-        Ok(method.path().map(|path| {
-            let search = Search::new(course.system, course.held, path, &self.left_over);
-            let found = search.first();
-            (search, found)
-        }))
+        let Some(path) = method.path() else {
+            let began = self.guards.unwrap_or(*end);
+            let looks = Looks { method, course, start, left_over: &self.left_over };
+            return Ok(looks.first(&began, end));
+        };
+        let found = Search::new(course.system, course.held, path, &self.left_over).first();
+        Ok(match found {
+            Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
+            Found::Nothing => (found, course.time),
+        })
     }
 
     /// Looks for conditions that come and go within a step of a method without dense output, which ends where it ends.
     #[cold]
-    fn look_between<M: System<S = S, G = G>>(&mut self, course: &mut Course<'_, M>, start: &Start<S, M::X>) {
+    fn look_between<M: System<S = S, G = G>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        start: &Start<S, M::U, M::X>,
+    ) {
         let path = Path::between((start.time, &start.x), (course.time, &course.x), M::NQ);
         let search = || Search::new(course.system, course.held, path, &self.left_over);
         self.brief = None;
@@ -288,13 +308,34 @@ fn kink<M: System<S: Real>, I: Method<M>>(
     Ok(theta.map(|theta| path.time(theta)).filter(|time| *time - start > least))
 }
 
-/// A search, and what it has found.
-type Searched<'a, M> = (Search<'a, M>, Found<<M as System>::S>);
-
 /// Where a step began.
-struct Start<S, X> {
+struct Start<S, U, X> {
     time: S,
+    held: U,
     x: X,
+}
+
+/// Goes on with the sides of `after`, unless constraint rows would have to jump.
+pub(crate) fn hold<M: System<S: Real>>(course: &mut Course<'_, M>, after: M::U) -> Result<(), Fault> {
+    if let Some(fault) = course.system.jump(course.time, &course.held, &course.x, Some(&after)) {
+        return Err(fault);
+    }
+    course.held = after;
+    Ok(())
+}
+
+/// The fault of a step that came to nothing, or of what jumps there: joints that would have to jump come apart.
+#[cold]
+pub(crate) fn at_a_jump<M: System<S: Real>>(course: &Course<'_, M>, fault: Fault) -> Fault {
+    match fault.cause {
+        Cause::StepTooSmall { .. }
+        | Cause::Drift { .. }
+        | Cause::TooManySteps { .. }
+        | Cause::Singular { .. } => {
+            course.system.jump(course.time, &course.held, &course.x, None).unwrap_or(fault)
+        }
+        _ => fault,
+    }
 }
 
 /// The end of a run whose requirement `index` is not met.

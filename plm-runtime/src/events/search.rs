@@ -103,11 +103,6 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         self.base.at(index) - self.system.band(index)
     }
 
-    /// The time at a fraction of the step.
-    pub(super) fn time(&self, theta: M::S) -> M::S {
-        self.path.time(theta)
-    }
-
     /// The first guard that leaves its side.
     pub(super) fn first(&self) -> Found<M::S> {
         let half = M::S::lit(0.5);

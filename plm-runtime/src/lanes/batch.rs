@@ -54,6 +54,10 @@ where
     ///
     /// Those that have the latest time, and as long steps as the first of these, go together, the others alone.
     pub fn step(&mut self, dt: f64) -> [Result<(), Fault>; LANES] {
+        for sim in self.sims.iter_mut().filter(|sim| !sim.is_unchanged()) {
+            // One whose change cannot be is found as it was, and goes alone: it says so itself.
+            let _ = sim.take_changes();
+        }
         let (joins, clock) = self.together(dt);
         let mut lanes = {
             let mut joins = joins.into_iter();
@@ -90,7 +94,7 @@ where
         let Some(first) = self.sims.iter().find(latest) else { return ([false; LANES], clock) };
         let joins = |sim: &Sim<M, FixedStep<f64, F>>| {
             let free = sim.state.mechanism().next_instant(time, &sim.state.held()).is_none();
-            free && latest(&sim) && sim.method.longest_step == first.method.longest_step
+            free && sim.is_unchanged() && latest(&sim) && sim.method.longest_step == first.method.longest_step
         };
         (self.sims.each_ref().map(joins), clock)
     }
@@ -163,7 +167,7 @@ fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     let mut looked = false;
     for (i, lane) in lanes.iter_mut().enumerate() {
         let healthy = side.joined[i] && f64::HEALTHY < health[i];
-        if !lane.runs || (healthy && all_finite && lane.coast(plan)) {
+        if !lane.runs || (healthy && all_finite && lane.coast(plan, &column(&next, i))) {
             continue;
         }
         let made = healthy.then(|| column(&next, i));

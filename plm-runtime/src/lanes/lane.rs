@@ -43,8 +43,8 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
 
     /// Makes the next step with the others and without a look at it, if none is due.
     #[inline]
-    pub(super) fn coast(&mut self, plan: &Plan<f64>) -> bool {
-        let calm = !self.limits.audit() && M::is_calm(plan.next_time, &self.course.held);
+    pub(super) fn coast(&mut self, plan: &Plan<f64>, x: &M::X) -> bool {
+        let calm = !self.limits.audit() && M::is_calm(plan.next_time, &self.course.held, x);
         let coasts = calm && self.method.coast();
         self.coasted += u64::from(coasts);
         coasts

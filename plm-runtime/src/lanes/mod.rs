@@ -66,8 +66,8 @@ pub trait Pack: Mechanism {
         0
     }
 
-    /// Whether [`System::accept`] has nothing to do at the time `t`.
-    fn is_calm(t: Self::S, held: &Self::U) -> bool;
+    /// Whether [`System::accept`] has nothing to do at a state.
+    fn is_calm(t: Self::S, held: &Self::U, x: &Self::X) -> bool;
 }
 
 /// A right-hand side as a system that is never looked at: what the formulas of methods ask for.

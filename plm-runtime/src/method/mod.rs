@@ -79,9 +79,15 @@ pub trait Method<M: System>: Copy {
     /// The state at a time within the last step, after [`densify`](Self::densify); a rougher one (order 3) without.
     fn interpolate(&self, time: M::S) -> M::X;
 
-    /// What [`interpolate`](Self::interpolate) gives, as polynomials; none where nothing is known of a step.
+    /// What [`interpolate`](Self::interpolate) gives, as polynomials; none where nothing is known of a step, and where the state
+    /// stands in what is held.
     fn path(&self) -> Option<Path<M::S, M::X>> {
         None
+    }
+
+    /// What is held, and the state, at a time within the last step of the course, as [`interpolate`](Self::interpolate).
+    fn moment(&self, course: &Course<'_, M>, time: M::S) -> (M::U, M::X) {
+        (course.held, self.interpolate(time))
     }
 
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
@@ -124,7 +130,7 @@ pub struct Course<'a, M: System> {
 
 impl<M: System> Course<'_, M> {
     /// A fault at the time reached.
-    fn fault(&self, cause: Cause) -> Fault {
+    pub(crate) fn fault(&self, cause: Cause) -> Fault {
         Fault::new(self.time.to_f64(), cause)
     }
 
@@ -138,8 +144,9 @@ impl<M: System> Course<'_, M> {
         if !x.is_finite() {
             return Err(not_finite(self.system, t, x));
         }
-        self.stats.by_rank += 1;
-        self.system.rate_by_rank(t, &self.held, x, dx)
+        let outcome = self.system.rate_by_rank(t, &self.held, x, dx);
+        self.stats.by_rank += u64::from(outcome.is_ok());
+        outcome
     }
 
     /// Projects a state onto the constraints.
@@ -177,11 +184,4 @@ fn larger<S: Real>(a: S, b: S) -> S {
         Some(_) => a,
         None => a + b,
     }
-}
-
-/// a + b as a rounded sum and the rest, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
-pub(crate) fn two_sum<S: Real>(a: S, b: S) -> (S, S) {
-    let sum = a + b;
-    let b_part = sum - a;
-    (sum, (a - (sum - b_part)) + (b - b_part))
 }

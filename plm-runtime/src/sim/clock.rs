@@ -1,6 +1,7 @@
 //! The time over many intervals.
 
-use crate::method::two_sum;
+use plm_math::exact::two_sum;
+
 use crate::scalar::Real;
 
 /// The time as the intervals so far have it: what rounding has left out of it is kept.

@@ -21,10 +21,14 @@ pub struct Stats {
     pub charts: u64,
     /// Singular poses that were passed, where the mechanism could have gone on in another way.
     pub change_points: u64,
+    /// Steps near singular poses, where no chart is good: without charts and in numbers of twice the precision.
+    pub near_singular: u64,
     /// Conditions that switched, and known times that were passed.
     pub switches: u64,
     /// Conditions that came and went within a step of a method without dense output, and were passed over.
     pub passed_over: u64,
+    /// Changes of parameters that joints, masses or known times read, after each of which it was assembled anew.
+    pub renewed: u64,
     /// Longest accepted step, s.
     pub longest_step: f64,
 }

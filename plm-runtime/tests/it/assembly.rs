@@ -126,6 +126,7 @@ fn too_many_velocity_locks_are_named() {
     m.0.start[0].omega = locked(1.0);
     m.0.start[0].vy = locked(0.5);
     let fault = assemble(&m, 0.0).unwrap_err();
+    assert!(fault.to_string().contains("arm.vy (locked), arm.omega (locked)"), "{fault}");
     let Cause::VelocityRedundant { count, locks, .. } = fault.cause else { panic!("{fault}") };
     assert_eq!(count, 1);
     assert_eq!(locks.iter().collect::<Vec<_>>(), ["arm.y", "arm.angle"]);

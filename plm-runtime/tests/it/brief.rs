@@ -133,6 +133,7 @@ impl<S: Real> Linear for Gate<S> {
 }
 
 impl<S: Real> Mechanism for Gate<S> {
+    type Rescue = plm_runtime::singular::Never<Self>;
     type State = At<Self>;
 
     fn start_state(&self, t: S) -> Result<(S, [S; 3]), Fault> {

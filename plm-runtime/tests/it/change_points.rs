@@ -31,6 +31,7 @@ impl System for Equivalent {
 
 impl Mechanism for Equivalent {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, _t: f64) -> Result<(Self::U, [f64; 2]), Fault> {
         Ok(((), self.start))

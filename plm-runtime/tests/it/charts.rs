@@ -46,6 +46,7 @@ impl System for Charted {
 
 impl Mechanism for Charted {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, _t: f64) -> Result<(f64, [f64; 2]), Fault> {
         Ok((1.0, [-1.0, 0.0]))

@@ -59,6 +59,7 @@ impl System for Scene {
 
 impl Mechanism for Scene {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, _t: f64) -> Result<(Held, [f64; 3]), Fault> {
         Ok((Held { side: [1.0; 2], passed: 0 }, self.start))

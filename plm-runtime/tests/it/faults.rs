@@ -28,6 +28,7 @@ impl System for BlowUp {
 
 impl Mechanism for BlowUp {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, _t: f64) -> Result<(Self::U, [f64; 1]), Fault> {
         Ok(((), [1.0]))
@@ -94,6 +95,7 @@ impl System for Ends {
 
 impl Mechanism for Ends {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, _t: f64) -> Result<(Self::U, [f64; 2]), Fault> {
         Ok(((), [0.0; 2]))

@@ -331,6 +331,7 @@ macro_rules! linkage {
 
         impl<S: plm_runtime::Real> plm_runtime::Mechanism for $name<S> {
             type State = $crate::linkage::At<Self>;
+            type Rescue = plm_runtime::singular::Never<Self>;
 
             fn start_state(&self, t: S) -> Result<(Self::U, Self::X), plm_runtime::Fault> {
                 let assembly = plm_runtime::absolute::assemble(self, t)?;

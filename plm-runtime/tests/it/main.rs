@@ -27,3 +27,4 @@ mod ros34pw2;
 mod single;
 mod smooth;
 mod tube;
+mod twofold;

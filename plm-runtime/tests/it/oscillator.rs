@@ -36,6 +36,7 @@ impl<S: Real> Linear for Oscillator<S> {
 
 impl<S: Real> Mechanism for Oscillator<S> {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, _t: S) -> Result<(Self::U, [S; 3]), Fault> {
         Ok((0.0, exact(0.0).map(S::lit)))

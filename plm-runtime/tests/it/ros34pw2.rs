@@ -70,6 +70,7 @@ impl Linear for Wrong {
 
 impl Mechanism for Wrong {
     type State = At<Self>;
+    type Rescue = plm_runtime::singular::Never<Self>;
 
     fn start_state(&self, t: f64) -> Result<(f64, [f64; 3]), Fault> {
         self.0.start_state(t)

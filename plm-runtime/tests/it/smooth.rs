@@ -43,6 +43,7 @@ macro_rules! system {
 
         impl<S: Real> Mechanism for $name<S> {
             type State = At<Self>;
+            type Rescue = plm_runtime::singular::Never<Self>;
 
             fn start_state(&self, _t: S) -> Result<((), [S; $n]), Fault> {
                 let $s = self;

@@ -11,8 +11,8 @@ use crate::derive::Equations;
 use crate::formulate::Absolute;
 use crate::model::{Body, Model};
 
-/// Largest residual of an assembled mechanism, m or rad.
-pub(super) const CLOSED: f64 = 1e-10;
+/// Largest residual of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
+const CLOSED: f64 = 1e-10;
 /// Newton steps before assembly is given up; a start in reach needs four to eight.
 const MOST_STEPS: usize = 100;
 /// Below this ratio of pivots the straight-line step is replaced by the rank-revealing one.
@@ -39,6 +39,8 @@ pub(crate) struct Assembly {
     pub(crate) phi: Vec<f64>,
     /// `phi_q v - nu` at the end, velocity locks behind.
     pub(crate) phi_dot: Vec<f64>,
+    /// Largest residual of each row that counts as closed, m or rad.
+    pub(super) closed: Vec<f64>,
     /// Newton steps taken.
     pub(crate) steps: usize,
 }
@@ -46,7 +48,7 @@ pub(crate) struct Assembly {
 impl Assembly {
     /// Do all constraints hold?
     pub(crate) fn is_closed(&self) -> bool {
-        self.phi.iter().all(|residual| residual.abs() <= CLOSED)
+        are_closed(&self.phi, &self.closed)
     }
 
     /// Values of all symbols at the assembled pose.
@@ -74,28 +76,8 @@ pub(crate) fn assemble(
 ) -> Assembly {
     let scene = Scene::new(equations, program, graph, values);
     let (start, locked) = start_position(model, graph, values);
-    let mut q = start.clone();
-    let mut phi = scene.phi(&q);
-    let mut steps = 0;
-    let mut best = (q.clone(), phi.clone());
-    while !phi.iter().all(|residual| residual.abs() <= CLOSED) && steps < MOST_STEPS {
-        let step = scene.step(&q, &locked, &phi);
-        if !step.iter().all(|dq| dq.is_finite()) {
-            break;
-        }
-        for (coordinate, dq) in q.iter_mut().zip(step) {
-            *coordinate -= dq;
-        }
-        phi = scene.phi(&q);
-        steps += 1;
-        if largest(&phi) < largest(&best.1) {
-            best = (q.clone(), phi.clone());
-        }
-    }
-    // Joints that do not fit make the steps wander; the pose that is told is the one that fits best.
-    if largest(&best.1) < largest(&phi) {
-        (q, phi) = best;
-    }
+    let length = crate::report::length(model, graph, values);
+    let (q, phi, steps) = scene.close(start.clone(), &locked, &|q| limits(model, length, q));
     let (mut v, velocity_locked) = start_velocity(model, graph, values, &q);
     let residual = scene.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(scene.step(&q, &velocity_locked, &residual)) {
@@ -108,6 +90,7 @@ pub(crate) fn assemble(
         rank: if at_end.value() >= at_start.value() { at_end } else { at_start },
         velocity_rank: rank_with_locks(&scene, &q, &velocity_locked),
         phi_dot: scene.phi_dot(&q, &v),
+        closed: limits(model, length, &q),
         start,
         q,
         v,
@@ -116,6 +99,17 @@ pub(crate) fn assemble(
         phi,
         steps,
     }
+}
+
+/// What the residual of each row may be in a scene of a size that reaches as far as the bodies stand.
+fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
+    let places = q.iter().enumerate().filter(|(k, _)| k % 3 != 2);
+    let reach = places.fold(length, |reach, (_, place)| reach.max(place.abs()));
+    model.rows.iter().map(|row| CLOSED * if row.is_angular() { 1.0 } else { reach }).collect()
+}
+
+pub(super) fn are_closed(phi: &[f64], limits: &[f64]) -> bool {
+    phi.iter().zip(limits).all(|(residual, limit)| residual.abs() <= *limit)
 }
 
 /// Largest magnitude; infinite if a value is not a number.
@@ -130,7 +124,7 @@ fn rank_with_locks(scene: &Scene, q: &[f64], locked: &[bool]) -> Rank {
 }
 
 /// The constraints as numeric functions of the pose.
-struct Scene<'a> {
+pub(super) struct Scene<'a> {
     equations: &'a Equations,
     program: &'a Absolute,
     values: &'a [(Expr, f64)],
@@ -141,7 +135,7 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(
+    pub(super) fn new(
         equations: &'a Equations,
         program: &'a Absolute,
         graph: &Graph,
@@ -179,11 +173,42 @@ impl<'a> Scene<'a> {
         run(&self.phi_dot, &values)
     }
 
-    fn phi_q(&self, q: &[f64]) -> Vec<Row> {
+    pub(super) fn phi_q(&self, q: &[f64]) -> Vec<Row> {
         let entries = run(&self.phi_q, &self.at(q));
         let mut entries = entries.into_iter();
         let rows = self.equations.phi_q.iter();
         rows.map(|row| row.iter().map(|&(j, _)| j).zip(entries.by_ref()).collect()).collect()
+    }
+
+    /// Newton's steps from a pose: where they end, the residuals there, and how many they were.
+    pub(super) fn close(
+        &self,
+        mut q: Vec<f64>,
+        locked: &[bool],
+        limits: &dyn Fn(&[f64]) -> Vec<f64>,
+    ) -> (Vec<f64>, Vec<f64>, usize) {
+        let mut phi = self.phi(&q);
+        let mut steps = 0;
+        let mut best = (q.clone(), phi.clone());
+        while !are_closed(&phi, &limits(&q)) && steps < MOST_STEPS {
+            let step = self.step(&q, locked, &phi);
+            if !step.iter().all(|dq| dq.is_finite()) {
+                break;
+            }
+            for (coordinate, dq) in q.iter_mut().zip(step) {
+                *coordinate -= dq;
+            }
+            phi = self.phi(&q);
+            steps += 1;
+            if largest(&phi) < largest(&best.1) {
+                best = (q.clone(), phi.clone());
+            }
+        }
+        // Joints that do not fit make the steps wander; the pose that is told is the one that fits best.
+        if largest(&best.1) < largest(&phi) {
+            (q, phi) = best;
+        }
+        (q, phi, steps)
     }
 
     /// The minimum-norm step that closes `residual` and leaves what is locked alone.
@@ -194,7 +219,7 @@ impl<'a> Scene<'a> {
         values.extend(self.program.residual.iter().copied().zip(residual.iter().copied()));
         let mut step = run(&self.min_norm, &values);
         match step.pop() {
-            Some(health) if health > HEALTHY => step,
+            Some(health) if health > HEALTHY && step.iter().all(|dq| dq.is_finite()) => step,
             _ => self.step_by_rank(q, locked, residual),
         }
     }

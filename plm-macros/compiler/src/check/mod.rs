@@ -1,14 +1,25 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
+mod jumps;
+mod names;
+mod pairs;
 mod pseudo_inverse;
+mod random;
 mod rank;
+mod regular;
 mod start;
 mod verdict;
+
+use std::collections::BTreeSet;
 
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use jumps::check_jumps;
+pub(crate) use names::check_names;
+pub(crate) use pairs::check_pairs;
+pub(crate) use regular::freedom;
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
@@ -32,6 +43,12 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
     for load in &model.loads {
         reached[load.body] = true;
     }
+    // A constraint of its own joins no frames.
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let held: BTreeSet<Expr> = model.graph.symbols(&rows).into_iter().collect();
+    for (reached, body) in reached.iter_mut().zip(&model.bodies) {
+        *reached |= body.q.iter().any(|coordinate| held.contains(coordinate));
+    }
     for (body, _) in model.bodies.iter().zip(&reached).filter(|(_, reached)| !**reached) {
         let name = &body.name.text;
         let port = |ports: &[Port], default| ports.first().map_or(default, |port| port.name.text.clone());
@@ -52,7 +69,7 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
 
 /// Default values of all symbols but coordinates and velocities, at time zero.
 pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
-    let mut values = vec![(model.time, 0.0)];
+    let mut values = vec![(model.time, 0.0), (model.most_growth, f64::INFINITY)];
     for param in &model.params {
         values.push((param.symbol, value(graph, param.default, &values)));
     }
@@ -73,6 +90,22 @@ pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f6
     }
 }
 
+/// Compliances that are known to be wrong only with the defaults of the parameters that they read.
+fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
+    for limit in &model.limits {
+        let found = value(graph, limit.value, values);
+        if found.is_finite() && (found > 0.0 || (limit.or_zero && found == 0.0)) {
+            continue;
+        }
+        let wanted = if limit.or_zero { "finite and not negative" } else { "positive and finite" };
+        let (what, part, unit) = (&limit.what, &limit.part, &limit.unit);
+        let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
+        diagnostics
+            .error(Code::NotPositive, limit.span, message)
+            .note("this is its value with the defaults of the parameters");
+    }
+}
+
 /// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
 fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
     for body in &model.bodies {
@@ -80,6 +113,9 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
         let inertia = ("inertia", body.inertia, body.inertia_span, "kg*m^2");
         for (what, expr, span, unit) in [mass, inertia] {
             let found = value(graph, expr, values);
+            if model.reads_required(graph, expr) {
+                continue;
+            }
             if !(found > 0.0 && found.is_finite()) {
                 let name = &body.name.text;
                 let message =
@@ -93,7 +129,7 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
     }
 }
 
-/// Assembles the declared start and reports what is wrong with it.
+/// Reports what is wrong with the start as it was assembled.
 ///
 /// Where a dimension is a parameter the run can change it, so that only the run can judge; the report tells what the
 /// defaults give.
@@ -102,16 +138,19 @@ pub(crate) fn check_assembly(
     equations: &Equations,
     (program, reduced): (&Absolute, Option<&Reduced>),
     graph: &Graph,
+    found: &Assembly,
     report: &mut Report,
     diagnostics: &mut Diagnostics,
 ) {
     let values = defaults(model, graph);
     check_masses(model, graph, &values, diagnostics);
-    let found = assemble(model, equations, program, graph, &values);
+    check_limits(model, graph, &values, diagnostics);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
-    let turns = run(&Tape::new(graph, &turns), &found.values(equations, &values));
-    report.add_assembly(model, equations, &found, &turns);
-    report.add_measures(&measures(reduced, graph, &found.values(equations, &values)));
+    let mut assembled = found.values(equations, &values);
+    add_sides(model, graph, &mut assembled);
+    let turns = run(&Tape::new(graph, &turns), &assembled);
+    report.add_assembly(model, equations, found, &turns);
+    report.add_measures(&measures(reduced, graph, &assembled), reduced, graph);
     if has_parameters(model, graph) {
         return;
     }
@@ -121,16 +160,16 @@ pub(crate) fn check_assembly(
         let positions = Locks { locked: &found.locked, what: "position" };
         too_many_locks(model, &positions, &locks, diagnostics);
     } else if found.phi.iter().any(|residual| !residual.is_finite()) {
-        start::check_rows(model, equations, graph, &values, &found, diagnostics);
+        start::check_rows(model, equations, graph, &values, found, diagnostics);
     } else if !found.is_closed() {
-        not_closed(model, &found, report.length, diagnostics);
+        not_closed(model, found, report.length, diagnostics);
     } else {
         redundant_joints(model, &joints, diagnostics);
-        check_velocities(model, &found, diagnostics);
+        check_velocities(model, found, diagnostics);
         let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
         let open = run(&Tape::new(graph, &compliant), &found.values(equations, &values));
         strained(model, &open, report.length, diagnostics);
-        start::check_start(model, equations, graph, (program, &values), &found, diagnostics);
+        start::check_start(model, equations, graph, (program, &values), found, diagnostics);
     }
 }
 
@@ -148,6 +187,7 @@ fn has_parameters(model: &Model, graph: &Graph) -> bool {
     let mut roots: Vec<Expr> = starts.map(|start| start.value).collect();
     roots.extend(model.rows.iter().map(|row| row.phi));
     roots.extend(model.bodies.iter().flat_map(|body| body.centre));
+    roots.extend(model.sides.iter().filter(|side| !side.must_hold).map(|side| side.difference));
     let held = graph.symbols(&roots);
     model.params.iter().any(|param| held.contains(&param.symbol))
 }

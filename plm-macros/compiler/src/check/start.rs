@@ -20,6 +20,7 @@ pub(super) fn check_rows(
 ) {
     let mut values = values.to_vec();
     values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
+    super::add_sides(model, graph, &mut values);
     for (row, _) in model.rows.iter().zip(&found.phi).filter(|(_, residual)| !residual.is_finite()) {
         report(graph, &values, &row.name, row.span, row.phi, diagnostics);
     }
@@ -57,7 +58,7 @@ pub(crate) fn check_start(
     });
     let rates = model.states.iter().map(|state| (state.name.text.as_str(), state.name.span, state.rate));
     for (name, span, expr) in loads.chain(rates) {
-        if !super::value(graph, expr, &values).is_finite() {
+        if !model.reads_required(graph, expr) && !super::value(graph, expr, &values).is_finite() {
             report(graph, &values, name, span, expr, diagnostics);
         }
     }

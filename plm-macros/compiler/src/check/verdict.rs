@@ -67,7 +67,7 @@ fn lock_name(model: &Model, k: usize, what: &str) -> String {
 
 /// Joints that cannot be closed together.
 pub(super) fn not_closed(model: &Model, found: &Assembly, length: f64, diagnostics: &mut Diagnostics) {
-    let gaps = gaps(&model.rows, &found.phi);
+    let gaps = gaps(&model.rows, &found.phi, |row| found.closed[row]);
     let Some(widest) = gaps.first() else { return };
     let others: Vec<String> =
         gaps[1..].iter().map(|gap| format!("`{}` by {}", gap.joint(model), gap.text())).collect();
@@ -111,7 +111,7 @@ fn giving_way<'a>(model: &Model, part: usize, rows: impl Iterator<Item = &'a Row
 /// Joints with a compliance that assembly leaves open, and that would begin with a great force.
 pub(super) fn strained(model: &Model, phi: &[f64], length: f64, diagnostics: &mut Diagnostics) {
     let limit = |gap: &Gap| STRAIN * if gap.row.unit.dimension == Dimension::LENGTH { length } else { 1.0 };
-    for gap in gaps(&model.compliant, phi).iter().filter(|gap| gap.size > limit(gap)) {
+    for gap in gaps(&model.compliant, phi, |_| 0.0).iter().filter(|gap| gap.size > limit(gap)) {
         let (name, text) = (gap.joint(model), gap.text());
         diagnostics
             .warning(Code::Strained, gap.row.span, format!("`{name}` is open by {text} at the start"))
@@ -137,18 +137,23 @@ impl Gap<'_> {
     }
 }
 
-/// The open joints by `phi`, the widest first; of the rows of a joint those in one unit count together.
-fn gaps<'a>(rows: &'a [Row], phi: &[f64]) -> Vec<Gap<'a>> {
-    let mut gaps: Vec<Gap> = Vec::new();
-    for (row, residual) in rows.iter().zip(phi) {
+/// The open joints by `phi`, the widest first; of the rows of a joint those in one unit count together. A row is open above
+/// its limit.
+fn gaps<'a>(rows: &'a [Row], phi: &[f64], limit: impl Fn(usize) -> f64) -> Vec<Gap<'a>> {
+    let mut gaps: Vec<(Gap, bool)> = Vec::new();
+    for (k, (row, residual)) in rows.iter().zip(phi).enumerate() {
         let size = if residual.is_finite() { residual.abs() } else { f64::INFINITY };
-        let same = |gap: &&mut Gap| gap.row.part == row.part && gap.unit == row.unit.text;
+        let is_open = size > limit(k);
+        let same = |gap: &&mut (Gap, bool)| gap.0.row.part == row.part && gap.0.unit == row.unit.text;
         match gaps.iter_mut().find(same) {
-            Some(gap) => gap.size = plm_math::f64::sqrt(gap.size * gap.size + size * size),
-            None => gaps.push(Gap { row, size, unit: row.unit.text.clone() }),
+            Some((gap, open)) => {
+                gap.size = plm_math::f64::sqrt(gap.size * gap.size + size * size);
+                *open |= is_open;
+            }
+            None => gaps.push((Gap { row, size, unit: row.unit.text.clone() }, is_open)),
         }
     }
-    gaps.retain(|gap| gap.size > super::assembly::CLOSED);
+    let mut gaps: Vec<Gap> = gaps.into_iter().filter(|(_, open)| *open).map(|(gap, _)| gap).collect();
     gaps.sort_by(|a, b| b.size.total_cmp(&a.size));
     gaps
 }
@@ -185,7 +190,7 @@ pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics
 
 /// Start velocities that the joints do not allow.
 pub(super) fn contradiction(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
-    if let Some(widest) = gaps(&model.rows, &found.phi_dot).first() {
+    if let Some(widest) = gaps(&model.rows, &found.phi_dot, |_| 0.0).first() {
         diagnostics.error(
             Code::NotAssembled,
             widest.row.span,
@@ -220,7 +225,7 @@ fn joined(texts: &[String]) -> String {
 }
 
 /// Three digits are enough to see how wrong it is.
-fn rounded(value: f64) -> String {
+pub(super) fn rounded(value: f64) -> String {
     let digits = format!("{value:.2e}");
     match digits.parse::<f64>() {
         Ok(rounded) if (1e-3..1e4).contains(&rounded) => rounded.to_string(),

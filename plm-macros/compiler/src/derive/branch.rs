@@ -7,7 +7,7 @@ use crate::model::{FrameRef, Model, Pair, Part};
 /// At a revolute between two bodies: how far the second turns from the first.
 ///
 /// The first body is seen from its other joint (or its G) to the pivot, the second from the pivot to its other joint
-/// (or its G). The two mirror images of a loop differ in the sign.
+/// (or its G), where that is not the pivot itself. The two mirror images of a loop differ in the sign.
 #[derive(Clone, Debug)]
 pub(crate) struct Branch {
     /// Index of the revolute in the model's parts.
@@ -42,8 +42,8 @@ fn branch(model: &Model, joints: &Joints, graph: &mut Graph, index: usize, part:
         return None;
     }
     let pivot = point(model, graph, a)?;
-    let before = far_point(model, joints, graph, index, bodies[0]);
-    let after = far_point(model, joints, graph, index, bodies[1]);
+    let before = far_point(model, joints, graph, index, a)?;
+    let after = far_point(model, joints, graph, index, b)?;
     let along = difference(graph, pivot, before);
     let onward = difference(graph, after, pivot);
     let cross = bilinear(graph, along, [onward[1], onward[0]], true);
@@ -51,11 +51,24 @@ fn branch(model: &Model, joints: &Joints, graph: &mut Graph, index: usize, part:
     Some(Branch { part: index, bodies, turn: graph.atan2(cross, dot) })
 }
 
-/// The port of another joint on the body, or its G.
-fn far_point(model: &Model, joints: &Joints, graph: &mut Graph, joint: usize, body: usize) -> [Expr; 2] {
-    let other = joints[body].iter().find(|(index, _)| *index != joint);
-    let [x, y, _] = model.bodies[body].q;
-    other.and_then(|(_, frame)| point(model, graph, *frame)).unwrap_or([x, y])
+/// The port of another joint on the body, or its G; nothing if all are where the joint is, as on a slider that is a point.
+fn far_point(
+    model: &Model,
+    joints: &Joints,
+    graph: &mut Graph,
+    joint: usize,
+    own: FrameRef,
+) -> Option<[Expr; 2]> {
+    let of_body = &model.bodies[own.body?];
+    let pivot = of_body.ports.get(own.port)?.at;
+    let apart = |frame: &FrameRef| of_body.ports.get(frame.port).is_some_and(|port| port.at != pivot);
+    let others = joints[own.body?].iter().filter(|(index, _)| *index != joint);
+    if let Some((_, frame)) = others.into_iter().find(|(_, frame)| apart(frame)) {
+        return point(model, graph, *frame);
+    }
+    let [x, y, _] = of_body.q;
+    let centre = [graph.zero(); 2];
+    (pivot != centre).then_some([x, y])
 }
 
 /// Absolute position of a port of a body.

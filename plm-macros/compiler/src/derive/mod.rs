@@ -12,6 +12,7 @@
 
 mod branch;
 mod feedback;
+mod kinks;
 mod sides;
 
 use plm_cas::{Expr, Graph};

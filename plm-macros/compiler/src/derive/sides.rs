@@ -1,14 +1,18 @@
 //! Conditions at which forces and rates jump: each gets a side that is held over a step, so that within it everything is
 //! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is; what it compares is looked at in every
 //! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
+//! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
 use plm_cas::{Expr, Function, Graph, Node};
 
-use crate::model::{Model, Side};
+use super::kinks::{self, Kink};
+use crate::model::{Jump, Model, Side};
 
-/// Puts the side of every condition at which a force or a rate jumps, or that asks for the time alone, in its place. Gives
-/// each condition and what stands for it.
+/// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
+/// its place. Gives each condition and what stands for it.
 pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
+    kinks::unfold(model, graph);
+    let kinks = kinks::kinks(model, graph);
     let mut conditions: Vec<(Expr, String)> = Vec::new();
     for (name, root) in causes(model) {
         for expr in graph.reachable(&[root]) {
@@ -28,17 +32,20 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
             model.kinks.push(difference);
             continue;
         }
-        let symbol = graph.symbol(&format!("side_{}", model.sides.len()));
-        let zero = graph.zero();
-        pairs.push((condition, graph.less(symbol, zero)));
-        model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
+        pairs.push(side(model, (condition, difference, instant), name, graph));
     }
+    let jumps = hold_rows(model, kinks, &mut pairs, graph);
     bends(model, &roots, graph);
     if pairs.is_empty() {
         return pairs;
     }
     // Conditions of the state stand before those of the time, as the guards do.
     model.sides.sort_by_key(|side| side.instant.is_some());
+    for (symbol, jump) in jumps {
+        let index = model.sides.iter().position(|side| side.symbol == symbol);
+        model.jumps.extend(index.map(|side| Jump { side, ..jump }));
+    }
+    kinks::substitute(model, &pairs, graph);
     for load in &mut model.loads {
         load.force = std::array::from_fn(|k| graph.substitute(&[load.force[k]], &pairs)[0]);
     }
@@ -52,7 +59,7 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
 }
 
 /// Adds what `min`, `max` and `abs` compare to the kinks, and leaves those that can be looked at: they read the state or the
-/// time, and nothing that is not known before accelerations are.
+/// time, and nothing that is not known before accelerations are. Where a side is held steps end already.
 fn bends(model: &mut Model, roots: &[Expr], graph: &mut Graph) {
     let mut kinks = std::mem::take(&mut model.kinks);
     for expr in graph.reachable(roots) {
@@ -79,10 +86,56 @@ fn bends(model: &mut Model, roots: &[Expr], graph: &mut Graph) {
     for kink in kinks {
         let read = graph.symbols(&[kink]);
         let known = read.iter().all(|symbol| moving.contains(symbol) || held.contains(symbol));
-        if known && read.iter().any(|symbol| moving.contains(symbol)) && !model.kinks.contains(&kink) {
+        let moves = known && read.iter().any(|symbol| moving.contains(symbol));
+        let negative = graph.neg(kink);
+        let same = |expr: Expr| expr == kink || expr == negative;
+        let is_held = model.sides.iter().any(|side| same(side.difference));
+        if moves && !is_held && !model.kinks.iter().any(|other| same(*other)) {
             model.kinks.push(kink);
         }
     }
+}
+
+/// A new side of a condition, and what stands for that.
+fn side(
+    model: &mut Model,
+    (condition, difference, instant): (Expr, Expr, Option<[Expr; 2]>),
+    name: String,
+    graph: &mut Graph,
+) -> (Expr, Expr) {
+    let symbol = graph.symbol(&format!("side_{}", model.sides.len()));
+    let zero = graph.zero();
+    model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
+    (condition, graph.less(symbol, zero))
+}
+
+/// Sides of the conditions in rows; gives what may jump there, with the symbols of these sides.
+fn hold_rows(
+    model: &mut Model,
+    kinks: Vec<Kink>,
+    pairs: &mut Vec<(Expr, Expr)>,
+    graph: &mut Graph,
+) -> Vec<(Expr, Jump)> {
+    let mut jumps = Vec::new();
+    for Kink { condition, difference, row, jumps: of_rows, bends } in kinks {
+        let known = pairs.iter().find(|pair| pair.0 == condition).copied();
+        let instant = instant(model, difference, graph);
+        let pair = match known {
+            Some(pair) => pair,
+            None if instant.is_none() && !bends => continue,
+            None => {
+                let name = model.rows[row].name.clone();
+                let pair = side(model, (condition, difference, instant), name, graph);
+                pairs.push(pair);
+                pair
+            }
+        };
+        model.released.push((pair.1, pair.0));
+        if let Some(symbol) = graph.symbols(&[pair.1]).first().copied() {
+            jumps.extend(of_rows.into_iter().map(|jump| (symbol, jump)));
+        }
+    }
+    jumps
 }
 
 /// What may jump, and whose it is.
@@ -114,7 +167,7 @@ fn instant(model: &Model, difference: Expr, graph: &mut Graph) -> Option<[Expr; 
 }
 
 /// `s - d / d'`, where `d` is linear in the symbol `s`.
-fn root(difference: Expr, symbol: Expr, slope: Expr, graph: &mut Graph) -> Expr {
+pub(super) fn root(difference: Expr, symbol: Expr, slope: Expr, graph: &mut Graph) -> Expr {
     let step = graph.div(difference, slope);
     graph.sub(symbol, step)
 }

@@ -77,6 +77,7 @@ catalogue! {
     TooMany = "E0413", "more repetitions or parts than can be";
     BadIndex = "E0414", "an index out of range";
     BadContour = "E0415", "a contour that cannot be drawn";
+    JumpingMotion = "E0416", "a prescribed motion jumps";
 
     // E05: topology, mobility, assembly.
     SelfJoint = "E0501", "a joint joins a body with itself";
@@ -84,6 +85,7 @@ catalogue! {
     NotAssembled = "E0503", "the mechanism cannot be assembled";
     NoBody = "E0504", "the mechanism has no body";
     NoRung = "E0505", "a formulation that does not hold the mechanism";
+    PairDisagrees = "E0506", "a joint's constraints are not those of its pair";
 
     // W0: warnings.
     RedundantConstraint = "W0001", "a constraint says what others say already";

@@ -52,7 +52,7 @@ fn equations_of_motion(text: &mut String, emission: &Emission) {
     if nx > 0 {
         first_order(text, emission);
     }
-    if emission.reduced.is_none() {
+    if emission.reduced.is_none() || emission.loops().is_some() {
         let of = (&program.guards, Origin::Arguments);
         reduced::guards(text, emission, of, &format!("fn switching(&self, {state}"), &["t", "u", "x", "g"]);
     }

@@ -13,7 +13,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission, reduced: &Reduced) {
 
 fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: usize, chart: &Chart) {
     let (length, _) = emission.state_length();
-    let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
+    let (nq, memory) = (emission.equations.q.len(), reduced.memory_length);
     let state = format!("t: S, u: &Input<S>, m: &[S; {memory}], x: &[S; {length}]");
     let named = chart.names.join(", ");
     // The first chart is the one that runs, the others hardly ever do.
@@ -107,7 +107,8 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
         format_args!(
             "        #[cold]
         fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
-            rt::charts::rate_beside(self, t, u, x, dx)
+            let _ = dx;
+            Err(rt::charts::not_regular(self, t, u, x))
         }}
 
         #[inline]
@@ -123,7 +124,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
 /// The runtime's view of the charts.
 pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced) {
     let (length, _) = emission.state_length();
-    let (nq, memory) = (emission.equations.q.len(), reduced.memory.len());
+    let (nq, memory) = (emission.equations.q.len(), reduced.memory_length);
     let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
     let followed: Vec<String> = reduced.followed.iter().map(|name| format!("{name:?}")).collect();
     let closing = reduced.charts.iter().map(|chart| {

@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use super::lines::{self, Bindings};
-use super::{Emission, blocks, piece, push};
+use super::{Emission, blocks, docs, limits, piece, push};
 use crate::formulate::{Function, Place};
 use crate::model::{Body, Start};
 
@@ -16,25 +16,42 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 fn constructors(text: &mut String, emission: &Emission) {
     let name = &emission.name;
+    let required = Required::of(emission);
+    let [of_f64, of_any] = ["f64", "S"].map(|scalar| required.signature(scalar));
+    let (docs, names) = (&required.docs, required.fields.join(", "));
     push(
         text,
         format_args!(
             "    impl {name}<f64> {{
-        /// The mechanism as declared, in `f64`; `{name} {{ field: value, ..{name}::new() }}` changes some.
-        pub fn new() -> Self {{
-            Self::of()
+        /// The mechanism as declared, in `f64`; `{name} {{ field: value, ..{name}::new({names}) }}` changes some.
+{docs}        pub fn new({of_f64}) -> Self {{
+            Self::of({names})
         }}
     }}
 
-    impl Default for {name}<f64> {{
+"
+        ),
+    );
+    if names.is_empty() {
+        push(
+            text,
+            format_args!(
+                "    impl Default for {name}<f64> {{
         fn default() -> Self {{
             Self::of()
         }}
     }}
 
-    impl<S: Scalar> {name}<S> {{
+"
+            ),
+        );
+    }
+    push(
+        text,
+        format_args!(
+            "    impl<S: Scalar> {name}<S> {{
         /// The mechanism as declared, for any scalar.
-        pub fn of() -> Self {{
+{docs}        pub fn of({of_any}) -> Self {{
 "
         ),
     );
@@ -47,9 +64,11 @@ fn constructors(text: &mut String, emission: &Emission) {
         /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
         ///
         /// # Errors
-        /// Redundant locks, or joints that stay open: the part and by how much.
+        /// Redundant locks, or joints that stay open: the part and by how much; a parameter that cannot have its value.
         pub fn assemble(&self) -> Result<Assembly<S>, Fault> {{
-            absolute::assemble(self, S::lit(0.0))
+            let t = S::lit(0.0);
+{check}            let assembly = absolute::assemble(self, t)?;
+{carried}            Ok(assembly)
         }}
 
         /// Assembles, and gives a run by Dormand and Prince's method.
@@ -69,9 +88,45 @@ fn constructors(text: &mut String, emission: &Emission) {
         }}
     }}
 
-"
+",
+            check = limits::call(emission),
+            carried = limits::carried(emission),
         ),
     );
+}
+
+/// The parameters without a default, which the constructors take.
+struct Required {
+    docs: String,
+    fields: Vec<String>,
+}
+
+impl Required {
+    fn of(emission: &Emission) -> Required {
+        let Emission { model, fields, .. } = emission;
+        let all = model.params.iter().zip(&fields.params).filter(|(param, _)| param.required);
+        let mut docs = String::new();
+        let mut fields_taken = Vec::new();
+        for (param, field) in all {
+            let (own, unit) = (&param.name.text, docs::si(&param.unit));
+            push(
+                &mut docs,
+                format_args!(
+                    "        ///\n        /// `{field}`: parameter `{own}`, {unit}; it has no default.\n"
+                ),
+            );
+            fields_taken.push(field.clone());
+        }
+        if fields_taken.len() > 7 {
+            docs.push_str("        #[allow(clippy::too_many_arguments)] // As many as were declared without a default.\n");
+        }
+        Required { docs, fields: fields_taken }
+    }
+
+    fn signature(&self, scalar: &str) -> String {
+        let all: Vec<String> = self.fields.iter().map(|field| format!("{field}: {scalar}")).collect();
+        all.join(", ")
+    }
 }
 
 /// The body of `of`: parameters in order, since a default may read earlier ones, then the starts.
@@ -80,8 +135,10 @@ fn parameters(text: &mut String, emission: &Emission) {
     let mut bindings = Bindings::new();
     text.push_str("            let lit = S::lit;\n");
     for (param, field) in model.params.iter().zip(&fields.params) {
-        let value = inline(emission, param.default, &bindings);
-        push(text, format_args!("            let {field} = {value};\n"));
+        if !param.required {
+            let value = inline(emission, param.default, &bindings);
+            push(text, format_args!("            let {field} = {value};\n"));
+        }
         bindings.insert(param.symbol, field.clone());
     }
     text.push_str("            let start = Starts {\n");
@@ -145,7 +202,7 @@ fn start_input(text: &mut String, emission: &Emission) {
         entries.push("none: core::marker::PhantomData".to_owned());
     }
     if !model.sides.is_empty() {
-        entries.push(format!("side: [S::lit(1.0); {}]", model.sides.len()));
+        entries.push(format!("side_: [S::lit(1.0); {}]", model.sides.len()));
     }
     push(text, format_args!("            Input {{ {} }}\n        }}\n    }}\n\n", entries.join(", ")));
 }

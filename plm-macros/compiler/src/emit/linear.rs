@@ -37,7 +37,7 @@ fn pack(text: &mut String, emission: &Emission) {
         inputs
     } else {
         format!(
-            "{inputs}                side: core::array::from_fn(|k| number(all.map(|held| {from}.side[k]))),\n"
+            "{inputs}                side_: core::array::from_fn(|k| number(all.map(|held| {from}.side_[k]))),\n"
         )
     };
     let (first, wrapped, calm) = if emission.loops().is_some() {
@@ -45,14 +45,14 @@ fn pack(text: &mut String, emission: &Emission) {
             "first",
             "let memory = core::array::from_fn(|k| number(all.map(|held| held.memory[k])));
             rt::charts::Held { input, chart: first.chart, memory }",
-            "rt::charts::is_calm::<Self>(t, held)
+            "rt::charts::is_calm::<Self>(t, held, x)
         }
 
         fn chart(held: &Self::U) -> usize {
             held.chart",
         )
     } else {
-        ("_", "input", "let _ = (t, held);\n            true")
+        ("_", "input", "let _ = (t, held, x);\n            true")
     };
     push(
         text,
@@ -77,7 +77,7 @@ fn pack(text: &mut String, emission: &Emission) {
         }}
 
         #[inline]
-        fn is_calm(t: S, held: &{held}) -> bool {{
+        fn is_calm(t: S, held: &{held}, x: &Self::X) -> bool {{
             {calm}
         }}
     }}

@@ -1,6 +1,6 @@
 //! The mechanism that can be started, and its state at a moment.
 
-use super::{Emission, push, sides};
+use super::{Emission, limits, push, sides, singular};
 
 /// `Moment` for the state and `Mechanism` for the mechanism.
 pub(crate) fn emit(text: &mut String, emission: &Emission) {
@@ -17,6 +17,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
         ("State { mechanism, input: held, time, x }", "self.input", "self.input = *held")
     };
     let held_type = emission.held("S");
+    let rescue = singular::rescue(emission);
     push(
         text,
         format_args!(
@@ -47,18 +48,23 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
 
     impl<S: Real> rt::Mechanism for {name}<S> {{
         type State = State<S>;
+        type Rescue = {rescue};
 
         fn start_state(&self, t: S) -> Result<({held_type}, [S; {length}]), Fault> {{
-            let assembly = absolute::assemble(self, t)?;
-            let mut x = [S::lit(0.0); {length}];
-"
+{check}            let assembly = absolute::assemble(self, t)?;
+{carried}            let mut x = [S::lit(0.0); {length}];
+",
+            check = limits::call(emission),
+            carried = limits::carried(emission),
         ),
     );
     for (k, field) in fields.states.iter().enumerate() {
         push(text, format_args!("            x[{}] = self.start.{field}.value;\n", second_order + k));
     }
     text.push_str(&begin(emission));
-    text.push_str("        }\n    }\n\n");
+    text.push_str("        }\n\n");
+    limits::emit(text, emission);
+    text.push_str("    }\n\n");
 }
 
 /// From the assembled pose to the state.
@@ -71,7 +77,7 @@ fn begin(emission: &Emission) -> String {
             rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
 {sides}            Ok((held, x))
 ",
-            reduced.memory.len()
+            reduced.memory_length
         );
     }
     let call = if emission.reduced.is_some() {

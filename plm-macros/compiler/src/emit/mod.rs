@@ -9,15 +9,17 @@ mod bodies;
 mod charts;
 mod defaults;
 mod docs;
+mod limits;
 mod linear;
 mod lines;
 mod mechanism;
-mod names;
+pub(crate) mod names;
 mod outputs;
 mod pictures;
 mod piece;
 mod reduced;
 mod sides;
+mod singular;
 mod solved;
 mod statics;
 mod system;
@@ -82,36 +84,53 @@ pub(crate) struct Fields {
     pub(crate) outputs: Vec<String>,
 }
 
-/// Methods of the emitted state that no body or output may take.
-const STATE_METHODS: &[&str] = &[
+/// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
+/// every type has. What is not for users ends in `_`, as no name of theirs does.
+pub(crate) const METHODS: &[&str] = &[
     "time",
     "kinetic_energy",
     "gravity_energy",
     "load_power",
     "outputs",
-    "pose",
-    "absolute",
-    "solved",
     "undetermined",
     "branches",
     "starts",
     "find",
     "observed",
+    "step",
+    "run",
+    "settle",
+    "drift",
+    "state",
+    "method",
+    "method_mut",
+    "stats",
+    "notice",
+    "stop_at_change_points",
+    "watch_energy",
+    "save",
+    "resume",
+    "clone",
+    "clone_from",
+    "into",
+    "try_into",
+    "to_owned",
 ];
 
 impl Fields {
     pub(crate) fn new(model: &Model) -> Fields {
         let mut params = names::Names::with_reserved(&["start"]);
         let mut inputs = names::Names::default();
-        let mut starts = names::Names::with_reserved(STATE_METHODS);
-        let bodies: Vec<String> = model.bodies.iter().map(|body| starts.unique(&body.name.text)).collect();
-        let mut accessors = starts.clone();
+        let mut accessors = names::Names::with_reserved(METHODS);
+        let bodies: Vec<String> = model.bodies.iter().map(|body| accessors.unique(&body.name.text)).collect();
+        let taken: Vec<&str> = bodies.iter().map(String::as_str).collect();
+        let mut starts = names::Names::with_reserved(&taken);
         Fields {
             params: model.params.iter().map(|param| params.unique(&param.name.text)).collect(),
             inputs: model.inputs.iter().map(|input| inputs.unique(&input.name.text)).collect(),
-            bodies,
             states: model.states.iter().map(|state| starts.unique(&state.name.text)).collect(),
             outputs: model.outputs.iter().map(|output| accessors.unique(&output.name.text)).collect(),
+            bodies,
         }
     }
 }
@@ -219,7 +238,7 @@ impl Emission<'_> {
     pub(crate) fn held(&self, scalar: &str) -> String {
         match self.loops() {
             Some(reduced) => {
-                format!("rt::charts::Held<Input<{scalar}>, [{scalar}; {}]>", reduced.memory.len())
+                format!("rt::charts::Held<Input<{scalar}>, [{scalar}; {}]>", reduced.memory_length)
             }
             None => format!("Input<{scalar}>"),
         }
@@ -227,7 +246,7 @@ impl Emission<'_> {
 
     /// The line that gives an accessor of `State` the pose, where that is not the state itself.
     pub(crate) fn pose_line(&self) -> &'static str {
-        if self.reduced.is_some() { "            let (q, v) = self.pose();\n" } else { "" }
+        if self.reduced.is_some() { "            let (q, v) = self.pose_();\n" } else { "" }
     }
 
     /// Source text of the parameters, where `self` is the mechanism.
@@ -251,9 +270,10 @@ impl Emission<'_> {
             bindings.insert(declared.symbol, format!("{input}.{field}"));
         }
         for (k, side) in model.sides.iter().enumerate() {
-            bindings.insert(side.symbol, format!("{input}.side[{k}]"));
+            bindings.insert(side.symbol, format!("{input}.side_[{k}]"));
         }
         bindings.insert(model.time, time.to_owned());
+        bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
         let nq = equations.q.len();
         let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
             for (k, &symbol) in symbols.iter().enumerate() {

@@ -4,6 +4,7 @@ use super::lines;
 use super::{Emission, Origin, blocks, docs, push};
 use crate::formulate::Function;
 use crate::model;
+use crate::units::DisplayUnit;
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::from("    impl<S: Real> State<S> {\n");
@@ -78,7 +79,7 @@ fn user_output(text: &mut String, emission: &Emission, bindings: &lines::Binding
     }
     push(text, format_args!("        pub fn {name}(&self) -> {kind} {{\n"));
     if laid_out.solves {
-        text.push_str("            let (a, lambda) = self.solved();\n");
+        text.push_str("            let (a, lambda) = self.solved_();\n");
     }
     if count > 1 {
         push(text, format_args!("            let mut value = [S::lit(0.0); {count}];\n"));
@@ -122,7 +123,7 @@ fn branches(text: &mut String, emission: &Emission, bindings: &lines::Bindings) 
 
 /// The outputs as a row of a table, with names and units.
 fn table(text: &mut String, emission: &Emission) {
-    let columns = columns_of(emission, "self", |output| output.declared);
+    let columns = columns_of(emission, "self", Columns::Declared);
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let values: Vec<&str> = columns.iter().map(|(_, value)| value.as_str()).collect();
     push(
@@ -146,12 +147,12 @@ fn table(text: &mut String, emission: &Emission) {
 /// All that can be read by name, and the reading of it by number: a match in blocks, as everything that is long.
 fn observed(text: &mut String, emission: &Emission) {
     const BLOCK: usize = 200;
-    let columns = columns_of(emission, "state", |_| true);
+    let columns = columns_of(emission, "state", Columns::All);
     push(
         text,
         format_args!(
             "
-        /// Names and units of the outputs and of all that is observed.
+        /// Names and SI units of the outputs and of all that is observed.
         pub const OBSERVED: [(&'static str, &'static str); {}] = [
 ",
             columns.len()
@@ -168,7 +169,7 @@ fn observed(text: &mut String, emission: &Emission) {
             rt::Observed::find(&Self::OBSERVED, names)
         }
 
-        /// The values of these quantities, in their units; each is worked out when it is asked for.
+        /// The values of these quantities, SI; each is worked out when it is asked for.
         pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
 ",
     );
@@ -201,22 +202,29 @@ fn observed(text: &mut String, emission: &Emission) {
     );
 }
 
+/// Which outputs make columns, and in which units.
+#[derive(Clone, Copy, PartialEq)]
+enum Columns {
+    /// Those that are declared, in the units that they ask for.
+    Declared,
+    /// Those and what is observed, in SI.
+    All,
+}
+
 /// Name with unit, and how `state` reads it, of each number of the outputs that are asked for.
-fn columns_of(
-    emission: &Emission,
-    state: &str,
-    wanted: impl Fn(&model::Output) -> bool,
-) -> Vec<(String, String)> {
+fn columns_of(emission: &Emission, state: &str, wanted: Columns) -> Vec<(String, String)> {
     let mut columns = Vec::new();
     let outputs = emission.model.outputs.iter().zip(&emission.fields.outputs);
-    for (output, accessor) in outputs.filter(|(output, _)| wanted(output)) {
-        let scale = output.unit.factor.to_f64();
+    for (output, accessor) in outputs.filter(|(output, _)| wanted == Columns::All || output.declared) {
+        let shown = wanted == Columns::Declared;
+        let unit = if shown { output.unit.clone() } else { DisplayUnit::si(output.unit.dimension) };
+        let scale = unit.factor.to_f64();
         let read = |value: String| if scale == 1.0 { value } else { format!("{value} / S::lit({scale:?})") };
         if output.components.len() == 1 {
-            columns.push((column(&output.name.text, output), read(format!("{state}.{accessor}()"))));
+            columns.push((column(&output.name.text, &unit.text), read(format!("{state}.{accessor}()"))));
         } else {
             for (axis, k) in ["x", "y"].into_iter().zip(0..) {
-                let name = column(&format!("{}.{axis}", output.name.text), output);
+                let name = column(&format!("{}.{axis}", output.name.text), &unit.text);
                 columns.push((name, read(format!("{state}.{accessor}()[{k}]"))));
             }
         }
@@ -224,6 +232,6 @@ fn columns_of(
     columns
 }
 
-fn column(name: &str, output: &model::Output) -> String {
-    format!("({name:?}, {:?})", output.unit.text)
+fn column(name: &str, unit: &str) -> String {
+    format!("({name:?}, {unit:?})")
 }

@@ -1,7 +1,7 @@
 //! A rung above 5: its right-hand side, and the way to absolute coordinates and back.
 
 use super::bodies::{Shape, write};
-use super::{Emission, Origin, charts, push, sides, system};
+use super::{Emission, Origin, charts, push, sides, singular, system};
 use crate::formulate::{Chart, Function};
 
 /// The straight-line functions.
@@ -134,6 +134,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     let place;
     if reduced.has_loops() {
         charts::charted(text, emission, reduced);
+        singular::emit(text, emission);
         system::rate(text, emission, n, &charts::rate(reduced));
         charts::system(text, emission);
         place = "rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)".to_owned();
@@ -145,14 +146,15 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         );
         system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
-    let switching = charts::chosen(reduced, "u.chart", |k| {
-        if reduced.has_loops() {
+    if reduced.has_loops() {
+        let chosen = charts::chosen(reduced, "u.chart", |k| {
             format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
-        } else {
-            "self.switching(t, u, x, g)".to_owned()
-        }
-    });
-    sides::contract(text, emission, &switching);
+        });
+        let free = "self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g)";
+        sides::contract(text, emission, &chosen, Some(free));
+    } else {
+        sides::contract(text, emission, "self.switching(t, u, x, g)", None);
+    }
     system::energy(text, emission);
     push(
         text,
@@ -173,7 +175,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     impl<S: Real> State<S> {{
         /// Pose and velocity of every body.
         #[inline]
-        fn pose(&self) -> ([S; {nq}], [S; {nq}]) {{
+        fn pose_(&self) -> ([S; {nq}], [S; {nq}]) {{
             {place}
         }}
     }}
@@ -196,8 +198,8 @@ fn absolute(text: &mut String, emission: &Emission) {
         format_args!(
             "    impl<S: Real> State<S> {{
         /// The state in absolute coordinates.
-        fn absolute(&self) -> [S; {absolute}] {{
-            let (q, v) = self.pose();
+        fn absolute_(&self) -> [S; {absolute}] {{
+            let (q, v) = self.pose_();
             let mut x = [S::lit(0.0); {absolute}];
             absolute::join(&q, &v, &mut x);
             for k in 0..{nx} {{

@@ -6,6 +6,7 @@ use crate::model::Model;
 
 /// The straight-line functions that do not depend on the chart.
 pub(crate) fn instants(text: &mut String, emission: &Emission) {
+    row_jumps(text, emission);
     let count = emission.model.sides.len() - emission.model.guards();
     if count == 0 {
         return;
@@ -28,24 +29,63 @@ pub(crate) fn instants(text: &mut String, emission: &Emission) {
     text.push_str("    }\n");
 }
 
-/// What `System` says of them; `call` is the call of the guards' function with `g` as its last argument.
-pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
+/// What rows do where conditions in them change.
+fn row_jumps(text: &mut String, emission: &Emission) {
+    let (count, nq) = (5 * emission.model.jumps.len(), emission.equations.q.len());
+    if count == 0 {
+        return;
+    }
+    push(text, format_args!("\n    impl<S: Scalar> {}<S> {{\n", emission.name));
+    write(
+        text,
+        emission,
+        &emission.program.jumps,
+        Origin::Pose,
+        &Shape {
+            docs: &[
+                "How rows differ on both sides of conditions: residual, rate, its rate; the distance, its rate.",
+            ],
+            attribute: "#[cold]",
+            signature: &format!(
+                "fn jumps(&self, t: S, q: &[S; {nq}], v: &[S; {nq}], jump: &mut [S; {count}])"
+            ),
+            arguments: &["t", "q", "v", "jump"],
+        },
+    );
+    text.push_str("    }\n");
+}
+
+/// What `System` says of them; `call` is the call of the guards' function with `g` as its last argument, `free` that of a
+/// state that no chart holds, where there may be one.
+pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str, free: Option<&str>) {
     let (length, _) = emission.state_length();
     let input = emission.input();
     if emission.model.watched() > 0 {
-        watched(text, emission, call, length);
+        watched(text, emission, (call, free), length);
     }
     if emission.model.guards() > 0 {
         switches(text, emission, length);
     }
     known_times(text, emission, input);
+    jumps(text, emission);
 }
 
 /// What is looked at in every step: guards and kinks, at a time and over an interval.
-fn watched(text: &mut String, emission: &Emission, call: &str, length: usize) {
+fn watched(text: &mut String, emission: &Emission, (call, free): (&str, Option<&str>), length: usize) {
     let (guards, kinks, all) =
         (emission.model.guards(), emission.model.kinks.len(), emission.model.watched());
     let within = call.replace("self.", "mechanism.");
+    let here = free.map_or_else(
+        || call.to_owned(),
+        |free| format!("if rt::charts::is_free::<Self>(u) {{ {free} }} else {{ {call} }}"),
+    );
+    // Without a chart the state stands in what is held, and does not move with `x`.
+    let only = free.map_or("", |_| {
+        "if rt::charts::is_free::<Self>(u) {
+                return false;
+            }
+            "
+    });
     let held = emission.held("rt::Tube<S>");
     push(
         text,
@@ -56,7 +96,7 @@ fn watched(text: &mut String, emission: &Emission, call: &str, length: usize) {
             let mut all = [S::lit(0.0); {all}];
             let out = g;
             let g = &mut all;
-            {call};
+            {here};
             for (guard, value) in out.iter_mut().zip(all) {{
                 *guard = value;
             }}
@@ -65,7 +105,7 @@ fn watched(text: &mut String, emission: &Emission, call: &str, length: usize) {
         fn kinks(&self, t: S, u: &Self::U, x: &[S; {length}], each: &mut impl FnMut(usize, S)) {{
             let mut all = [S::lit(0.0); {all}];
             let g = &mut all;
-            {call};
+            {here};
             for (index, value) in all.into_iter().skip({guards}).enumerate() {{
                 each(index, value);
             }}
@@ -78,7 +118,7 @@ fn watched(text: &mut String, emission: &Emission, call: &str, length: usize) {
             x: &impl Fn(usize) -> rt::Tube<S>,
             each: &mut impl FnMut(usize, rt::Tube<S>),
         ) -> bool {{
-            use rt::lanes::Pack;
+            {only}use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Tube::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
             let mut tubes = [rt::Tube::constant(S::lit(0.0)); {all}];
@@ -104,7 +144,7 @@ fn switches(text: &mut String, emission: &Emission, length: usize) {
         text,
         format_args!(
             "{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
-            {only}if let Some(side) = {input}.side.get_mut(index) {{
+            {only}if let Some(side) = {input}.side_.get_mut(index) {{
                 *side = -*side;
             }}
         }}
@@ -157,12 +197,50 @@ fn known_times(text: &mut String, emission: &Emission, input: &str) {
         fn pass(&self, t: S, u: &mut Self::U) {{
             let (mut at, mut slope) = ([S::lit(0.0); {count}], [S::lit(0.0); {count}]);
             self.instants(&{input}, &mut at, &mut slope);
-            for ((side, at), slope) in {input}.side.iter_mut().skip({guards}).zip(at).zip(slope) {{
+            for ((side, at), slope) in {input}.side_.iter_mut().skip({guards}).zip(at).zip(slope) {{
                 *side = if (at <= t) == (slope > S::lit(0.0)) {{ S::lit(1.0) }} else {{ S::lit(-1.0) }};
             }}
         }}
 
 "
+        ),
+    );
+}
+
+/// Rows that may jump; those that are known to are errors.
+fn jumps(text: &mut String, emission: &Emission) {
+    let jumps = &emission.model.jumps;
+    if jumps.is_empty() {
+        return;
+    }
+    let ((length, _), count, nq) = (emission.state_length(), jumps.len(), emission.equations.q.len());
+    let places: Vec<String> = jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.side)).collect();
+    let (u, after) = if emission.loops().is_some() { ("u.input", "after.input") } else { ("u", "after") };
+    let pose = if emission.reduced.is_some() {
+        "<State<S> as rt::Moment>::new(*self, *u, t, *x).pose_()"
+    } else {
+        "absolute::split(x)"
+    };
+    push(
+        text,
+        format_args!(
+            "        #[cold]
+        fn jump(&self, t: S, u: &Self::U, x: &[S; {length}], after: Option<&Self::U>) -> Option<Fault> {{
+            const JUMPS: [(usize, usize); {count}] = [{places}];
+            let (q, v): ([S; {nq}], [S; {nq}]) = {pose};
+            let mut jump = [S::lit(0.0); {terms}];
+            self.jumps(t, &q, &v, &mut jump);
+            let (terms, _) = jump.as_chunks::<5>();
+            let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {{
+                let changes = after.is_some_and(|after| {after}.side_[side] != {u}.side_[side]);
+                (changes || after.is_none()).then_some(absolute::Crossing {{ row, terms, changes }})
+            }});
+            absolute::jump::<S, Self, NQ, NC>(self, t, (&q, &v), crossings)
+        }}
+
+",
+            places = places.join(", "),
+            terms = 5 * count,
         ),
     );
 }

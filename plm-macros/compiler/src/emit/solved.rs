@@ -14,7 +14,7 @@ fn of_tree(emission: &Emission) -> String {
         format!(
             "        /// Accelerations and multipliers.
         #[inline]
-        fn solved(&self) -> ([S; {nq}], [S; {nc}]) {{
+        fn solved_(&self) -> ([S; {nq}], [S; {nc}]) {{
             let (mut a, mut lambda) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
             self.mechanism.reactions(self.time, &self.input, &self.x, &mut a, &mut lambda);
             (a, lambda)
@@ -42,7 +42,7 @@ fn of_absolute(emission: &Emission) -> String {
     let Emission { name, equations, .. } = emission;
     let (nq, nc) = (equations.q.len(), equations.phi.len());
     let length = 2 * nq + equations.x.len();
-    let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
+    let absolute = if emission.reduced.is_some() { "self.absolute_()" } else { "self.x" };
     // Forces that read the unknowns are known for independent constraints alone.
     let refusal = if feeds_back(emission.model, emission.graph) {
         format!("            return Err(Fault::new(t.to_f64(), rt::Cause::Singular {{ rows: {nc} }}));\n")
@@ -66,7 +66,7 @@ fn of_absolute(emission: &Emission) -> String {
 
     impl<S: Real> State<S> {{
         /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-        fn solved(&self) -> ([S; {nq}], [S; {nc}]) {{
+        fn solved_(&self) -> ([S; {nq}], [S; {nc}]) {{
             let (mut dx, mut lambda) = ([S::lit(0.0); {length}], [S::lit(0.0); {nc}]);
             let x = {absolute};
             let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);

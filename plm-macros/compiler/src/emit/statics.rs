@@ -100,7 +100,7 @@ fn placed(text: &mut String, emission: &Emission) {
             format_args!("                {field}: Start {{ value: x[{value}], ..self.start.{field} }},\n"),
         );
     }
-    let absolute = if emission.reduced.is_some() { "self.absolute()" } else { "self.x" };
+    let absolute = if emission.reduced.is_some() { "self.absolute_()" } else { "self.x" };
     push(
         text,
         format_args!(
@@ -134,7 +134,7 @@ fn contract(text: &mut String, emission: &Emission) {
     let states = model.states.iter();
     let states = states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit)));
     let states: Vec<String> = states.collect();
-    let absolute = if emission.reduced.is_some() { "state.absolute()" } else { "state.x" };
+    let absolute = if emission.reduced.is_some() { "state.absolute_()" } else { "state.x" };
     let (held, input) = if emission.loops().is_some() { ("held", "&held.input") } else { ("held", "held") };
     push(
         text,

@@ -99,7 +99,7 @@ fn system(text: &mut String, emission: &Emission) {
             );
         }
     }
-    sides::contract(text, emission, "self.switching(t, u, x, g)");
+    sides::contract(text, emission, "self.switching(t, u, x, g)", None);
     energy(text, emission);
     typical(text, emission);
     text.push_str("    }\n\n");
@@ -108,8 +108,11 @@ fn system(text: &mut String, emission: &Emission) {
 /// `energy`, where no constraint knows the time.
 pub(super) fn energy(text: &mut String, emission: &Emission) {
     let Emission { model, graph, .. } = emission;
-    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
-    if graph.symbols(&rows).contains(&model.time) {
+    let rows = model.rows.iter().map(|row| row.phi);
+    let sides = model.jumps.iter().map(|jump| model.sides[jump.side].difference);
+    let released = model.released.iter().map(|(_, condition)| *condition);
+    let roots: Vec<Expr> = rows.chain(sides).chain(released).collect();
+    if graph.symbols(&roots).contains(&model.time) {
         return;
     }
     let (length, _) = emission.state_length();
@@ -219,11 +222,14 @@ fn constraints(text: &mut String, emission: &Emission) {
     let rows = quoted(model.rows.iter().map(|row| row.name.clone()).collect());
     let parts = quoted(model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect());
     let coordinates = quoted((0..nq).map(|k| coordinate_name(model, k)).collect());
+    let angular: Vec<&str> =
+        model.rows.iter().map(|row| if row.is_angular() { "true" } else { "false" }).collect();
     push(text, format_args!(
         "    impl<S: Real> absolute::Absolute<S, NQ, NC> for {name}<S> {{
         const ROWS: [&'static str; {nc}] = [{rows}];
         const PARTS: [&'static str; {nc}] = [{parts}];
         const COORDINATES: [&'static str; {nq}] = [{coordinates}];
+        const ANGULAR: [bool; {nc}] = [{angular}];
 
         fn phi(&self, t: S, q: &[S; {nq}]) -> [S; {nc}] {{
             let mut phi = [S::lit(0.0); {nc}];
@@ -250,6 +256,7 @@ fn constraints(text: &mut String, emission: &Emission) {
             S::lit({length:?})
         }}
 ",
+        angular = angular.join(", "),
         length = report.length
     ));
     starts(text, emission);

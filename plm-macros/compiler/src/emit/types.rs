@@ -66,7 +66,7 @@ fn inputs(text: &mut String, emission: &Emission) {
         text.push_str("        none: core::marker::PhantomData<S>,\n");
     }
     if !model.sides.is_empty() {
-        push(text, format_args!("        side: [S; {}],\n", model.sides.len()));
+        push(text, format_args!("        side_: [S; {}],\n", model.sides.len()));
     }
     text.push_str("    }\n\n");
 }
@@ -75,7 +75,7 @@ fn state(text: &mut String, emission: &Emission) {
     let Emission { name, .. } = emission;
     let (length, _) = emission.state_length();
     let memory = emission.loops().map_or_else(String::new, |reduced| {
-        format!("        chart: usize,\n        memory: [S; {}],\n", reduced.memory.len())
+        format!("        chart: usize,\n        memory: [S; {}],\n", reduced.memory_length)
     });
     push(
         text,

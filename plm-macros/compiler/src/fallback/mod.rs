@@ -50,6 +50,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         docs: mechanism.docs.clone(),
         crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
         time: graph.symbol("t"),
+        most_growth: graph.symbol("most_growth"),
         gravity: graph.zero(),
         rung: None,
         stabilisation: Stabilisation::Projection,
@@ -60,6 +61,9 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         parts: Vec::new(),
         rows: Vec::new(),
         compliant: Vec::new(),
+        limits: Vec::new(),
+        jumps: Vec::new(),
+        released: Vec::new(),
         loads: Vec::new(),
         states,
         outputs,
@@ -166,7 +170,8 @@ impl<'a> Names<'a> {
         let Some(name) = self.name("", &value.name) else { return };
         let (symbol, default) = (self.symbol(), self.found.graph.zero());
         let (unit, docs) = (value.unit.clone().unwrap_or_else(no_unit), item.docs.clone());
-        self.found.params.push(Param { name, symbol, default, unit, docs });
+        let required = value.value.is_none();
+        self.found.params.push(Param { name, symbol, default, required, unit, docs });
     }
 
     fn input(&mut self, item: &Item, value: &'a ast::Value) {

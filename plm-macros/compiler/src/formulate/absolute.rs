@@ -40,6 +40,8 @@ pub(crate) struct Absolute {
     pub(crate) guards: Function,
     /// `at` and `slope` of conditions that depend on the time alone.
     pub(crate) instants: Function,
+    /// `jump`: what rows do where conditions change, five terms each.
+    pub(crate) jumps: Function,
     /// What the user reads.
     pub(crate) outputs: Outputs,
     /// Symbols of the weights of [`Absolute::min_norm`].
@@ -68,12 +70,15 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
     let x_dot = graph.substitute(&equations.x_dot, &read);
     let mut free = stored("force", &equations.force);
     free.extend(stored("gamma", &stabilised(model, equations, graph)));
+    // Assembly and projection hold no sides.
+    let released = |function: Function, graph: &mut Graph| function.substitute(&model.released, graph);
     let functions = Absolute {
         dynamics: dynamics(equations, &x_dot, motion),
-        phi: Function::of_results(stored("phi", &equations.phi)),
-        phi_dot: Function::of_results(stored("phi_dot", &equations.phi_dot)),
-        phi_q,
-        min_norm: min_norm(equations, &weights, &residual, graph),
+        phi: released(Function::of_results(stored("phi", &equations.phi)), graph),
+        phi_dot: released(Function::of_results(stored("phi_dot", &equations.phi_dot)), graph),
+        phi_q: released(phi_q, graph),
+        min_norm: released(min_norm(equations, (&weights, &residual), model.most_growth, graph), graph),
+        jumps: sides::jumps(model, graph),
         inverse_mass: Function::of_results(stored("inverse_mass", &inverse_mass)),
         free: Function::of_results(free),
         x_dot: Function::of_results(stored("x_dot", &x_dot)),
@@ -155,7 +160,7 @@ struct Motion {
 /// Solves the equations of motion; forces that read the unknowns are solved along with them.
 fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: &mut Graph) -> Motion {
     let (system, scaled) = normal_matrix(equations, inverse_mass, graph);
-    let factor = factorise(graph, equations.phi.len(), &system);
+    let factor = factorise(graph, equations.phi.len(), &system, Some(model.most_growth));
     let gamma = stabilised(model, equations, graph);
     let solver = Solver { model, equations, scaled: &scaled, factor: &factor };
     let free = equations.force.iter().zip(inverse_mass).map(|(&force, &inverse)| graph.mul(force, inverse));
@@ -329,9 +334,14 @@ fn normal_matrix(equations: &Equations, scale: &[Expr], graph: &mut Graph) -> (S
 
 /// The weighted minimum-norm step that closes a residual: the Newton step of assembly (weights 0 and 1) and of
 /// projection (weights 1 / mass).
-fn min_norm(equations: &Equations, weights: &[Expr], residual: &[Expr], graph: &mut Graph) -> Function {
+fn min_norm(
+    equations: &Equations,
+    (weights, residual): (&[Expr], &[Expr]),
+    most_growth: Expr,
+    graph: &mut Graph,
+) -> Function {
     let (system, scaled) = normal_matrix(equations, weights, graph);
-    let factor = factorise(graph, equations.phi.len(), &system);
+    let factor = factorise(graph, equations.phi.len(), &system, Some(most_growth));
     let names: Vec<String> = (0..residual.len()).map(|k| format!("mu_{k}")).collect();
     let (mu, solution) = factor.solve(graph, residual, &names);
     let zero = vec![graph.zero(); weights.len()];

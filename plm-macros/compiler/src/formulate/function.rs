@@ -57,6 +57,19 @@ impl Function {
         Function { sections, results }
     }
 
+    /// With the second of each pair in the place of the first.
+    pub(crate) fn substitute(mut self, pairs: &[(Expr, Expr)], graph: &mut Graph) -> Function {
+        if pairs.is_empty() {
+            return self;
+        }
+        let roots = graph.substitute(&self.roots(), pairs);
+        let mut roots = roots.into_iter();
+        let places = self.sections.iter_mut().flat_map(|section| section.roots.iter_mut());
+        let places = places.chain(self.results.iter_mut().map(|(_, value)| value));
+        places.zip(&mut roots).for_each(|(place, root)| *place = root);
+        self
+    }
+
     /// All expressions: those of the sections, then the results.
     pub(crate) fn roots(&self) -> Vec<Expr> {
         let of_sections = self.sections.iter().flat_map(|section| section.roots.iter().copied());

@@ -25,8 +25,9 @@ pub(crate) struct Factor {
     pub(crate) health: Expr,
 }
 
-/// Factorises `matrix` of size `n`; every diagonal entry must be present.
-pub(crate) fn factorise(graph: &mut Graph, n: usize, matrix: &Symmetric) -> Factor {
+/// Factorises `matrix` of size `n`; every diagonal entry must be present. A row whose diagonal entry over its pivot is above
+/// `most`, if that is given, depends on rows before it and is left out: its reciprocal is zero.
+pub(crate) fn factorise(graph: &mut Graph, n: usize, matrix: &Symmetric, most: Option<Expr>) -> Factor {
     let mut near = vec![BTreeSet::new(); n];
     for &(i, j) in matrix.keys().filter(|(i, j)| i != j) {
         near[i].insert(j);
@@ -38,10 +39,17 @@ pub(crate) fn factorise(graph: &mut Graph, n: usize, matrix: &Symmetric) -> Fact
     let mut worst: Option<Expr> = None;
     for (pivot, below) in minimum_degree(near) {
         let (before, now) = (matrix[&(pivot, pivot)], work.entries[&(pivot, pivot)]);
-        let (reciprocal, column) = work.eliminate(pivot, &below);
+        let mut reciprocal = work.reciprocal(pivot);
         if now != before {
-            worst = Some(work.worse(worst, before, reciprocal));
+            let mut growth = work.growth(before, reciprocal);
+            if let Some(most) = most {
+                [reciprocal, growth] = work.kept(pivot, most, [reciprocal, growth]);
+            }
+            // A pivot of zero stands for good: `max` gives its second argument where one of both is NaN, as growths of
+            // later pivots may be.
+            worst = Some(worst.map_or(growth, |worst| work.graph.max(growth, worst)));
         }
+        let column = work.eliminate(pivot, reciprocal, &below);
         reciprocals[pivot] = reciprocal;
         columns.push((pivot, column));
     }
@@ -58,12 +66,30 @@ struct Elimination<'a> {
 }
 
 impl Elimination<'_> {
-    /// Eliminates one row; returns `1 / d` and the column of L below it.
-    fn eliminate(&mut self, pivot: usize, rows: &[usize]) -> (Expr, Vec<(usize, Expr)>) {
+    /// `1 / d`.
+    fn reciprocal(&mut self, pivot: usize) -> Expr {
         let d = self.define(&format!("d_{pivot}"), self.entries[&(pivot, pivot)]);
         let one = self.graph.one();
         let inverse = self.graph.div(one, d);
-        let reciprocal = self.define(&format!("r_{pivot}"), inverse);
+        self.define(&format!("r_{pivot}"), inverse)
+    }
+
+    /// `|diagonal / pivot|`.
+    fn growth(&mut self, diagonal: Expr, reciprocal: Expr) -> Expr {
+        let growth = self.graph.mul(diagonal, reciprocal);
+        self.graph.abs(growth)
+    }
+
+    /// The reciprocal of a pivot and its growth; zeros if that is above `most`.
+    fn kept(&mut self, pivot: usize, most: Expr, [reciprocal, growth]: [Expr; 2]) -> [Expr; 2] {
+        let growth = self.define(&format!("growth_{pivot}"), growth);
+        let (depends, zero) = (self.graph.less(most, growth), self.graph.zero());
+        let [reciprocal, growth] = [reciprocal, growth].map(|value| self.graph.select(depends, zero, value));
+        [self.define(&format!("kept_{pivot}"), reciprocal), growth]
+    }
+
+    /// Eliminates one row; returns the column of L below it.
+    fn eliminate(&mut self, pivot: usize, reciprocal: Expr, rows: &[usize]) -> Vec<(usize, Expr)> {
         let mut column = Vec::with_capacity(rows.len());
         let mut below = Vec::with_capacity(rows.len());
         for &row in rows {
@@ -78,7 +104,7 @@ impl Elimination<'_> {
                 self.update((row.max(other), row.min(other)), factor, entry);
             }
         }
-        (reciprocal, column)
+        column
     }
 
     /// `entries[key] -= factor * entry`.
@@ -93,13 +119,6 @@ impl Elimination<'_> {
         let atom = self.graph.define(name, value);
         self.trace.push(atom);
         atom
-    }
-
-    /// The larger of `worst` and `|diagonal / pivot|`.
-    fn worse(&mut self, worst: Option<Expr>, diagonal: Expr, reciprocal: Expr) -> Expr {
-        let growth = self.graph.mul(diagonal, reciprocal);
-        let growth = self.graph.abs(growth);
-        worst.map_or(growth, |worst| self.graph.max(worst, growth))
     }
 }
 

@@ -30,3 +30,10 @@ pub(crate) fn instants(model: &Model, graph: &mut Graph) -> Function {
     let slopes = instants.iter().enumerate().map(|(k, instant)| (Place::Element("slope", k), instant[1]));
     Function::of_results(times.chain(slopes).collect()).optimise(graph)
 }
+
+/// The terms of the rows that may jump, one after the other.
+pub(crate) fn jumps(model: &Model, graph: &mut Graph) -> Function {
+    let terms = model.jumps.iter().flat_map(|jump| jump.terms);
+    let results = terms.enumerate().map(|(k, term)| (Place::Element("jump", k), term));
+    Function::of_results(results.collect()).optimise(graph)
+}

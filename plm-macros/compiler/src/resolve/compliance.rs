@@ -13,7 +13,7 @@ use super::Resolver;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Reads};
 use crate::diag::Code;
-use crate::model::{Load, Output, Row, State};
+use crate::model::{Limit, Load, Output, Row, State};
 use crate::syntax::ast::{self, Field};
 use crate::units::Dimension;
 
@@ -129,7 +129,7 @@ impl<'a> Resolver<'a> {
             };
             if let Entry::Vacant(unknown) = known.entry(dimension) {
                 let value = self.eval_number(outer, expr, wanted, Reads::FIXED)?;
-                self.above_zero(outer, (word, expr), value, false)?;
+                self.above_zero((instance, outer), (word, expr), (value, wanted), false)?;
                 unknown.insert(value);
             }
         }
@@ -141,20 +141,25 @@ impl<'a> Resolver<'a> {
         let Some((outer, field)) = self.word(instance, RELAXATION) else { return Ok(None) };
         let expr = &field.value;
         let value = self.eval_number(outer, expr, Dimension::TIME, Reads::FIXED)?;
-        self.above_zero(outer, (RELAXATION, expr), value, true)?;
+        self.above_zero((instance, outer), (RELAXATION, expr), (value, Dimension::TIME), true)?;
         Ok(Some((field, value)))
     }
 
-    /// A number that is known now must be positive, or zero where that has a meaning.
+    /// A number that is known now must be positive, or zero where that has a meaning; others are looked at when they are.
     fn above_zero(
         &mut self,
-        scope: ScopeId,
+        (instance, scope): (usize, ScopeId),
         (word, expr): (&str, &ast::Expr),
-        value: Expr,
+        (value, dimension): (Expr, Dimension),
         or_zero: bool,
     ) -> Eval<()> {
         let wrong = |number: &Number| number.is_negative() || (number.is_zero() && !or_zero);
-        let Some(number) = self.graph.as_number(value).filter(wrong) else { return Ok(()) };
+        let number = self.graph.as_number(value);
+        if number.is_none() {
+            let (part, unit) = (self.instances[instance].name.clone(), dimension.si_unit());
+            self.limits.push(Limit { part, what: word.to_owned(), value, unit, or_zero, span: expr.span });
+        }
+        let Some(number) = number.filter(wrong) else { return Ok(()) };
         let found = super::expect::literal_text(expr).unwrap_or_else(|| number.to_f64().to_string());
         let wanted = if or_zero { "must not be negative" } else { "must be positive" };
         let diagnostic =

@@ -40,6 +40,7 @@ impl<'a> Resolver<'a> {
             crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
             graph: self.graph,
             time: self.time,
+            most_growth: self.most_growth,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
             rung: self.rung.and_then(|rung| Some((Rung::named(&rung.text)?, rung.span))),
@@ -50,6 +51,9 @@ impl<'a> Resolver<'a> {
             parts: self.parts,
             rows,
             compliant,
+            limits: self.limits,
+            jumps: Vec::new(),
+            released: Vec::new(),
             loads,
             states,
             outputs,
@@ -65,14 +69,15 @@ impl<'a> Resolver<'a> {
     fn finish_params(&mut self) -> Eval<Vec<Param>> {
         let states = std::mem::take(&mut self.params);
         all(states.into_iter().map(|state| {
-            let default = self.default_of(&state)?;
+            let required = state.ast.value.is_none();
+            let default = if required { self.graph.one() } else { self.default_of(&state)? };
             if self.graph.symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
                 let message =
                     format!("the default of `{}` reads a parameter that stands below it", state.name.text);
                 self.error(state.scope, Code::NotConstant, state.name.span, message);
             }
             let docs = state.docs.to_vec();
-            Ok(Param { name: state.name, symbol: state.symbol, default, unit: state.unit, docs })
+            Ok(Param { name: state.name, symbol: state.symbol, default, required, unit: state.unit, docs })
         }))
     }
 
@@ -170,6 +175,7 @@ impl<'a> Resolver<'a> {
     fn finish_rows(&mut self) -> Eval<Vec<Row>> {
         all((0..self.rows.len()).map(|row| {
             let residual = self.row(row)?;
+            let declared = self.row_declared(row);
             let state = &self.rows[row];
             Ok(Row {
                 name: state.name.clone(),
@@ -177,6 +183,7 @@ impl<'a> Resolver<'a> {
                 phi: residual.phi,
                 lambda: state.lambda,
                 span: state.span,
+                declared,
                 unit: DisplayUnit::si(residual.dimension),
             })
         }))

@@ -8,7 +8,7 @@ use super::shape;
 use super::value::{Eval, Failed, Form, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
-use crate::syntax::ast::{self, ExprKind, Ident};
+use crate::syntax::ast::{self, Ident};
 use crate::units::Dimension;
 
 /// Names and numbers of arguments; `usize::MAX` is any number.
@@ -28,6 +28,7 @@ const FUNCTIONS: &[(&str, usize, usize)] = &[
     ("acos", 1, 1),
     ("atan2", 2, 2),
     ("table", 3, usize::MAX),
+    ("smooth_table", 3, usize::MAX),
     ("dot", 2, 2),
     ("cross", 2, 2),
     ("norm", 1, 1),
@@ -72,7 +73,7 @@ impl<'a> Resolver<'a> {
             "norm" => self.norm(scope, &arguments[0]),
             "turn" => self.turn(scope, &arguments[0], &arguments[1]),
             "to_absolute" | "to_relative" => self.in_other_axes(scope, span, name, arguments),
-            "table" => self.table(scope, span, arguments),
+            "table" | "smooth_table" => self.table(scope, span, name, arguments),
             "rate" => self.rate_of(scope, &arguments[0]),
             "reaction" => self.reaction(scope, arguments),
             "min" | "max" | "clamp" | "atan2" => self.of_one_dimension(scope, span, name, arguments),
@@ -216,51 +217,6 @@ impl<'a> Resolver<'a> {
         Ok(Value::Vector(found, nature.scaled(of_angle, nature.dimension)))
     }
 
-    /// Straight lines between points `(x, y)`; the values at the ends are held.
-    fn table(&mut self, scope: ScopeId, span: Span, arguments: &'a [ast::Expr]) -> Eval<Value> {
-        let (x, of_x) = self.eval_scalar(scope, &arguments[0])?;
-        let mut points: Vec<(Expr, Expr)> = Vec::with_capacity(arguments.len() - 1);
-        let mut nature = None;
-        for point in &arguments[1..] {
-            let ExprKind::Pair(at, value) = &point.kind else {
-                self.error(scope, Code::BadTable, point.span, "a point of a table is a pair `(x, y)`");
-                return Err(Failed);
-            };
-            let (at_x, of_at) = self.eval_scalar(scope, at)?;
-            self.joined(scope, at.span, (&[x], of_x), (&[at_x], of_at))?;
-            self.reads_fixed(scope, at, of_at)?;
-            let (y, of_y) = self.eval_scalar(scope, value)?;
-            nature = Some(match (nature, points.last()) {
-                (Some(nature), Some((_, last))) => {
-                    self.joined(scope, span, (&[*last], nature), (&[y], of_y))?
-                }
-                _ => of_y,
-            });
-            points.push((at_x, y));
-        }
-        self.ascending(scope, span, &points)?;
-        let nature = nature.unwrap_or(Nature::BARE);
-        let value = interpolate(&mut self.graph, x, &points);
-        Ok(Value::Scalar(value, Nature::derived(nature.dimension, nature.reads.and(of_x.reads))))
-    }
-
-    fn reads_fixed(&mut self, scope: ScopeId, expr: &ast::Expr, nature: Nature) -> Eval<()> {
-        if nature.reads == Reads::NOTHING {
-            return Ok(());
-        }
-        self.error(scope, Code::BadTable, expr.span, "the x values of a table are constants");
-        Err(Failed)
-    }
-
-    fn ascending(&mut self, scope: ScopeId, span: Span, points: &[(Expr, Expr)]) -> Eval<()> {
-        let at = |of: &(Expr, Expr)| self.graph.as_number(of.0).map_or(f64::NAN, Number::to_f64);
-        if points.windows(2).all(|pair| at(&pair[0]) < at(&pair[1])) {
-            return Ok(());
-        }
-        self.error(scope, Code::BadTable, span, "the x values of a table ascend");
-        Err(Failed)
-    }
-
     /// The multipliers of constraint rows of this part.
     fn reaction(&mut self, scope: ScopeId, arguments: &'a [ast::Expr]) -> Eval<Value> {
         let first = self.multiplier(scope, &arguments[0]);
@@ -327,21 +283,4 @@ pub(super) fn in_axes(graph: &mut Graph, axis: [Expr; 2], v: [Expr; 2]) -> [Expr
     let x = cross(graph, [c, s], [v[1], v[0]]);
     let y = dot(graph, [s, c], v);
     [x, y]
-}
-
-/// The two ends are held; between, the nearest segment below counts.
-fn interpolate(graph: &mut Graph, x: Expr, points: &[(Expr, Expr)]) -> Expr {
-    let mut value = points[points.len() - 1].1;
-    for segment in points.windows(2).rev() {
-        let ((x0, y0), (x1, y1)) = (segment[0], segment[1]);
-        let (rise, run) = (graph.sub(y1, y0), graph.sub(x1, x0));
-        let slope = graph.div(rise, run);
-        let along = graph.sub(x, x0);
-        let climb = graph.mul(slope, along);
-        let line = graph.add(y0, climb);
-        let below = graph.less(x, x1);
-        value = graph.select(below, line, value);
-    }
-    let before = graph.less(x, points[0].0);
-    graph.select(before, points[0].1, value)
 }

@@ -7,7 +7,7 @@ use super::expect::Wanted;
 use super::scope::{ScopeId, SlotId, Thunk};
 use super::value::{Reads, Value};
 use crate::diag::{Code, nearest};
-use crate::model::{FrameRef, Name, Pair, Part};
+use crate::model::{Declared, FrameRef, Name, Pair, Part};
 use crate::span::Span;
 use crate::syntax::ast::{self, Definition, Field, Instance, ItemKind};
 use crate::units::DisplayUnit;
@@ -61,7 +61,8 @@ impl<'a> Resolver<'a> {
         let name = format!("{}{key}", self.prefix(scope));
         let span = ast.name.ident.span;
         let id = self.instances.len();
-        let pair = self.pair_of(definition);
+        let stated = self.pair_of(definition);
+        let pair = stated.map(|(pair, _)| pair);
         // A joint inside a part is walked through like any other.
         let is_part = part.is_none() || pair.is_some();
         let index = match part {
@@ -92,6 +93,9 @@ impl<'a> Resolver<'a> {
         self.bind(scope, &ast.name.ident, key, slot);
         self.bind_arguments(id, inside);
         self.check_fields(id);
+        if let Some((_, span)) = stated {
+            self.parts[index].declared = Some(Declared { span, uses: self.uses(inside) });
+        }
         self.declare(&definition.items, inside, Some(index));
         self.check_outputs(definition, inside);
     }
@@ -134,8 +138,8 @@ impl<'a> Resolver<'a> {
         depth < MAX_DEPTH && !too_many
     }
 
-    /// The kinematic pair that a definition states.
-    fn pair_of(&mut self, definition: &'a Definition) -> Option<Pair> {
+    /// The kinematic pair that a definition states, and where.
+    fn pair_of(&mut self, definition: &'a Definition) -> Option<(Pair, Span)> {
         let pair = definition.items.iter().find_map(|item| match &item.kind {
             ItemKind::Pair(pair) => Some(pair),
             _ => None,
@@ -145,12 +149,13 @@ impl<'a> Resolver<'a> {
             let names = ["revolute", "prismatic", "pin_slot", "weld"];
             self.unknown_option(0, &pair.text, pair.span, &names);
         }
-        known
+        known.map(|known| (known, pair.span))
     }
 
     fn new_part(&mut self, name: &str, span: Span, definition: &Definition, pair: Option<Pair>) -> usize {
         let name = Name { text: name.to_string(), span };
-        self.parts.push(Part { name, kind: definition.name.text.clone(), pair, frames: Vec::new() });
+        let kind = definition.name.text.clone();
+        self.parts.push(Part { name, kind, pair, declared: None, frames: Vec::new() });
         self.parts.len() - 1
     }
 

@@ -28,6 +28,7 @@ mod require;
 mod row;
 mod scope;
 mod shape;
+mod table;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -87,6 +88,7 @@ struct Resolver<'a> {
     too_many: bool,
 
     time: Expr,
+    most_growth: Expr,
     gravity: SlotId,
     gravity_is_declared: bool,
     stabilisation: Option<(&'a ast::Ident, Option<&'a ast::Expr>)>,
@@ -107,6 +109,8 @@ struct Resolver<'a> {
     parts: Vec<model::Part>,
     rows: Vec<RowState<'a>>,
     requirements: Vec<Requirement<'a>>,
+    /// Values that must be positive when parameters are known.
+    limits: Vec<model::Limit>,
     loads: Vec<LoadItem<'a>>,
     /// Rates, until all states are declared.
     late_rates: Vec<(ScopeId, &'a ast::IndexedName, &'a ast::Expr)>,
@@ -159,6 +163,7 @@ impl<'a> Resolver<'a> {
     fn new(library: &'a Library, files: &'a Files, sink: &'a mut Diagnostics) -> Resolver<'a> {
         let mut graph = Graph::new();
         let time = graph.symbol("t");
+        let most_growth = graph.symbol("most_growth");
         let directions = BTreeMap::from([(time, graph.one())]);
         Resolver {
             graph,
@@ -171,6 +176,7 @@ impl<'a> Resolver<'a> {
             turns: 0,
             too_many: false,
             time,
+            most_growth,
             gravity: 0,
             gravity_is_declared: false,
             stabilisation: None,
@@ -189,6 +195,7 @@ impl<'a> Resolver<'a> {
             parts: Vec::new(),
             rows: Vec::new(),
             requirements: Vec::new(),
+            limits: Vec::new(),
             loads: Vec::new(),
             late_rates: Vec::new(),
             outputs: Vec::new(),

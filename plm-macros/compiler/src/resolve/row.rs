@@ -7,7 +7,7 @@ use super::function::cross;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Lazy, Reads, Value};
 use crate::diag::{Code, help_similar};
-use crate::model::{FrameRef, Load, Name, Part};
+use crate::model::{Declared, FrameRef, Load, Name, Part};
 use crate::span::Span;
 use crate::syntax::ast;
 use crate::units::Dimension;
@@ -82,13 +82,20 @@ impl<'a> Resolver<'a> {
         };
         let part = part.unwrap_or_else(|| {
             let name = Name { text: full.clone(), span };
-            self.parts.push(Part { name, kind: "constraint".to_string(), pair: None, frames: Vec::new() });
+            let kind = "constraint".to_string();
+            self.parts.push(Part { name, kind, pair: None, declared: None, frames: Vec::new() });
             self.parts.len() - 1
         });
         let lambda = self.graph.symbol(&format!("lambda_{full}"));
         self.scopes[home].rows.insert(key, (self.rows.len(), name.ident.span));
         let residual = Lazy::Waiting;
         self.rows.push(RowState { scope, left, right, name: full, part, span, lambda, residual });
+    }
+
+    /// Where a row was written.
+    pub(super) fn row_declared(&self, row: usize) -> Declared {
+        let RowState { scope, left, right, .. } = self.rows[row];
+        Declared { span: left.span.to(right.span), uses: self.uses(scope) }
     }
 
     /// The residual of a row, worked out at its first use.

@@ -2,9 +2,11 @@
 
 mod tableau;
 
+use plm_math::exact::two_sum;
+
 use self::tableau::{Legendre, Nodes, Tableau};
 use super::plan::Plan;
-use super::{Course, Method, drift_of_size, two_sum};
+use super::{Course, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};

@@ -77,6 +77,11 @@ pub(crate) struct Hold {
 }
 
 impl Coordinates {
+    /// Does nothing tie the unknowns to each other?
+    pub(crate) fn is_tree(&self) -> bool {
+        self.closures.is_empty() && self.rows.is_empty()
+    }
+
     /// Does anything move with the time, whatever the coordinates do?
     pub(crate) fn moves_with(&self, time: Expr, graph: &mut Graph) -> bool {
         let chains = self.closures.iter().chain(&self.centres);

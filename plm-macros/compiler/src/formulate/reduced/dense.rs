@@ -47,7 +47,7 @@ pub(super) fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -
             numerators.iter().map(|&numerator| graph.mul(numerator, reciprocal)).collect()
         }
         _ => {
-            let factor = factorise(graph, force.len(), &mass);
+            let factor = factorise(graph, force.len(), &mass, None);
             let (solution, trace) = factor.solve(graph, &force, &names);
             roots.extend(factor.trace);
             roots.extend(trace);

@@ -118,20 +118,20 @@ impl Dyad {
         }
     }
 
-    /// Solves for the two unknowns and writes them into `motion`. `predicted` has the sign of the determinant; without it
-    /// the determinant is positive.
+    /// Solves for the two unknowns and writes them into `motion`. `side` has the sign of the determinant; without it the
+    /// determinant is positive.
     pub(crate) fn solve(
         &self,
         coordinates: &Coordinates,
         motion: &mut Motion,
-        predicted: Option<Expr>,
+        side: Option<Expr>,
         time: Expr,
         graph: &mut Graph,
     ) -> Solution {
         let chain = &coordinates.closures[self.closure];
         let known = known(chain, &self.classes(), &self.unknowns, motion, graph);
         let known = named(graph, known, &format!("loop_{}", self.closure));
-        let root = Root { closure: self.closure, predicted };
+        let root = Root { closure: self.closure, side };
         match self.kind {
             Kind::Angles(classes) => {
                 let link = Link::of(chain, self, motion, time, graph);
@@ -307,7 +307,7 @@ impl Dyad {
 /// How the root of a dyad's determinant is taken.
 struct Root {
     closure: usize,
-    predicted: Option<Expr>,
+    side: Option<Expr>,
 }
 
 impl Root {
@@ -318,8 +318,8 @@ impl Root {
         let real = graph.max(square, zero);
         let root = graph.sqrt(real);
         let root = graph.define(&format!("root_{}", self.closure), root);
-        let Some(predicted) = self.predicted else { return (square, root) };
-        let (mirrored, negative) = (graph.less(predicted, zero), graph.neg(root));
+        let Some(side) = self.side else { return (square, root) };
+        let (mirrored, negative) = (graph.less(side, zero), graph.neg(root));
         let signed = graph.select(mirrored, negative, root);
         (square, graph.define(&format!("area_{}", self.closure), signed))
     }

@@ -23,7 +23,7 @@ fn with_layout<T>(declaration: &str, then: impl FnOnce(Layout, &Motion, &Scheme)
     let equations = derive(&model, &mut graph);
     let coordinates = Coordinates::new(&model, &mut graph).unwrap();
     let scheme = charts::schemes(&model, &coordinates, &mut graph).unwrap().remove(0);
-    let memory = Memory::new(&coordinates, 0, &[], &mut graph);
+    let memory = Memory::new(&coordinates, (scheme.drivers.len(), 0), &[], &mut graph);
     let length = graph.one();
     let motion = Motion::new(&model, &coordinates, &scheme, &memory, length, &mut graph);
     let layout = Layout {

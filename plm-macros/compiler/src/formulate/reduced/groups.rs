@@ -4,7 +4,7 @@
 use plm_cas::{Expr, Graph};
 
 use super::coordinates::{Coordinates, Unknown};
-use super::dyad::Dyad;
+use super::dyad::{Dyad, Kind};
 use super::loops;
 use super::memory::Memory;
 use super::motion::Motion;
@@ -107,8 +107,8 @@ impl Group {
                 return rows::solve(coordinates, motion, &coordinates.rows[*row], *unknown, time, graph);
             }
             Group::Dyad(dyad) => {
-                let predicted = if dyad.is_signed() { memory.predicted(place, time, graph) } else { None };
-                let solution = dyad.solve(coordinates, motion, predicted, time, graph);
+                let side = if dyad.is_signed() { memory.area(place) } else { None };
+                let solution = dyad.solve(coordinates, motion, side, time, graph);
                 loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
                 solution
             }
@@ -139,17 +139,35 @@ impl Group {
         }
     }
 
-    /// The rate of a loop's determinant; of one without mirror images nothing depends on it.
-    pub(crate) fn determinant_rate(
+    /// How fast a loop comes nearer to flat, rad, when the unknowns move at some rates: its two lines turn towards each
+    /// other, or its slide goes over the scene's length.
+    pub(crate) fn closing_in(
         &self,
         coordinates: &Coordinates,
-        motion: &Motion,
-        solution: &Solution,
+        (rate, length): (&dyn Fn(usize) -> Expr, Expr),
         graph: &mut Graph,
-    ) -> Expr {
+    ) -> Vec<Expr> {
+        let slides = |unknown: usize| !matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         match self {
-            Group::Row { .. } | Group::Single(_) | Group::Newton(_) => graph.zero(),
-            Group::Dyad(dyad) => loops::determinant_rate(coordinates, motion, dyad, solution, graph),
+            Group::Row { .. } | Group::Single(_) => Vec::new(),
+            Group::Dyad(dyad) => {
+                let turning = |class: usize, graph: &Graph| {
+                    coordinates.angle_of_class[class].map_or(graph.zero(), rate)
+                };
+                match dyad.kind {
+                    Kind::Angles([a, b]) | Kind::Slides([a, b]) | Kind::Across { class: a, along: b } => {
+                        let turning = [turning(a, graph), turning(b, graph)];
+                        vec![graph.sub(turning[0], turning[1])]
+                    }
+                    Kind::Along { .. } => vec![graph.div(rate(dyad.unknowns[1]), length)],
+                }
+            }
+            Group::Newton(newton) => {
+                let one = |&unknown: &usize| {
+                    if slides(unknown) { graph.div(rate(unknown), length) } else { rate(unknown) }
+                };
+                newton.unknowns.iter().map(one).collect()
+            }
         }
     }
 }

@@ -165,34 +165,6 @@ impl<'a> Flow<'a> {
     }
 }
 
-/// The rate of a dyad's determinant.
-pub(crate) fn determinant_rate(
-    coordinates: &Coordinates,
-    motion: &Motion,
-    dyad: &Dyad,
-    solution: &Solution,
-    graph: &mut Graph,
-) -> Expr {
-    let closure = &coordinates.closures[dyad.closure];
-    let rate = |graph: &mut Graph, k: usize| {
-        let unknown = dyad.unknowns[k];
-        let column = solution.columns[k];
-        let across = plane::left(graph, column);
-        if let Some((class, _)) = closure.slide(unknown) {
-            return plane::scale(graph, motion.omega[class], across);
-        }
-        let class = dyad.classes()[k];
-        let turning = plane::scale(graph, motion.omega[class], across);
-        let along = sliding(closure, class, motion, &|slide| motion.rate[slide], graph);
-        let along = plane::left(graph, along);
-        plane::add(graph, turning, along)
-    };
-    let rates = [rate(graph, 0), rate(graph, 1)];
-    let first = plane::cross(graph, rates[0], solution.columns[1]);
-    let second = plane::cross(graph, solution.columns[0], rates[1]);
-    graph.add(first, second)
-}
-
 /// Velocity of a loop's vector in the axes of its class, turned into absolute ones, by the rates of slides.
 fn sliding(
     closure: &Chain,

@@ -7,12 +7,12 @@ use super::coordinates::{Coordinates, Unknown};
 /// Symbols of the numbers that are remembered.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memory {
-    /// The time, and the time of the next look, which is the runtime's.
-    times: Option<[Expr; 2]>,
+    /// By coordinate of the chart, then for the time: where it was, and how far it may move until the next look.
+    boxes: Vec<[Expr; 2]>,
     /// By unknown, for angles: the angle, its cosine and its sine.
     angles: Vec<Option<[Expr; 3]>>,
-    /// By dyad of a chart: its determinant, the rate of that, and half the rate of the rate.
-    areas: Vec<[Expr; 3]>,
+    /// By dyad of a chart: its determinant, whose sign tells the mirror images apart.
+    areas: Vec<Expr>,
     /// By unknown, for those that Newton's iteration starts from: value, rate, half the rate of that; of slides, over the
     /// size of the scene.
     followed: Vec<Option<[Expr; 3]>>,
@@ -20,28 +20,27 @@ pub(crate) struct Memory {
     precision: Option<Expr>,
 }
 
-/// What is kept of a dyad's determinant.
-const AREA: [&str; 3] = ["area", "area_rate", "area_bend"];
 /// What is kept of an unknown that is followed.
 const FOLLOWED: [&str; 3] = ["value", "rate", "bend"];
 
-/// What is to be remembered of one state; how fast the rate of a determinant changes is seen from two states, by the
-/// runtime.
+/// What is to be remembered of one state.
 pub(crate) struct Memorable<'a> {
-    pub(crate) time: Expr,
+    /// By coordinate, then for the time: value, and how far it may move until the next look.
+    pub(crate) boxes: Vec<[Expr; 2]>,
     /// By unknown that is an angle: value, cosine and sine.
     pub(crate) angle: &'a dyn Fn(usize, &mut Graph) -> [Expr; 3],
-    /// Determinants and their rates.
-    pub(crate) areas: Vec<[Expr; 2]>,
+    /// Determinants.
+    pub(crate) areas: Vec<Expr>,
     /// By unknown: value and rate as they are followed.
     pub(crate) followed: &'a dyn Fn(usize) -> [Expr; 2],
 }
 
 impl Memory {
-    /// Memory for charts of at most `dyads` dyads, and for some unknowns that are followed; nothing for a tree.
+    /// Memory for charts of `freedom` coordinates and at most `dyads` dyads, and for some unknowns that are followed;
+    /// nothing for a tree.
     pub(crate) fn new(
         coordinates: &Coordinates,
-        dyads: usize,
+        (freedom, dyads): (usize, usize),
         followed: &[usize],
         graph: &mut Graph,
     ) -> Memory {
@@ -52,33 +51,33 @@ impl Memory {
         let triple = |kinds: [&str; 3], k: usize, graph: &mut Graph| {
             kinds.map(|kind| graph.symbol(&format!("last_{kind}_{k}")))
         };
+        let boxes = (0..=freedom).map(|k| ["last", "reach"].map(|kind| graph.symbol(&format!("{kind}_{k}"))));
+        let boxes = boxes.collect();
         let angles = coordinates.unknowns.iter().enumerate().map(|(k, unknown)| {
             matches!(unknown, Unknown::Angle { .. }).then(|| triple(["angle", "cosine", "sine"], k, graph))
         });
         let angles = angles.collect();
-        let areas = (0..dyads).map(|k| triple(AREA, k, graph)).collect();
+        let areas = (0..dyads).map(|k| graph.symbol(&format!("last_area_{k}"))).collect();
         let mut places = none;
         for &unknown in followed {
             places[unknown] = Some(triple(FOLLOWED, unknown, graph));
         }
         let precision = (!followed.is_empty()).then(|| graph.symbol("precision"));
-        let times = Some(["last_time", "next_time"].map(|name| graph.symbol(name)));
-        Memory { times, angles, areas, followed: places, precision }
+        Memory { boxes, angles, areas, followed: places, precision }
     }
 
     /// All symbols in the order of storage.
     pub(crate) fn symbols(&self) -> Vec<Expr> {
-        let times = self.times.iter().flatten();
+        let boxes = self.boxes.iter().flatten();
         let angles = self.angles.iter().flatten().flatten();
         let followed = self.followed.iter().flatten().flatten();
-        let all =
-            times.chain(angles).chain(self.areas.iter().flatten()).chain(followed).chain(&self.precision);
+        let all = boxes.chain(angles).chain(&self.areas).chain(followed).chain(&self.precision);
         all.copied().collect()
     }
 
     /// Numbers before the first determinant.
     pub(crate) fn before_areas(&self) -> usize {
-        self.before_followed() - AREA.len() * self.areas.len()
+        self.before_followed() - self.areas.len()
     }
 
     /// Numbers before the first unknown that is followed.
@@ -99,17 +98,15 @@ impl Memory {
 
     /// The values of [`Memory::symbols`] at a state.
     pub(crate) fn values(&self, of: &Memorable, graph: &mut Graph) -> Vec<Expr> {
-        let mut values: Vec<Expr> = self.times.iter().flatten().map(|_| of.time).collect();
+        let mut values: Vec<Expr> = of.boxes.iter().flatten().copied().collect();
         for (unknown, angle) in self.angles.iter().enumerate() {
             if angle.is_some() {
                 values.extend((of.angle)(unknown, graph));
             }
         }
         // A chart with fewer dyads than another leaves the last places alone.
-        let blank = [graph.one(), graph.zero()];
         for k in 0..self.areas.len() {
-            values.extend(of.areas.get(k).copied().unwrap_or(blank));
-            values.push(graph.zero());
+            values.push(of.areas.get(k).copied().unwrap_or(graph.one()));
         }
         for unknown in self.followed() {
             values.extend((of.followed)(unknown));
@@ -119,28 +116,21 @@ impl Memory {
         values
     }
 
-    /// The determinant of a dyad as it should be at `time`, from where it was and how it moved.
-    pub(crate) fn predicted(&self, dyad: usize, time: Expr, graph: &mut Graph) -> Option<Expr> {
-        let [area, rate, bend] = *self.areas.get(dyad)?;
-        let change = self.change([rate, bend], time, graph)?;
-        Some(graph.add(area, change))
+    /// A number with the sign that the determinant of a dyad has.
+    pub(crate) fn area(&self, dyad: usize) -> Option<Expr> {
+        self.areas.get(dyad).copied()
     }
 
     /// Where an unknown was, and by how much it should have moved until `time`; of slides, over the size of the scene.
     pub(crate) fn moved(&self, unknown: usize, time: Expr, graph: &mut Graph) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
-        Some([value, self.change([rate, bend], time, graph)?])
-    }
-
-    /// Change since the last look by a rate and half the rate of that.
-    fn change(&self, [rate, bend]: [Expr; 2], time: Expr, graph: &mut Graph) -> Option<Expr> {
-        let [last, _] = self.times?;
+        let [last, _] = *self.boxes.last()?;
         let passed = graph.sub(time, last);
         let passed = graph.define("since_look", passed);
         let bent = graph.mul(passed, bend);
         let slope = graph.add(rate, bent);
         let slope = graph.define("slope", slope);
-        Some(graph.mul(passed, slope))
+        Some([value, graph.mul(passed, slope)])
     }
 
     /// Cosine and sine of an angle as remembered.

@@ -52,6 +52,8 @@ pub(crate) struct Reduced {
     pub(crate) charts: Vec<Chart>,
     /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
     pub(crate) memory: Vec<Expr>,
+    /// Numbers of memory: those, or pose and velocity of all bodies where no chart is good.
+    pub(crate) memory_length: usize,
     /// The bodies whose angles are remembered, in that order.
     pub(crate) turning: Vec<String>,
     /// How many of them stand before the determinants of the dyads and their rates.
@@ -124,7 +126,7 @@ pub(crate) struct Chart {
 /// The start with the defaults of the parameters, where structure alone cannot decide.
 #[derive(Debug)]
 pub(crate) struct Assembled {
-    /// Coordinates less the rank of `phi_q`.
+    /// Coordinates less the rank of `phi_q` at regular poses next to the start.
     pub(crate) freedom: usize,
     /// Values of all symbols, pose and velocity included.
     pub(crate) values: Vec<(Expr, f64)>,
@@ -144,12 +146,7 @@ pub(crate) fn formulate(
     graph: &mut Graph,
 ) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model, graph)?;
-    let schemes = match charts::schemes(model, &coordinates, graph) {
-        Err(reason) => {
-            redundant::schemes(model, equations, &coordinates, (length, assembled), graph).ok_or(reason)
-        }
-        schemes => schemes,
-    }?;
+    let schemes = schemes(model, equations, &coordinates, (length, assembled), graph)?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
@@ -158,7 +155,7 @@ pub(crate) fn formulate(
     let mut iterated: Vec<usize> = schemes.iter().flat_map(Scheme::iterated).collect();
     iterated.sort_unstable();
     iterated.dedup();
-    let memory = Memory::new(&coordinates, dyads, &iterated, graph);
+    let memory = Memory::new(&coordinates, (freedom, dyads), &iterated, graph);
     let length = graph.number(plm_cas::Number::from_f64(length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
@@ -171,11 +168,48 @@ pub(crate) fn formulate(
     Ok(Reduced {
         turning,
         charts,
+        memory_length: memory.symbols().len().max(2 * equations.q.len()),
         memory: memory.symbols(),
         before_areas: memory.before_areas(),
         before_followed: memory.before_followed(),
         followed: memory.followed().map(owner).collect(),
     })
+}
+
+/// The charts of a mechanism, with as many coordinates as it has freedoms.
+///
+/// # Errors
+/// As [`formulate`].
+fn schemes(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    (length, assembled): Known,
+    graph: &mut Graph,
+) -> Result<Vec<Scheme>, String> {
+    let counted = charts::schemes(model, coordinates, graph);
+    if coordinates.is_tree() {
+        return counted;
+    }
+    let assembled = assembled(graph);
+    let reason = match (&counted, &assembled) {
+        (Ok(schemes), Some(assembled)) => {
+            let by_count = schemes.first().map_or(0, |scheme| scheme.drivers.len());
+            if by_count == assembled.freedom {
+                return counted;
+            }
+            // A row that says what others say is counted in the place of a freedom.
+            format!(
+                "some of its constraints are redundant: it has {} degrees of freedom, not {by_count}",
+                assembled.freedom
+            )
+        }
+        // A start that cannot be assembled is reported; one that parameters decide is as structure counts it.
+        (Ok(_), None) => return counted,
+        (Err(reason), _) => reason.clone(),
+    };
+    let assembled = assembled.as_ref().ok_or_else(|| reason.clone())?;
+    redundant::schemes(model, equations, coordinates, (length, assembled), graph).ok_or(reason)
 }
 
 /// The body or part of a coordinate's name.
@@ -208,7 +242,8 @@ impl Layout<'_> {
         let parts = names.iter().map(|name| owner(name).to_owned());
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
-        let survey = loops.then(|| self.survey(scheme));
+        // Where a pose is read nothing is held.
+        let survey = loops.then(|| self.survey(scheme).substitute(&model.released, self.graph));
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
@@ -231,7 +266,9 @@ impl Layout<'_> {
             augmented,
             guards: sides::guards(model, &motion.substitution, self.graph),
             pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
-            project: project(model, equations, coordinates, &motion.drivers, self.graph).optimise(self.graph),
+            project: project(model, equations, coordinates, &motion.drivers, self.graph)
+                .substitute(&model.released, self.graph)
+                .optimise(self.graph),
             look,
             survey,
             groups: scheme.groups.iter().map(described).collect(),

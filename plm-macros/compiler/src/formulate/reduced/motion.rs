@@ -202,8 +202,14 @@ impl Motion {
             let body = hold.body;
             let names = &model.bodies[body];
             let Some(joint) = hold.joint else {
-                self.position[body] = [names.q[0], names.q[1]];
-                self.velocity[body] = [names.v[0], names.v[1]];
+                for axis in 0..2 {
+                    let centre = Unknown::Centre { body, axis };
+                    let Some(unknown) = coordinates.unknowns.iter().position(|&of| of == centre) else {
+                        continue;
+                    };
+                    self.position[body][axis] = self.value[unknown];
+                    self.velocity[body][axis] = self.rate[unknown];
+                }
                 continue;
             };
             let joint = coordinates.joints[joint];

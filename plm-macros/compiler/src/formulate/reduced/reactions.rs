@@ -65,7 +65,9 @@ impl Layout<'_> {
                 self.graph.define(&name, sum)
             });
             let columns: Vec<Triple> = holding.iter().map(|held| held.1).collect();
-            let solution = solve(&columns, asked, self.graph)?;
+            let is_pair =
+                |&(row, _): &(usize, Triple)| self.model.parts[self.model.rows[row].part].pair.is_some();
+            let solution = solve(&columns, asked, holding.iter().all(is_pair), self.graph)?;
             for (&(row, _), value) in holding.iter().zip(solution) {
                 let name = format!("lambda_{}", self.model.rows[row].name);
                 let value = self.graph.define(&name, value);
@@ -199,8 +201,9 @@ fn column(row: &SparseRow, body: usize, graph: &Graph) -> Triple {
 
 /// Solves `sum of lambda_k column_k = asked`: the forces from the first two rows, then what is a couple alone from the third.
 ///
-/// One force is the part of what is asked along its direction: the equations agree, so nothing is left across it.
-fn solve(columns: &[Triple], asked: Triple, graph: &mut Graph) -> Option<Vec<Expr>> {
+/// One force is the part of what is asked along its direction: the equations agree, so nothing is left across it. The direction
+/// of a row that is no pair's could vanish where it depends on the pose.
+fn solve(columns: &[Triple], asked: Triple, pairs: bool, graph: &mut Graph) -> Option<Vec<Expr>> {
     let direction = |k: usize| [columns[k][0], columns[k][1]];
     let (couples, forces): (Vec<usize>, Vec<usize>) =
         (0..columns.len()).partition(|&k| plane::is_zero(graph, direction(k)));
@@ -211,6 +214,9 @@ fn solve(columns: &[Triple], asked: Triple, graph: &mut Graph) -> Option<Vec<Exp
         [one] => {
             let along = plane::dot(graph, direction(one), [x, y]);
             let square = plane::dot(graph, direction(one), direction(one));
+            if !pairs && graph.as_number(square).is_none() {
+                return None;
+            }
             lambda[one] = graph.div(along, square);
         }
         [first, second] => {

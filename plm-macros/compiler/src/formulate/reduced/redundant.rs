@@ -9,7 +9,7 @@ use super::charts::{self, Scheme};
 use super::coordinates::{Coordinates, Unknown};
 use super::memory::Memory;
 use super::motion::{self, Motion};
-use super::{Assembled, Known, Layout};
+use super::{Assembled, Layout};
 use crate::check;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -20,13 +20,15 @@ const MOST_SETS: usize = 200;
 const AWAY: [f64; 3] = [0.05, -0.07, 0.11];
 /// The largest gap there, as a part of the scene's length.
 const CLOSED: f64 = 1e-9;
+/// Below this square of the measure nothing follows from the coordinates.
+const LEAST: f64 = 1e-12;
 
 /// The charts of a mechanism that is redundant, if some loops say what others have said.
 pub(crate) fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    (length, assembled): Known,
+    (length, assembled): (f64, &Assembled),
     graph: &mut Graph,
 ) -> Option<Vec<Scheme>> {
     let all = charts::equations(coordinates);
@@ -35,7 +37,6 @@ pub(crate) fn schemes(
     if loops == 0 {
         return None;
     }
-    let assembled = assembled(graph)?;
     let spare = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
     if spare == 0 || spare > loops {
         return None;
@@ -48,18 +49,23 @@ pub(crate) fn schemes(
         let Ok(schemes) = charts::split(model, coordinates, &equations_left, assembled.freedom, graph) else {
             continue;
         };
-        let closing: Vec<Scheme> = schemes
-            .into_iter()
-            .filter(|scheme| closes(model, equations, coordinates, scheme, (length, &assembled), graph))
-            .collect();
-        if !closing.is_empty() {
+        let mut closing: Vec<Scheme> = Vec::new();
+        let mut measure: f64 = 0.0;
+        for scheme in schemes {
+            if let Some(own) = closes(model, equations, coordinates, &scheme, (length, assembled), graph) {
+                closing.push(scheme);
+                measure = measure.max(own);
+            }
+        }
+        // Two cranks of one parallelogram turn together in all poses that are tried, and determine nothing.
+        if measure > LEAST {
             return Some(closing);
         }
     }
     None
 }
 
-/// Do all joints close in poses away from the start?
+/// The square of the measure at the start, if all joints close in poses away from it.
 fn closes(
     model: &Model,
     equations: &Equations,
@@ -67,9 +73,9 @@ fn closes(
     scheme: &Scheme,
     (length, assembled): (f64, &Assembled),
     graph: &mut Graph,
-) -> bool {
+) -> Option<f64> {
     let iterated: Vec<usize> = scheme.iterated().collect();
-    let memory = Memory::new(coordinates, scheme.loops().count(), &iterated, graph);
+    let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated, graph);
     let size = graph.number(plm_cas::Number::from_f64(length));
     let motion = Motion::new(model, coordinates, scheme, &memory, size, graph);
     let survey = {
@@ -94,7 +100,7 @@ fn closes(
         .collect();
     let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));
     let others: Vec<(Expr, f64)> = others.copied().collect();
-    AWAY.iter().all(|away| {
+    let all_close = AWAY.iter().all(|away| {
         let mut at = others.clone();
         at.extend(memory.symbols().into_iter().zip(remembered.iter().copied()));
         for (&unknown, &from) in scheme.drivers.iter().zip(&start) {
@@ -105,7 +111,8 @@ fn closes(
         let mut there = others.clone();
         there.extend(equations.q.iter().copied().zip(q));
         values_of(graph, &equations.phi, &there).iter().all(|gap| gap.abs() <= CLOSED * length)
-    })
+    });
+    all_close.then(|| remembered.last().copied().unwrap_or(0.0))
 }
 
 /// Sets of so many loops; the later ones first, which were declared to hold what the earlier ones hold.

@@ -40,6 +40,7 @@ pub(crate) fn explicit(
     let is_fixed = |symbol: &Expr| {
         *symbol == model.time
             || symbols.contains(symbol)
+            || model.sides.iter().any(|side| side.symbol == *symbol)
             || model.params.iter().any(|param| param.symbol == *symbol)
     };
     if !left.iter().all(is_fixed) {

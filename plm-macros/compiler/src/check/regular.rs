@@ -1,0 +1,50 @@
+//! How many freedoms a mechanism has: its coordinates less the rank of `phi_q` at a regular pose.
+//!
+//! Structure counts rows and unknowns, and cannot see that dimensions make a row say what others say, nor that a pose does.
+//! Next to an assembled pose the rank is that of the manifold of poses but where the pose itself is singular (a flat
+//! parallelogram), where it is less. So where rows depend on others at the start, poses next to it are assembled too, and
+//! the largest rank counts.
+
+use plm_cas::{Expr, Graph};
+
+use super::assembly::{Assembly, Scene, are_closed};
+use super::random::Random;
+use super::rank::rank;
+use crate::derive::Equations;
+use crate::formulate::Absolute;
+
+/// Poses next to the start.
+const POSES: usize = 3;
+/// How far from the start they are sought, rad or parts of the scene's length: near enough to stay among poses of its kind.
+const NEXT_TO: f64 = 0.03;
+/// Poses that assembly takes further away than this are of another kind.
+const FAR: f64 = 0.5;
+
+/// Coordinates less rank, for an assembled start; `values` binds every symbol but coordinates and velocities.
+pub(crate) fn freedom(
+    equations: &Equations,
+    program: &Absolute,
+    graph: &Graph,
+    (values, length): (&[(Expr, f64)], f64),
+    found: &Assembly,
+) -> usize {
+    let (coordinates, rows) = (equations.q.len(), equations.phi.len());
+    let scene = Scene::new(equations, program, graph, values);
+    let mut most = rank(&scene.phi_q(&found.q)).value();
+    let mut random = Random(1);
+    let free = vec![false; coordinates];
+    for _ in 0..POSES {
+        if most == rows {
+            break;
+        }
+        let size = |k: usize| if k % 3 == 2 { 1.0 } else { length };
+        let moved = |(k, q): (usize, &f64)| q + NEXT_TO * size(k) * random.unit();
+        let near: Vec<f64> = found.q.iter().enumerate().map(moved).collect();
+        let (q, phi, _) = scene.close(near, &free, &|_| found.closed.clone());
+        let away = q.iter().zip(&found.q).enumerate().map(|(k, (q, from))| (q - from).abs() / size(k));
+        if are_closed(&phi, &found.closed) && away.fold(0.0, f64::max) <= FAR {
+            most = most.max(rank(&scene.phi_q(&q)).value());
+        }
+    }
+    coordinates - most
+}

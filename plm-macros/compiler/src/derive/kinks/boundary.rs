@@ -1,0 +1,134 @@
+//! The boundary of a condition, and what vanishes on it.
+//!
+//! That an expression vanishes wherever a difference does is looked at in random places, as zero tests of algebra are
+//! (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM 27, 1980): symbols get
+//! random values, and one of them is then moved onto the boundary by Newton's iteration.
+
+use plm_cas::{Expr, Graph};
+
+use super::number;
+use crate::check::{defaults, value};
+use crate::model::{Model, Steady};
+
+/// Places that are looked at.
+const PLACES: u64 = 6;
+/// So many are tried to find them: not every random place lies above a boundary, or in the domain of a root.
+const TRIES: u64 = 60;
+/// Below this part of the sides a difference is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// What jumps at a boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    /// The position.
+    Place,
+    /// The velocity.
+    Speed,
+    /// The acceleration.
+    Acceleration,
+    /// None of these.
+    Smooth,
+}
+
+/// Where the sides of a condition meet.
+pub(super) struct Boundary {
+    /// Values of all symbols in some places on the boundary.
+    places: Vec<Vec<(Expr, f64)>>,
+    /// The symbol of the time, and the one time at which the condition changes, if it is a number.
+    time: Option<(Expr, Expr)>,
+}
+
+impl Boundary {
+    pub(super) fn new(model: &Model, difference: Expr, graph: &mut Graph) -> Boundary {
+        let held = graph.symbols(&[difference]);
+        let solved: Vec<(Expr, Expr)> =
+            held.iter().map(|&symbol| (symbol, graph.diff(difference, symbol))).collect();
+        let is_param = |symbol: Expr| model.params.iter().any(|param| param.symbol == symbol);
+        let solved: Vec<(Expr, Expr)> = solved.into_iter().filter(|&(symbol, _)| !is_param(symbol)).collect();
+        let places = (0..TRIES).filter_map(|seed| {
+            let mut values = random(model, graph, seed);
+            let &(symbol, slope) = solved.get(seed as usize % solved.len().max(1))?;
+            onto(graph, (difference, symbol, slope), &mut values).then_some(values)
+        });
+        let places = places.take(PLACES as usize).collect();
+        let alone = held.as_slice() == [model.time];
+        let time = alone.then(|| {
+            let slope = graph.diff(difference, model.time);
+            super::super::sides::root(difference, model.time, slope, graph)
+        });
+        let time = time.filter(|at| graph.symbols(&[*at]).is_empty()).map(|at| (model.time, at));
+        Boundary { places, time }
+    }
+
+    /// The first of the derivatives that does not vanish everywhere on the boundary.
+    pub(super) fn order(&self, derivatives: &[Expr; 3], sides: [Expr; 2], graph: &Graph) -> Order {
+        let vanishes = |expr: Expr| {
+            let mut seen = false;
+            let all = self.places.iter().all(|values| {
+                let size = sides.iter().map(|&side| value(graph, side, values).abs()).fold(1.0, f64::max);
+                let found = value(graph, expr, values);
+                seen |= found.is_finite();
+                !found.is_finite() || found.abs() <= ROUNDING * size
+            });
+            all && seen
+        };
+        let orders = [Order::Place, Order::Speed, Order::Acceleration];
+        let first = derivatives.iter().zip(orders).find(|(expr, _)| !vanishes(**expr));
+        first.map_or(Order::Smooth, |(_, order)| order)
+    }
+
+    /// The jump that happens whatever else does: a known time, and a known difference there.
+    pub(super) fn jump(&self, gap: Expr, rate: Expr, sides: [Expr; 2], graph: &mut Graph) -> Option<Steady> {
+        let (time, at) = self.time?;
+        let there = graph.substitute(&[gap, rate, sides[0]], &[(time, at)]);
+        let at = number(graph, at);
+        // A run begins at 0: what was before then is no motion.
+        if at <= 0.0 {
+            return None;
+        }
+        let size = number(graph, there[2]).abs().max(1.0);
+        let known = |expr: Expr| graph.symbols(&[expr]).is_empty().then(|| number(graph, expr));
+        let place = known(there[0])?;
+        if place.abs() > ROUNDING * size {
+            return Some(Steady { at, by: place.abs(), of_speed: false });
+        }
+        let speed = known(there[1])?;
+        (speed.abs() > ROUNDING * size).then_some(Steady { at, by: speed.abs(), of_speed: true })
+    }
+}
+
+/// Random values of all symbols: parameters near their defaults, the rest between -2 and 2.
+fn random(model: &Model, graph: &Graph, seed: u64) -> Vec<(Expr, f64)> {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1);
+    let mut next = || {
+        // G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 * 2.0 - 2.0
+    };
+    let mut values = defaults(model, graph);
+    for (symbol, number) in &mut values {
+        *number = if *symbol == model.time { next() } else { *number * (1.0 + 0.1 * next()) + 0.01 * next() };
+    }
+    let coordinates = model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v));
+    values.extend(coordinates.map(|symbol| (symbol, next())));
+    values
+}
+
+/// Moves one symbol until a difference vanishes; whether it does.
+fn onto(graph: &Graph, (difference, symbol, slope): (Expr, Expr, Expr), values: &mut [(Expr, f64)]) -> bool {
+    let Some(place) = values.iter().position(|(of, _)| *of == symbol) else { return false };
+    for _ in 0..50 {
+        let (d, by) = (value(graph, difference, values), value(graph, slope, values));
+        let step = d / by;
+        if !step.is_finite() {
+            return d == 0.0;
+        }
+        values[place].1 -= step;
+        if step.abs() <= 4.0 * f64::EPSILON * values[place].1.abs().max(1e-3) {
+            return true;
+        }
+    }
+    false
+}

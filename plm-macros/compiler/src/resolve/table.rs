@@ -1,0 +1,207 @@
+//! Tables: values at points, straight lines or a smooth curve between them.
+
+use plm_cas::{Expr, Graph, Number};
+
+use super::Resolver;
+use super::scope::ScopeId;
+use super::value::{Eval, Failed, Nature, Reads, Value};
+use crate::diag::Code;
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind};
+
+impl<'a> Resolver<'a> {
+    /// Straight lines between points `(x, y)`, or a smooth curve through them; the values at the ends are held.
+    pub(super) fn table(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        name: &str,
+        arguments: &'a [ast::Expr],
+    ) -> Eval<Value> {
+        let (x, of_x) = self.eval_scalar(scope, &arguments[0])?;
+        let mut points: Vec<(Expr, Expr)> = Vec::with_capacity(arguments.len() - 1);
+        let mut nature = None;
+        for point in &arguments[1..] {
+            let ExprKind::Pair(at, value) = &point.kind else {
+                self.error(scope, Code::BadTable, point.span, "a point of a table is a pair `(x, y)`");
+                return Err(Failed);
+            };
+            let (at_x, of_at) = self.eval_scalar(scope, at)?;
+            self.joined(scope, at.span, (&[x], of_x), (&[at_x], of_at))?;
+            self.reads_fixed(scope, at, of_at)?;
+            let (y, of_y) = self.eval_scalar(scope, value)?;
+            nature = Some(match (nature, points.last()) {
+                (Some(nature), Some((_, last))) => {
+                    self.joined(scope, span, (&[*last], nature), (&[y], of_y))?
+                }
+                _ => of_y,
+            });
+            points.push((at_x, y));
+        }
+        self.ascending(scope, span, &points)?;
+        let nature = nature.unwrap_or(Nature::BARE);
+        let value = if name == "table" {
+            between(&mut self.graph, x, &points, |graph, k| line(graph, &points[k..]))
+        } else {
+            let knots: Vec<f64> = points.iter().map(|point| self.number_of(point.0)).collect();
+            let spline = Spline::new(&mut self.graph, &knots, &points);
+            between(&mut self.graph, x, &points, |graph, k| spline.segment(graph, k))
+        };
+        Ok(Value::Scalar(value, Nature::derived(nature.dimension, nature.reads.and(of_x.reads))))
+    }
+
+    fn reads_fixed(&mut self, scope: ScopeId, expr: &ast::Expr, nature: Nature) -> Eval<()> {
+        if nature.reads == Reads::NOTHING {
+            return Ok(());
+        }
+        self.error(scope, Code::BadTable, expr.span, "the x values of a table are constants");
+        Err(Failed)
+    }
+
+    fn ascending(&mut self, scope: ScopeId, span: Span, points: &[(Expr, Expr)]) -> Eval<()> {
+        if points.windows(2).all(|pair| self.number_of(pair[0].0) < self.number_of(pair[1].0)) {
+            return Ok(());
+        }
+        self.error(scope, Code::BadTable, span, "the x values of a table ascend");
+        Err(Failed)
+    }
+
+    fn number_of(&self, expr: Expr) -> f64 {
+        self.graph.as_number(expr).map_or(f64::NAN, Number::to_f64)
+    }
+}
+
+/// The two ends are held; between, the nearest segment below counts: a polynomial in what lies behind its first point.
+fn between(
+    graph: &mut Graph,
+    x: Expr,
+    points: &[(Expr, Expr)],
+    segment: impl Fn(&mut Graph, usize) -> Vec<Expr>,
+) -> Expr {
+    let mut value = points[points.len() - 1].1;
+    for k in (0..points.len() - 1).rev() {
+        let coefficients = segment(graph, k);
+        let along = graph.sub(x, points[k].0);
+        let curve = coefficients.into_iter().rev().reduce(|sum, coefficient| {
+            let product = graph.mul(sum, along);
+            graph.add(coefficient, product)
+        });
+        let below = graph.less(x, points[k + 1].0);
+        value = graph.select(below, curve.unwrap_or(value), value);
+    }
+    let before = graph.less(x, points[0].0);
+    graph.select(before, points[0].1, value)
+}
+
+/// From the first of the points to the second.
+fn line(graph: &mut Graph, points: &[(Expr, Expr)]) -> Vec<Expr> {
+    let ((x0, y0), (x1, y1)) = (points[0], points[1]);
+    let (rise, run) = (graph.sub(y1, y0), graph.sub(x1, x0));
+    vec![y0, graph.div(rise, run)]
+}
+
+/// A curve through points that begins and ends at rest, with a continuous second derivative: cubics that have it so at the
+/// points between (C. de Boor, A Practical Guide to Splines, 1978, chapter IV, the complete spline), but for the first and
+/// the last segment, which are quintics, so that the second derivative vanishes at the ends as it does beyond them.
+struct Spline {
+    /// Distances from point to point.
+    runs: Vec<f64>,
+    y: Vec<Expr>,
+    slopes: Vec<Expr>,
+}
+
+impl Spline {
+    fn new(graph: &mut Graph, knots: &[f64], points: &[(Expr, Expr)]) -> Spline {
+        let runs: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let y: Vec<Expr> = points.iter().map(|point| point.1).collect();
+        // Slopes are linear in the values: those of a value of 1 at one point, and 0 at all others, are its weights.
+        let columns: Vec<Vec<f64>> = (0..y.len()).map(|of| slopes(&runs, of)).collect();
+        let slope = |k: usize, graph: &mut Graph| {
+            let terms: Vec<Expr> =
+                y.iter().zip(&columns).map(|(&y, weights)| scaled(graph, weights[k], y)).collect();
+            graph.sum(&terms)
+        };
+        let slopes = (0..y.len()).map(|k| slope(k, graph)).collect();
+        Spline { runs, y, slopes }
+    }
+
+    /// Coefficients by powers of the distance from point `k`.
+    fn segment(&self, graph: &mut Graph, k: usize) -> Vec<Expr> {
+        let last = self.runs.len() - 1;
+        if k != 0 && k != last {
+            return self.cubic(graph, k);
+        }
+        let zero = graph.zero();
+        let from = if k == 0 { zero } else { self.bend(graph, k) };
+        let to = if k == last { zero } else { self.bend(graph, k + 1) };
+        self.quintic(graph, k, [from, to])
+    }
+
+    /// With the values and slopes of its points.
+    fn cubic(&self, graph: &mut Graph, k: usize) -> Vec<Expr> {
+        let (h, [y0, y1], [m0, m1]) = self.ends(k);
+        let sum = |graph: &mut Graph, weights: [f64; 4]| combined(graph, weights, [y0, y1, m0, m1]);
+        let square = sum(graph, [-3.0 / (h * h), 3.0 / (h * h), -2.0 / h, -1.0 / h]);
+        let cube = sum(graph, [2.0 / (h * h * h), -2.0 / (h * h * h), 1.0 / (h * h), 1.0 / (h * h)]);
+        vec![y0, m0, square, cube]
+    }
+
+    /// The second derivative of the cubics at point `k` between the ends.
+    fn bend(&self, graph: &mut Graph, k: usize) -> Expr {
+        let (h, [y0, y1], [m0, m1]) = self.ends(k);
+        combined(graph, [-6.0 / (h * h), 6.0 / (h * h), -4.0 / h, -2.0 / h], [y0, y1, m0, m1])
+    }
+
+    /// With second derivatives as well.
+    fn quintic(&self, graph: &mut Graph, k: usize, [b0, b1]: [Expr; 2]) -> Vec<Expr> {
+        let (h, [y0, y1], [m0, m1]) = self.ends(k);
+        // What value, slope and second derivative at the end miss if the first three terms go on to there.
+        let miss = combined(graph, [-1.0, 1.0, -h, -0.5 * h * h], [y0, y1, m0, b0]);
+        let slope = combined(graph, [-1.0, 1.0, -h, 0.0], [m0, m1, b0, b0]);
+        let bend = graph.sub(b1, b0);
+        let mut term = |power: i32, [of_miss, of_slope, of_bend]: [f64; 3]| {
+            let scale = plm_math::f64::powi(h, -power);
+            let weights = [of_miss * scale, of_slope * scale * h, of_bend * scale * h * h, 0.0];
+            combined(graph, weights, [miss, slope, bend, bend])
+        };
+        let high = [term(3, [10.0, -4.0, 0.5]), term(4, [-15.0, 7.0, -1.0]), term(5, [6.0, -3.0, 0.5])];
+        let half = scaled(graph, 0.5, b0);
+        let mut all = vec![y0, m0, half];
+        all.extend(high);
+        all
+    }
+
+    /// Length, values and slopes of a segment.
+    fn ends(&self, k: usize) -> (f64, [Expr; 2], [Expr; 2]) {
+        (self.runs[k], [self.y[k], self.y[k + 1]], [self.slopes[k], self.slopes[k + 1]])
+    }
+}
+
+/// Slopes at all points, zero at the ends, where the value is 1 at one point and 0 at the others.
+///
+/// `m[k-1]/h[k-1] + 2 m[k] (1/h[k-1] + 1/h[k]) + m[k+1]/h[k] = 3 (rise[k-1]/h[k-1]^2 + rise[k]/h[k]^2)`, by elimination.
+fn slopes(runs: &[f64], of: usize) -> Vec<f64> {
+    let count = runs.len() + 1;
+    let value = |k: usize| if k == of { 1.0 } else { 0.0 };
+    let (mut above, mut slopes) = (vec![0.0; count], vec![0.0; count]);
+    for k in 1..count - 1 {
+        let (before, behind) = (1.0 / runs[k - 1], 1.0 / runs[k]);
+        let rises = (value(k) - value(k - 1)) * before * before + (value(k + 1) - value(k)) * behind * behind;
+        let pivot = 2.0 * (before + behind) - before * above[k - 1];
+        above[k] = behind / pivot;
+        slopes[k] = (3.0 * rises - before * slopes[k - 1]) / pivot;
+    }
+    for k in (1..count.saturating_sub(1)).rev() {
+        slopes[k] -= above[k] * slopes[k + 1];
+    }
+    slopes
+}
+
+fn scaled(graph: &mut Graph, weight: f64, x: Expr) -> Expr {
+    graph.scale(Number::from_f64(weight), x)
+}
+
+fn combined(graph: &mut Graph, weights: [f64; 4], of: [Expr; 4]) -> Expr {
+    let terms: Vec<Expr> = weights.into_iter().zip(of).map(|(weight, x)| scaled(graph, weight, x)).collect();
+    graph.sum(&terms)
+}

@@ -1,0 +1,43 @@
+//! Bodies without mass or inertia.
+
+use super::Absolute;
+use super::independent::Independent;
+use super::newton::scale_columns;
+use crate::fault::Fault;
+use crate::limits::{Limit, refused};
+use crate::scalar::Real;
+
+/// Looks at the coordinates without mass or inertia at the assembled position: those must move with others.
+///
+/// The kinetic energy is positive for every motion just if no motion that the joints allow moves nothing but these: no
+/// combination of their columns of phi_q vanishes. `limits` has mass and inertia of every body.
+///
+/// # Errors
+/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) for the first coordinate that could move alone.
+#[cold]
+pub fn check_carried<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    limits: &[[Limit; 2]],
+) -> Result<(), Fault> {
+    let without = m.inverse_mass().map(|inverse| !inverse.is_finite());
+    if !without.contains(&true) {
+        return Ok(());
+    }
+    let mut jacobian = [[S::lit(0.0); NQ]; NC];
+    m.phi_q(t, q, &mut jacobian);
+    let mut taken = [S::lit(0.0); NQ];
+    for (k, _) in without.iter().enumerate().filter(|(_, without)| **without) {
+        taken[k] = S::lit(1.0);
+        let mut columns = jacobian;
+        scale_columns(&mut columns, &taken);
+        let rank = Independent::rows(columns, S::RANK_TOLERANCE).map(|rows| rows.rank());
+        let count = taken.iter().filter(|taken| **taken > S::lit(0.0)).count();
+        let limit = limits.get(k / 3).map(|of_body| of_body[usize::from(k % 3 == 2)]);
+        if let (true, Some(limit)) = (rank != Some(count), limit) {
+            return Err(refused(t, &limit, "positive where no other mass carries it", S::lit(0.0)));
+        }
+    }
+    Ok(())
+}

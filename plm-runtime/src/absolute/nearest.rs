@@ -1,0 +1,52 @@
+//! The state on the constraints that is nearest to one beside them, as exactly as the numbers can tell.
+
+use super::newton::assembly_step;
+use super::{Absolute, join, split};
+use crate::linalg::largest;
+use crate::scalar::Real;
+
+/// Newton steps that are enough from any stage of a step.
+const ITERATIONS: usize = 16;
+/// A gap of so many units in the last place of the mechanism's size is closed.
+const CLOSED: f64 = 1e4;
+/// Lengths that repeat each other may disagree so that they leave gaps of this part of the mechanism's length.
+const DISAGREE: f64 = 1e-9;
+
+/// Leads a state [q, v, first-order states] onto phi = 0 and phi_q v = nu by the shortest way in the metric of the masses;
+/// false where no way is found.
+pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
+    m: &M,
+    t: S,
+    x: &mut [S; NX],
+) -> bool {
+    let (mut q, mut v) = split(x);
+    let w = m.inverse_mass();
+    let size = m.length().max(largest(&q));
+    let (closed, disagree) = (S::lit(CLOSED) * S::EPSILON * size, S::lit(DISAGREE) * m.length());
+    let mut before = S::INFINITY;
+    for _ in 0..ITERATIONS {
+        let r = m.phi(t, &q);
+        let gap = largest(&r);
+        if gap <= closed || (gap <= disagree && S::lit(2.0) * gap > before) {
+            let r = m.phi_dot(t, &q, &v);
+            let Some(dv) = assembly_step(m, t, &q, &w, &r) else { return false };
+            v = core::array::from_fn(|i| v[i] - dv[i]);
+            join(&q, &v, x);
+            return true;
+        }
+        let Some(dq) = assembly_step(m, t, &q, &w, &r) else { return false };
+        q = core::array::from_fn(|i| q[i] - dq[i]);
+        before = gap;
+    }
+    false
+}
+
+/// The smallest pivot of `phi_q M^-1 phi_q^T` at a pose over its diagonal entry, which vanishes where the rank drops.
+pub(crate) fn smallest_pivot<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+) -> S {
+    let mut dq = [S::ZERO; NQ];
+    m.min_norm(t, q, &m.inverse_mass(), &[S::ZERO; NC], &mut dq).0
+}

@@ -1,0 +1,73 @@
+//! What residuals are measured by: rows in m by the size of the scene and how far it reaches, rows in rad by the radian.
+
+use super::Absolute;
+use crate::linalg::largest;
+use crate::scalar::Real;
+
+/// Joints count as closed up to this fraction of the size.
+const CLOSED: f64 = 1e-10;
+
+/// The sizes of residuals: m and rad, or m/s and rad/s.
+#[derive(Clone, Copy)]
+pub(super) struct Scale<S> {
+    length: S,
+    angle: S,
+}
+
+impl<S: Real> Scale<S> {
+    /// Of positions at `q`. A scene far from the origin has the rounding of its place.
+    pub(super) fn of_position<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+        m: &M,
+        q: &[S; NQ],
+    ) -> Self {
+        let (place, turn) = apart(q);
+        Self { length: m.length().max(place), angle: turn.max(S::lit(1.0)) }
+    }
+
+    /// Of velocities `v` at `q`: rest is measured by 1 rad/s, and by 1 m/s or by a scene of less than 1 m turning so.
+    pub(super) fn of_velocity<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+        m: &M,
+        q: &[S; NQ],
+        v: &[S; NQ],
+    ) -> Self {
+        let reach = Self::of_position(m, q).length;
+        let (speed, turn) = apart(v);
+        let rest = m.length().min(S::lit(1.0));
+        Self { length: speed.max(turn * reach).max(rest), angle: turn.max(S::lit(1.0)) }
+    }
+
+    /// The size of a row in rad, or in m.
+    pub(super) fn size(&self, angular: bool) -> S {
+        if angular { self.angle } else { self.length }
+    }
+
+    /// The largest residual over its size; NaN if one is not a number.
+    pub(super) fn worst<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+        &self,
+        residual: &[S; NC],
+    ) -> S {
+        let mut scaled = *residual;
+        for (r, angular) in scaled.iter_mut().zip(M::ANGULAR) {
+            *r = *r / self.size(angular);
+        }
+        largest(&scaled)
+    }
+
+    /// Is the residual small enough for joints to count as closed?
+    pub(super) fn is_closed<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+        &self,
+        residual: &[S; NC],
+    ) -> bool {
+        self.worst::<M, NQ, NC>(residual) <= S::lit(CLOSED).max(S::lit(16.0) * S::EPSILON)
+    }
+}
+
+/// The largest of places (or speeds), and of angles (or turns).
+fn apart<S: Real, const NQ: usize>(q: &[S; NQ]) -> (S, S) {
+    let (mut place, mut turn) = (S::lit(0.0), S::lit(0.0));
+    for (k, value) in q.iter().enumerate() {
+        let size = if k % 3 == 2 { &mut turn } else { &mut place };
+        *size = size.max(value.abs());
+    }
+    (place, turn)
+}

@@ -1,0 +1,84 @@
+//! What was changed from outside between two steps, and what follows from it.
+
+use core::ops::{Deref, DerefMut};
+
+use super::Sim;
+use crate::fault::{Cause, Fault};
+use crate::mechanism::{Mechanism, Moment};
+use crate::method::Method;
+use crate::scalar::{Real, Scalar};
+
+impl<M: Mechanism, I: Method<M>> Sim<M, I> {
+    /// An interval may end before this time. No time is, after a mutable access: so the one comparison that every interval
+    /// needs finds changes as well, and a run without any pays nothing for it.
+    pub(super) fn end_of_time() -> M::S {
+        M::S::INFINITY
+    }
+
+    /// Nothing may have been changed since the last look.
+    #[inline]
+    pub(crate) fn is_unchanged(&self) -> bool {
+        self.latest > M::S::lit(0.0)
+    }
+
+    /// State, parameters or inputs may be changed now.
+    pub(super) fn expect_changes(&mut self) {
+        self.forget();
+        self.latest = -Self::end_of_time();
+    }
+
+    /// Looks at changes from outside: parameters must have values that the equations allow, and if joints read them, the
+    /// mechanism is assembled anew from its present pose.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::check`] and [`Mechanism::renew`]; they come back until the change is undone.
+    #[cold]
+    pub(crate) fn take_changes(&mut self) -> Result<(), Fault> {
+        if self.is_unchanged() {
+            return Ok(());
+        }
+        let mechanism = self.state.mechanism();
+        let (time, mut held, mut x) = (self.state.time(), self.state.held(), *self.state.x());
+        let parameters = mechanism.fingerprint();
+        if parameters != self.parameters {
+            mechanism.check(time)?;
+            mechanism.renew(time, &mut held, &mut x)?;
+            // Known times may have moved past the present.
+            mechanism.pass(time, &mut held);
+            self.state.set(time, &held, &x);
+            self.parameters = parameters;
+            self.stats.renewed += 1;
+        }
+        self.latest = Self::end_of_time();
+        Ok(())
+    }
+
+    /// Why an interval to `end`, which is to be `length` from here, cannot be begun, unless changes were all that kept it.
+    #[cold]
+    pub(super) fn begin(&mut self, end: M::S, length: M::S) -> Result<(), Fault> {
+        let time = self.state.time();
+        if !(end >= time && end.is_finite()) {
+            return Err(self.bad_interval(length));
+        }
+        self.take_changes()
+    }
+
+    pub(super) fn bad_interval(&self, length: M::S) -> Fault {
+        Fault::new(self.state.time().to_f64(), Cause::Interval { length: length.to_f64() })
+    }
+}
+
+impl<M: Mechanism, I> Deref for Sim<M, I> {
+    type Target = M::State;
+
+    fn deref(&self) -> &M::State {
+        &self.state
+    }
+}
+
+impl<M: Mechanism, I: Method<M>> DerefMut for Sim<M, I> {
+    fn deref_mut(&mut self) -> &mut M::State {
+        self.expect_changes();
+        &mut self.state
+    }
+}

@@ -1,0 +1,101 @@
+//! How far the next singular pose is along the motion.
+//!
+//! Near it, the smallest pivot of `phi_q M^-1 phi_q^T` is `c + k (s - s0)^2`. Three poses in the direction of the motion give the
+//! parabola.
+
+use super::Fine;
+use super::equations::{Equations, Evaluated};
+use crate::absolute::smallest_pivot;
+use crate::scalar::Real;
+use crate::twofold::Twofold;
+
+/// Poses that far apart are compared first, in radians (or lengths of the mechanism).
+const APART: f64 = 0.02;
+/// Then such that are nearer to each other, until they are within the parabola's own scale.
+const REFINEMENTS: usize = 12;
+/// Where the parabola is lower than this part of the present pivot, it may come to zero.
+const VANISHES: f64 = 0.05;
+
+/// What lies ahead of a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ahead<S> {
+    /// Distance over which the parabola changes by its own size, rad.
+    scale: S,
+    /// Distance to its lowest point, negative behind.
+    lowest: S,
+    /// The lowest pivot may be zero.
+    vanishes: bool,
+    /// rad/s, rad/s^2.
+    speed: S,
+    acceleration: S,
+}
+
+impl<S: Real> Ahead<S> {
+    /// From a state and its rate.
+    pub(super) fn of<M, const NQ: usize, const NC: usize, const NX: usize>(
+        equations: &Equations<M, NQ, NC, NX>,
+        (t, held): (S, &M::U),
+        here: &Evaluated<S, NX>,
+    ) -> Self
+    where
+        M: Fine<NQ, NC, NX, S = S>,
+    {
+        let fastest = |from: usize, of: &[S; NX]| {
+            (0..NQ).fold(S::ZERO, |most: S, i| {
+                most.max((of[(from + i).min(NX - 1)] / equations.typical_of(i)).abs())
+            })
+        };
+        let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
+        let moving = speed * speed > S::lit(APART) * acceleration;
+        let (of, most) = if moving { (&here.x, speed) } else { (&here.dx, acceleration) };
+        let mut ahead =
+            Self { scale: S::INFINITY, lowest: S::INFINITY, vanishes: false, speed, acceleration };
+        if most <= S::ZERO {
+            return ahead;
+        }
+        let (fine, _) = equations.0.twofold(held);
+        let pivot = |distance: S| {
+            let q = core::array::from_fn(|i| {
+                Twofold::of(here.x[i]) + Twofold::of(distance) * Twofold::of(of[NQ + i] / most)
+            });
+            smallest_pivot(&fine, Twofold::of(t), &q).rounded()
+        };
+        let (mut apart, now) = (S::lit(APART), pivot(S::ZERO));
+        for _ in 0..REFINEMENTS {
+            let [before, after] = [-apart, apart].map(pivot);
+            let slope = (after - before) / (apart + apart);
+            let bend = (after + before - (now + now)) / (apart * apart);
+            if bend > S::ZERO {
+                ahead.scale = ((now + now) / bend).sqrt();
+                ahead.lowest = -slope / bend;
+                ahead.vanishes = now + S::lit(0.5) * slope * ahead.lowest < S::lit(VANISHES) * now;
+            } else {
+                (ahead.scale, ahead.lowest) = (S::INFINITY, S::INFINITY);
+            }
+            // False for what is not a number.
+            let nearer = ahead.scale < apart;
+            if !nearer {
+                break;
+            }
+            apart = S::lit(0.5) * ahead.scale;
+        }
+        ahead
+    }
+
+    /// The time in which a distance is covered.
+    pub(super) fn time_to(&self, distance: S) -> S {
+        let root = (self.speed * self.speed + S::lit(2.0) * self.acceleration * distance).sqrt();
+        let h = (distance + distance) / (self.speed + root);
+        if h.is_finite() { h } else { S::INFINITY }
+    }
+
+    /// The longest step that follows the parabola.
+    pub(super) fn longest_step(&self) -> S {
+        if self.scale < S::INFINITY { self.time_to(S::lit(0.4) * self.scale) } else { S::INFINITY }
+    }
+
+    /// Distance to the singular pose, if there may be one ahead.
+    pub(super) fn flat(&self) -> Option<S> {
+        (self.vanishes && self.lowest > S::ZERO).then_some(self.lowest)
+    }
+}

@@ -1,0 +1,124 @@
+//! A step over a singular pose, by collocation: the rate is asked for at the nodes alone, which lie on both sides of it.
+
+use super::Fine;
+use super::collocation::{NODES, Polynomial, place};
+use super::equations::Equations;
+use super::size;
+use crate::absolute::{Absolute, split};
+use crate::linalg::largest;
+use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
+
+/// Iterations for the nodes; each gains at least a digit where the step is short enough.
+const ITERATIONS: usize = 40;
+/// The nodes are found where they move by so many units in the last place of typical sizes ...
+const FOUND: f64 = 16.0;
+/// ... or, where rounding does not allow that, do not come nearer any more within this.
+const ROUNDED: f64 = 1e-12;
+/// Joints that open by so many units in the last place of the mechanism's size on the way are closed.
+const CLOSED: f64 = 32.0;
+/// Up to this part of the mechanism's size it cannot be told whether they are.
+const UNDECIDED: f64 = 450.0;
+/// The rate at the end of the step may be off by this, over the step and as a part of the state.
+const AGREES: f64 = 1e-8;
+
+/// Why there is no step over a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Refused<S> {
+    /// The joints would open by this, m: the pose is passed by.
+    Opens(S),
+    /// The joints would open by so little, m, that rounding decides where the motion goes on.
+    Undecided(S),
+    /// The step is too long, or a node is too near to the pose.
+    NotFound,
+}
+
+/// The motion over the next `h` seconds.
+pub(super) fn leap<M, const NQ: usize, const NC: usize, const NX: usize>(
+    equations: &Equations<M, NQ, NC, NX>,
+    (t, held): (M::S, &M::U),
+    (from, rate): (&[M::S; NX], Option<&[M::S; NX]>),
+    (h, evaluations): (M::S, &mut u64),
+) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
+where
+    M: Fine<NQ, NC, NX>,
+{
+    let nodes: [M::S; NODES] = core::array::from_fn(|j| M::S::lit(place(j)));
+    let mut states = nodes.map(|c| guess::<_, NQ, NX>(from, rate, c * h));
+    let mut before = M::S::INFINITY;
+    for _ in 0..ITERATIONS {
+        let (mut rates, mut beside) = ([[M::S::ZERO; NX]; NODES], true);
+        for (rate, (x, c)) in rates.iter_mut().zip(states.iter().zip(nodes)) {
+            let evaluated = equations.evaluate(t + c * h, held, x).ok_or(Refused::NotFound)?;
+            beside &= equations.is_beside(x, &evaluated);
+            *rate = evaluated.dx;
+        }
+        *evaluations += NODES as u64;
+        let polynomial = Polynomial::of(*from, h, &rates);
+        let mut moved = M::S::ZERO;
+        for (state, c) in states.iter_mut().zip(nodes) {
+            let next = polynomial.at(c);
+            let change: [M::S; NX] = core::array::from_fn(|i| next[i] - state[i]);
+            let weight = |i: usize| equations.typical_of(i) + next[i].abs();
+            moved = moved.max(size(&change, weight));
+            *state = next;
+        }
+        if !states.iter().all(Vector::is_finite) {
+            return Err(Refused::NotFound);
+        }
+        let rounded = moved < M::S::lit(ROUNDED) && moved + moved > before;
+        if moved < M::S::lit(FOUND) * M::S::EPSILON || rounded {
+            return if beside { check(equations, (t, held), polynomial) } else { Err(Refused::NotFound) };
+        }
+        before = moved;
+    }
+    Err(Refused::NotFound)
+}
+
+/// The state after a time, roughly.
+fn guess<S: Real, const NQ: usize, const NX: usize>(
+    from: &[S; NX],
+    rate: Option<&[S; NX]>,
+    time: S,
+) -> [S; NX] {
+    core::array::from_fn(|i| {
+        let at = |x: &[S; NX], k: usize| x.get(k).copied().unwrap_or(S::ZERO);
+        let bend = rate.map_or(S::ZERO, |rate| at(rate, i + NQ));
+        let half = S::lit(0.5) * time * time;
+        match i {
+            _ if i < NQ => from[i] + time * at(from, i + NQ) + half * bend,
+            _ => from[i] + time * rate.map_or(S::ZERO, |rate| rate[i]),
+        }
+    })
+}
+
+/// Are the joints closed all the way, and does the motion go on from there as it came?
+fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
+    equations: &Equations<M, NQ, NC, NX>,
+    (t, held): (M::S, &M::U),
+    polynomial: Polynomial<M::S, NX>,
+) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
+where
+    M: Fine<NQ, NC, NX>,
+{
+    let unit = M::S::EPSILON * equations.0.length().max(largest(&polynomial.from));
+    let gap_at = |part: M::S| {
+        let (q, _) = split::<_, NX, NQ>(&polynomial.at(part));
+        largest(&Absolute::phi(&equations.0, t + part * polynomial.h, &q))
+    };
+    // Lengths that repeat each other may disagree everywhere.
+    let ends = gap_at(M::S::ZERO).max(gap_at(M::S::lit(1.0)));
+    let inside = (1..2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
+    let gap = inside.fold(M::S::ZERO, M::S::max) - M::S::lit(10.0) * ends;
+    if gap > M::S::lit(CLOSED) * unit {
+        let undecided = gap <= M::S::lit(UNDECIDED) * unit;
+        return Err(if undecided { Refused::Undecided(gap) } else { Refused::Opens(gap) });
+    }
+    let (one, end) = (M::S::lit(1.0), polynomial.at(M::S::lit(1.0)));
+    let after = equations.evaluate(t + polynomial.h, held, &end).ok_or(Refused::NotFound)?;
+    let rate = polynomial.rate(one);
+    let off: [M::S; NX] = core::array::from_fn(|i| polynomial.h * (after.dx[i] - rate[i]));
+    let weight = |i: usize| equations.typical_of(i) + end[i].abs();
+    let agrees = M::S::lit(AGREES).max(M::S::EPSILON.sqrt());
+    if size(&off, weight) < agrees { Ok(polynomial) } else { Err(Refused::NotFound) }
+}

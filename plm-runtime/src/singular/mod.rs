@@ -1,0 +1,131 @@
+//! Near singular poses: how a mechanism goes on where its own coordinates are not regular.
+//!
+//! Where every chart of a mechanism is poor, the constraints alone say how it moves. It goes on in absolute coordinates,
+//! with every state led back onto the constraints before its rate is computed, in numbers of twice the precision
+//! ([`equations`]): the rate is then a smooth function of the state however near a singular pose is.
+//!
+//! How near that is, is told by the smallest pivot of `phi_q M^-1 phi_q^T`. Along the motion it is `c + k (s - s0)^2`
+//! ([`ahead`]):
+//!
+//! * Away from zero, the pose is passed by: steps follow the turn, which takes place over a length of `sqrt(c / k)`.
+//! * Where `c` vanishes, the rank of `phi_q` does too (A. Mueller, Higher derivatives of the kinematic mapping and some
+//!   applications, Mech. Mach. Theory 76, 2014, on the branches that meet there). The motion through it is analytic; a step by
+//!   collocation leads over the pose, with nodes on both sides of it ([`leap`]).
+//!
+//! Whether `c` vanishes is told by the gap that is left in the joints where the polynomial of that step is flat: a pose that
+//! is passed by leaves one of the size of the difference of the lengths.
+
+mod ahead;
+mod collocation;
+mod equations;
+mod leap;
+mod near;
+
+pub use self::near::Near;
+
+use crate::Absolute;
+use crate::fault::Fault;
+use crate::mechanism::Mechanism;
+use crate::method::{Course, Method};
+use crate::scalar::Real;
+use crate::system::Drift;
+use crate::twofold::Twofold;
+
+/// A method that takes over from another one near singular poses.
+pub trait Rescue<M: Mechanism>: Method<M> {
+    /// Nothing is known yet.
+    fn new() -> Self;
+
+    /// Is the state one that only this method can go on from?
+    fn holds(held: &M::U) -> bool;
+
+    /// Gives it the state, which another method cannot go on from; whether it can.
+    fn take(course: &mut Course<'_, M>) -> bool;
+
+    /// The part that closes the loop which went through a flat pose in the last step, where the mechanism could have gone
+    /// on in another way.
+    fn passed(&self) -> Option<&'static str>;
+}
+
+/// The equations of a mechanism in absolute coordinates, in numbers of twice the precision; implemented by generated code.
+///
+/// `NX` numbers are a state [q, v, first-order states].
+pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
+    Mechanism + Absolute<Self::S, NQ, NC>
+{
+    /// The mechanism in those numbers.
+    type Twofold: Absolute<Twofold<Self::S>, NQ, NC>;
+    /// Inputs in those numbers.
+    type Inputs;
+
+    /// The mechanism and what it holds over a step.
+    fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs);
+
+    /// The rate `dx` of a state that satisfies the constraints; not finite where the equations have no solution.
+    fn accelerate(
+        fine: &Self::Twofold,
+        t: Twofold<Self::S>,
+        u: &Self::Inputs,
+        x: &[Twofold<Self::S>; NX],
+        dx: &mut [Twofold<Self::S>; NX],
+    );
+
+    /// Is the mechanism held in absolute coordinates?
+    fn is_near(held: &Self::U) -> bool;
+
+    /// The state in absolute coordinates.
+    fn full(&self, t: Self::S, held: &Self::U, x: &Self::X) -> [Self::S; NX];
+
+    /// Holds a state in absolute coordinates.
+    fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[Self::S; NX]);
+
+    /// The part that closes the loop which is nearest to flat at a state in absolute coordinates.
+    fn flat_part(&self, t: Self::S, full: &[Self::S; NX]) -> &'static str;
+}
+
+/// For mechanisms that have no singular poses.
+#[derive(Clone, Copy, Debug)]
+pub struct Never<M>(core::marker::PhantomData<M>);
+
+impl<M: Mechanism> Rescue<M> for Never<M> {
+    fn new() -> Self {
+        Self(core::marker::PhantomData)
+    }
+    #[inline]
+    fn holds(_held: &M::U) -> bool {
+        false
+    }
+    fn take(_course: &mut Course<'_, M>) -> bool {
+        false
+    }
+    fn passed(&self) -> Option<&'static str> {
+        None
+    }
+}
+
+impl<M: Mechanism> Method<M> for Never<M> {
+    const DENSE: bool = false;
+
+    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        Ok(())
+    }
+    fn advance(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        Ok(())
+    }
+    fn interpolate(&self, _time: M::S) -> M::X {
+        crate::Vector::fill(M::S::ZERO)
+    }
+    fn restart(&mut self) {}
+    fn drift_limit(&self, _system: &M) -> Drift<M::S> {
+        Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
+    }
+}
+
+/// The largest number of a vector over its typical size.
+fn size<S: Real, const N: usize>(numbers: &[S; N], typical: impl Fn(usize) -> S) -> S {
+    let mut largest = S::ZERO;
+    for (i, number) in numbers.iter().enumerate() {
+        largest = largest.max((*number / typical(i)).abs());
+    }
+    largest
+}

@@ -1,0 +1,268 @@
+//! The method that takes over near singular poses.
+
+use super::ahead::Ahead;
+use super::collocation::Polynomial;
+use super::equations::{Equations, Evaluated};
+use super::leap::{Refused, leap};
+use super::{Fine, Rescue};
+use crate::absolute::{Absolute, split};
+use crate::fault::{Cause, Fault};
+use crate::linalg::largest;
+use crate::method::{Course, DormandPrince853, Embedded, Method};
+use crate::scalar::{Real, Scalar};
+use crate::system::Drift;
+use crate::vector::Vector;
+
+/// Relative tolerance of the steps around a pose ...
+const TOLERANCE: f64 = 1e-11;
+/// ... and in single precision.
+const TOLERANCE_SINGLE: f64 = 1e-6;
+/// Distances that a step over a pose may span, as multiples of that to the pose, in the order of trial. None of the nodes lies
+/// near the pose for more than one of them.
+const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
+/// Distances, rad, that a step away from a singular pose may span.
+const AWAY: [f64; 4] = [0.1, 0.05, 0.02, 0.005];
+/// A pose over which no step leads is tried again where it is nearer by this factor.
+const NEARER: f64 = 0.2;
+
+/// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
+/// over them.
+#[derive(Clone, Copy, Debug)]
+pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+    around: Embedded<Equations<M, NQ, NC, NX>, DormandPrince853>,
+    /// The last step, if it was one by collocation: its beginning, and the solution over it and beyond.
+    over: Option<(M::S, Polynomial<M::S, NX>)>,
+    /// The part that closes the loop which went through a flat pose in the last step.
+    passed: Option<&'static str>,
+    /// Distance below which a step over the pose ahead is tried.
+    tried: M::S,
+}
+
+/// What is known before a step.
+struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+    equations: Equations<M, NQ, NC, NX>,
+    full: [M::S; NX],
+    evaluated: Option<Evaluated<M::S, NX>>,
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
+    /// By how much the joints are open.
+    fn gap(&self, time: M::S) -> M::S {
+        let (q, _) = split::<_, NX, NQ>(&self.full);
+        largest(&Absolute::phi(&self.equations.0, time, &q))
+    }
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Near<M, NQ, NC, NX> {
+    /// A step around a pose: one that follows its turn.
+    fn step_around(
+        &mut self,
+        course: &mut Course<'_, M>,
+        here: &Here<M, NQ, NC, NX>,
+        longest: M::S,
+    ) -> Result<(), Fault> {
+        let equations = &here.equations;
+        self.around.longest_step = longest;
+        let mut inner = Course {
+            system: equations,
+            held: course.held,
+            time: course.time,
+            x: here.full,
+            end: course.end,
+            stats: &mut *course.stats,
+            longest_step: &mut *course.longest_step,
+        };
+        self.around.begin(&mut inner)?;
+        self.around.advance(&mut inner)?;
+        let (time, mut full) = (inner.time, inner.x);
+        match equations.evaluate(time, &course.held, &full) {
+            Some(evaluated) if equations.is_beside(&full, &evaluated) => full = evaluated.x,
+            _ => return Err(fault(course, here, Refused::NotFound)),
+        }
+        self.over = None;
+        Self::arrive(course, time, &full);
+        Ok(())
+    }
+
+    /// A step over a pose, of one of some distances; why there is none otherwise.
+    fn step_over(
+        &mut self,
+        course: &mut Course<'_, M>,
+        here: &Here<M, NQ, NC, NX>,
+        (times, flat): (impl Iterator<Item = M::S>, Option<M::S>),
+    ) -> Result<(), Refused<M::S>> {
+        let mut refused = Refused::NotFound;
+        for h in times {
+            let rate = here.evaluated.as_ref().map(|evaluated| &evaluated.dx);
+            let (at, state) = ((course.time, &course.held), (&here.full, rate));
+            match leap(&here.equations, at, state, (h, &mut course.stats.evaluations)) {
+                Ok(polynomial) => {
+                    let from = course.time;
+                    let time = (from + h).min(course.end);
+                    let full = polynomial.at((time - from) / h);
+                    self.passed = flat
+                        .filter(|flat| from + *flat <= time)
+                        .map(|_| course.system.flat_part(from, &here.full));
+                    self.over = Some((from, polynomial));
+                    self.around.restart();
+                    course.stats.steps += 1;
+                    *course.longest_step = course.longest_step.max(time - from);
+                    Self::arrive(course, time, &full);
+                    return Ok(());
+                }
+                Err(Refused::NotFound) => {}
+                Err(told) => {
+                    refused = told;
+                    break;
+                }
+            }
+        }
+        Err(refused)
+    }
+
+    fn arrive(course: &mut Course<'_, M>, time: M::S, full: &[M::S; NX]) {
+        course.time = time;
+        course.system.hold(&mut course.held, &mut course.x, full);
+    }
+
+    /// A state from which nothing is known but its pose and velocity.
+    fn leave(&mut self, course: &mut Course<'_, M>, here: &Here<M, NQ, NC, NX>) -> Result<(), Fault> {
+        let speed = (0..NQ).fold(M::S::ZERO, |most: M::S, i| {
+            most.max((here.full[(NQ + i).min(NX - 1)] / here.equations.typical_of(i)).abs())
+        });
+        let times = AWAY.into_iter().map(|distance| M::S::lit(distance) / speed);
+        let times = times.filter(|h| h.is_finite());
+        self.step_over(course, here, (times, None)).map_err(|refused| fault(course, here, refused))
+    }
+}
+
+/// What ends a run at a singular pose.
+fn fault<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    course: &Course<'_, M>,
+    here: &Here<M, NQ, NC, NX>,
+    refused: Refused<M::S>,
+) -> Fault {
+    let moves = (NQ..2 * NQ)
+        .any(|i| here.full[i.min(NX - 1)].abs() > M::S::EPSILON * here.equations.typical_of(i - NQ));
+    let cause = match refused {
+        Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
+        Refused::NotFound if moves => Cause::Undecided { gap: here.gap(course.time).to_f64() },
+        Refused::NotFound => Cause::Flat,
+    };
+    Fault::of_part(course.time.to_f64(), course.system.flat_part(course.time, &here.full), cause)
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
+    for Near<M, NQ, NC, NX>
+{
+    const DENSE: bool = true;
+
+    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.passed = None;
+        course.stats.near_singular += 1;
+        let equations = Equations(*course.system);
+        let full = course.system.full(course.time, &course.held, &course.x);
+        let evaluated = equations.evaluate(course.time, &course.held, &full);
+        let here = Here { equations, full, evaluated };
+        let Some(evaluated) = &here.evaluated else {
+            return self.leave(course, &here);
+        };
+        if !equations.is_beside(&full, evaluated) {
+            return Err(fault(course, &here, Refused::NotFound));
+        }
+        let ahead = Ahead::of(&equations, (course.time, &course.held), evaluated);
+        let (longest, rest) = (ahead.longest_step(), course.end - course.time);
+        match ahead.flat().filter(|_| rest > longest) {
+            None => self.tried = M::S::INFINITY,
+            Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
+                let time = |span: M::S| ahead.time_to(span * distance);
+                let times = SPANS.into_iter().map(|span| time(M::S::lit(span)));
+                let flat = Some(time(M::S::lit(1.0)));
+                match self.step_over(course, &here, (times, flat)) {
+                    Ok(()) => return Ok(()),
+                    Err(refused @ Refused::Undecided(_)) => return Err(fault(course, &here, refused)),
+                    Err(_) => self.tried = distance,
+                }
+            }
+            Some(_) => {}
+        }
+        self.step_around(course, &here, longest).map_err(|failed| match failed.cause {
+            Cause::StepTooSmall { .. } | Cause::NotFinite => fault(course, &here, Refused::NotFound),
+            _ => failed,
+        })
+    }
+
+    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        if self.over.is_some() {
+            return Ok(());
+        }
+        let equations = Equations(*course.system);
+        let x = course.system.full(course.time, &course.held, &course.x);
+        let (held, time, end) = (course.held, course.time, course.end);
+        let (stats, longest_step) = (&mut *course.stats, &mut *course.longest_step);
+        let mut inner = Course { system: &equations, held, time, x, end, stats, longest_step };
+        self.around.densify(&mut inner)
+    }
+
+    fn interpolate(&self, _time: M::S) -> M::X {
+        M::X::fill(M::S::ZERO)
+    }
+
+    fn moment(&self, course: &Course<'_, M>, time: M::S) -> (M::U, M::X) {
+        let full = if let Some((from, polynomial)) = &self.over {
+            polynomial.at((time - *from) / polynomial.h)
+        } else {
+            let full = self.around.interpolate(time);
+            let equations = Equations(*course.system);
+            equations.evaluate(time, &course.held, &full).map_or(full, |evaluated| evaluated.x)
+        };
+        let (mut held, mut x) = (course.held, course.x);
+        course.system.hold(&mut held, &mut x, &full);
+        (held, x)
+    }
+
+    fn restart(&mut self) {
+        self.around.restart();
+        self.over = None;
+        self.tried = M::S::INFINITY;
+    }
+
+    fn shorten(&mut self, h: M::S) -> bool {
+        self.over = None;
+        self.around.shorten(h)
+    }
+
+    fn drift_limit(&self, _system: &M) -> Drift<M::S> {
+        Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
+    }
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
+    for Near<M, NQ, NC, NX>
+{
+    fn new() -> Self {
+        let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
+        Self { around: Embedded::new(M::S::lit(tolerance)), over: None, passed: None, tried: M::S::INFINITY }
+    }
+
+    fn holds(held: &M::U) -> bool {
+        M::is_near(held)
+    }
+
+    fn take(course: &mut Course<'_, M>) -> bool {
+        let full = course.system.full(course.time, &course.held, &course.x);
+        if !full.is_finite() {
+            return false;
+        }
+        course.system.hold(&mut course.held, &mut course.x, &full);
+        true
+    }
+
+    fn passed(&self) -> Option<&'static str> {
+        self.passed
+    }
+}

@@ -1,0 +1,109 @@
+//! What generated code and methods ask of a number.
+
+use super::{Twofold, functions};
+use crate::scalar::{Real, Scalar};
+
+impl<S: Real> Scalar for Twofold<S> {
+    type Mask = bool;
+
+    /// What repeats itself but for rounding of the lengths in `S` stays below.
+    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
+    const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
+
+    /// The constant `x`, with 48 of its 53 bits where the words are of `f32`.
+    #[inline]
+    fn lit(x: f64) -> Self {
+        let high = S::lit(x);
+        if high.is_finite() { Self { high, low: S::lit(x - high.to_f64()) } } else { Self::of(high) }
+    }
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self.high.to_f64() + self.low.to_f64()
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.high.is_finite()
+    }
+    /// `self * a + b`, rounded twice with any feature.
+    #[inline(never)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self.times(a).plus(b)
+    }
+    #[inline(never)]
+    fn sin_cos(self) -> (Self, Self) {
+        functions::sin_cos(self)
+    }
+    #[inline]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let both = angles.map(Self::sin_cos);
+        (both.map(|(sin, _)| sin), both.map(|(_, cos)| cos))
+    }
+    /// Square root; NaN below zero.
+    #[inline(never)]
+    fn sqrt(self) -> Self {
+        functions::sqrt(self)
+    }
+    #[inline(never)]
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+    #[inline(never)]
+    fn asin(self) -> Self {
+        self.atan2(functions::half_chord(self))
+    }
+    #[inline(never)]
+    fn acos(self) -> Self {
+        functions::half_chord(self).atan2(self)
+    }
+    #[inline(never)]
+    fn atan2(self, x: Self) -> Self {
+        functions::atan2(self, x)
+    }
+    #[inline(never)]
+    fn exp(self) -> Self {
+        functions::exp(self)
+    }
+    #[inline(never)]
+    fn ln(self) -> Self {
+        functions::ln(self)
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        Self { high: self.high.abs(), low: if self.high < S::ZERO { -self.low } else { self.low } }
+    }
+    #[inline]
+    fn lt(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline]
+    fn select(mask: bool, a: Self, b: Self) -> Self {
+        if mask { a } else { b }
+    }
+    #[inline]
+    fn any(mask: bool) -> bool {
+        mask
+    }
+    #[inline]
+    fn all(mask: bool) -> bool {
+        mask
+    }
+}
+
+impl<S: Real> Real for Twofold<S> {
+    const ZERO: Self = Self::of(S::ZERO);
+    /// A unit of errors, not the distance to the next number: next to 1 that is far smaller.
+    const EPSILON: Self = Self::of(S::TWOFOLD_EPSILON);
+    /// Lengths are known as exactly as in `S`.
+    const RANK_TOLERANCE: Self = Self::of(S::RANK_TOLERANCE);
+    /// Two of these in one are no more precise than one: constants have two words.
+    const TWOFOLD_EPSILON: Self = Self::EPSILON;
+    const INFINITY: Self = Self::of(S::INFINITY);
+
+    #[inline(never)]
+    fn floor(self) -> Self {
+        let high = self.high.floor();
+        // Only under a whole number does the low word decide.
+        if high == self.high { Self::sum(high, self.low.floor()) } else { Self::of(high) }
+    }
+}

@@ -1,0 +1,270 @@
+//! Prescribed motions and constraints that change their side: what is smooth enough, what is an event, what cannot be.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+
+use plm::{Cause, Dop853, Dopri5, Fault, Rk4};
+
+/// A cart whose place is prescribed, with a bob hanging on it: in the least formulation and in absolute coordinates.
+macro_rules! cart {
+    ($module:ident, $absolute:ident, { $($place:tt)* }) => {
+        mod $module {
+            plm::mechanism! {
+                pub Cart {
+                    param from: s = 1 s;
+                    param speed: m/s = 0;
+                    param place: m = 0;
+                    ground { port rail: (0, 0) m; }
+                    body cart { mass: 1 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; port pin: (0, 0) m; }
+                    body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pin: (0, 1) m; }
+                    prismatic rail(ground.rail, cart.rail);
+                    revolute pin(cart.pin, bob.pin);
+                    constraint drive: cart.x = $($place)*;
+                    output cart.ax, bob.alpha;
+                }
+            }
+        }
+        mod $absolute {
+            plm::mechanism! {
+                pub Cart {
+                    rung: absolute;
+                    param from: s = 1 s;
+                    param speed: m/s = 0;
+                    param place: m = 0;
+                    ground { port rail: (0, 0) m; }
+                    body cart { mass: 1 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; port pin: (0, 0) m; }
+                    body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pin: (0, 1) m; }
+                    prismatic rail(ground.rail, cart.rail);
+                    revolute pin(cart.pin, bob.pin);
+                    constraint drive: cart.x = $($place)*;
+                    output cart.ax, bob.alpha;
+                }
+            }
+        }
+    };
+}
+
+cart!(late, late_absolute, { if t < from then 0 m else place + speed*(t - from) });
+cart!(pushed, pushed_absolute, { if t < from then 0 m else 0.5*3 m/s^2*(t - from)^2 });
+cart!(led, led_absolute, { smooth_table(t, (0.2 s, 0 m), (0.5 s, 0.3 m), (1.3 s, place), (1.9 s, 1 m)) });
+
+/// What a run of two seconds over a boundary at 1.1 s ends with.
+fn jump(outcome: Result<(), Fault>) -> Option<(f64, &'static str, f64, bool)> {
+    match outcome {
+        Ok(()) => None,
+        Err(Fault { time, part, cause: Cause::Jump { by, speed, .. } }) => Some((time, part, by, speed)),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+macro_rules! late {
+    ($name:ident, $module:ident) => {
+        #[test]
+        fn $name() {
+            use $module::Cart;
+            for (place, speed) in [(0.0, 2.0), (0.0, -1e-3), (2.0, 0.0), (-1e-3, 3.0)] {
+                let cart = Cart { from: 1.1, place, speed, ..Cart::new() };
+                let expected = if place == 0.0 { (speed.abs(), true) } else { (place.abs(), false) };
+                let outcomes = [
+                    cart.start().unwrap().step(2.0),
+                    cart.start().unwrap().run(2.0, 0.3, |_| ()),
+                    cart.start_with(Dopri5::new(1e-6)).unwrap().step(2.0),
+                    cart.start_with(Rk4::new(0.03)).unwrap().step(2.0),
+                ];
+                for outcome in outcomes {
+                    let (time, part, by, of_speed) = jump(outcome).unwrap();
+                    assert_eq!((part, of_speed), ("drive", expected.1), "{place} {speed}");
+                    assert!((time - 1.1).abs() < 1e-6, "{time}");
+                    assert!((by - expected.0).abs() < 1e-6, "{place} {speed}: {by}");
+                }
+            }
+            // One that stands still goes on.
+            assert_eq!(jump(Cart::new().start().unwrap().step(2.0)), None);
+        }
+    };
+}
+
+late!(a_place_or_speed_that_jumps_ends_the_run, late);
+late!(a_place_or_speed_that_jumps_ends_the_run_in_absolute_coordinates, late_absolute);
+
+/// Starts of acceleration are hit: with a constant one the place is a polynomial, which no step errs at.
+macro_rules! pushed {
+    ($name:ident, $module:ident) => {
+        #[test]
+        fn $name() {
+            use $module::Cart;
+            for from in [1.0, 0.777] {
+                let mut sim = (Cart { from, ..Cart::new() }).start_with(Dop853::new(1e-11)).unwrap();
+                let mut before = f64::NAN;
+                sim.run(from, from, |state| before = state.cart_ax()).unwrap();
+                assert_eq!((sim.stats().switches, before), (1, 0.0));
+                sim.step(0.5).unwrap();
+                assert!((sim.cart().vx - 1.5).abs() < 1e-10, "{}", sim.cart().vx);
+                // Seen from the cart a steady -3 m/s^2 acts on the bob from rest: (I + m l^2) w^2/2 = -m a l sin(angle).
+                let (angle, omega) = (sim.bob().angle, sim.bob().omega);
+                let swing = 0.5 * 1.01 * omega * omega + 3.0 * angle.sin();
+                assert!(swing.abs() < 1e-9 && omega.abs() > 1.0, "{swing:e} {omega}");
+            }
+        }
+    };
+}
+
+pushed!(an_acceleration_that_jumps_is_hit, pushed);
+pushed!(an_acceleration_that_jumps_is_hit_in_absolute_coordinates, pushed_absolute);
+
+macro_rules! led {
+    ($name:ident, $module:ident) => {
+        #[test]
+        fn $name() {
+            use $module::Cart;
+            let rows = |step: f64| {
+                let cart = Cart { place: 0.4, ..Cart::new() };
+                let mut rows = Vec::new();
+                let mut sim = cart.start_with(Dop853::new(1e-11)).unwrap();
+                sim.run(2.2, step, |state| rows.push([state.cart().x, state.cart().vx, state.cart_ax()]))
+                    .unwrap();
+                rows
+            };
+            let fine = rows(1e-3);
+            // It goes through its points.
+            for (time, place) in [(0.0, 0.0), (0.2, 0.0), (0.5, 0.3), (1.3, 0.4), (1.9, 1.0), (2.2, 1.0)] {
+                let row = fine[(time / 1e-3 + 0.5) as usize];
+                assert!((row[0] - place).abs() < 1e-9, "{time}: {row:?}");
+            }
+            assert!(fine[200][1].abs() < 1e-9 && fine[1900][1].abs() < 1e-9);
+            // Differences of places and speeds are speeds and accelerations, and the acceleration is continuous: what they
+            // are off by goes with the square of the step, where the third derivative jumps with the step itself.
+            let off = |step: f64| {
+                let (mut worst, rows) = ([0.0_f64; 3], rows(step));
+                for w in rows.windows(3) {
+                    let central = |j: usize| (w[2][j] - w[0][j]) / (2.0 * step) - w[1][j + 1];
+                    let now = [central(0), central(1), w[2][2] - w[1][2]];
+                    worst = [0, 1, 2].map(|j| worst[j].max(now[j].abs()));
+                }
+                worst
+            };
+            let (rough, fine) = (off(2e-3), off(1e-3));
+            for (j, least) in [3.5, 1.8, 1.8].into_iter().enumerate() {
+                assert!(rough[j] > least * fine[j], "{rough:?} {fine:?}");
+            }
+        }
+    };
+}
+
+led!(a_smooth_table_has_a_speed_and_a_continuous_acceleration, led);
+led!(a_smooth_table_has_a_speed_and_a_continuous_acceleration_in_absolute_coordinates, led_absolute);
+
+mod two_points {
+    plm::mechanism! {
+        pub Two {
+            ground { port o: (0, 0) m; }
+            body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }
+            prismatic rail(ground.o, b.o);
+            constraint drive: b.x = smooth_table(t, (0 s, 0 m), (2 s, 1 m));
+            output linear = table(t, (0 s, 0 m), (2 s, 1 m));
+        }
+    }
+}
+
+#[test]
+fn two_points_are_joined_by_the_motion_of_least_jerk() {
+    // N. Hogan, T. Flash, The coordination of arm movements, J. Neurosci. 5, 1985: 10 s^3 - 15 s^4 + 6 s^5.
+    let mut sim = two_points::Two::new().start().unwrap();
+    sim.run(3.0, 0.125, |state| {
+        let s = (state.time() / 2.0).min(1.0);
+        let expected = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+        assert!((state.b().x - expected).abs() < 1e-12, "{} {expected}", state.b().x);
+        let speed = s * s * 30.0 * (1.0 + s * (-2.0 + s)) / 2.0;
+        assert!((state.b().vx - speed).abs() < 1e-12, "{} {speed}", state.b().vx);
+    })
+    .unwrap();
+}
+
+/// A Geneva wheel: locked, then led by the pin in its slot, then locked; the crank turns freely.
+macro_rules! geneva {
+    ($module:ident, { $($rung:tt)* }, { $($index:tt)* }) => {
+        mod $module {
+            plm::mechanism! {
+                pub Geneva {
+                    $($rung)*
+                    param c: m = 0.1 m;
+                    let r = c*sin(45 deg);
+                    ground { port o: (0, 0) m; port w: (c, 0 m); }
+                    body crank { mass: 1 kg; inertia: 1e-3 kg*m^2; port o: (0, 0) m; start angle: -90 deg, locked; start omega: 3 rad/s, locked; }
+                    body wheel { mass: 1 kg; inertia: 2e-3 kg*m^2; port o: (0, 0) m; start x: c; }
+                    revolute o(ground.o, crank.o);
+                    revolute w(ground.w, wheel.o);
+                    constraint index: wheel.angle = $($index)*;
+                }
+            }
+        }
+    };
+}
+
+geneva!(geneva_free, {}, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
+geneva!(geneva_absolute, { rung: absolute; }, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
+geneva!(clamped, {}, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
+geneva!(clamped_absolute, { rung: absolute; }, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
+geneva!(broken, {}, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
+geneva!(broken_absolute, { rung: absolute; }, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
+geneva!(folded, {}, { abs(crank.angle) });
+geneva!(folded_absolute, { rung: absolute; }, { abs(crank.angle) });
+
+macro_rules! keeps_energy {
+    ($name:ident, $module:ident, $switches:expr) => {
+        #[test]
+        fn $name() {
+            for rtol in [1e-6, 1e-9, 1e-12] {
+                let mut sim = $module::Geneva::new().start_with(Dop853::new(rtol)).unwrap();
+                let energy = sim.kinetic_energy();
+                let mut worst = 0.0_f64;
+                sim.run(2.0, 0.01, |state| worst = worst.max((state.kinetic_energy() / energy - 1.0).abs()))
+                    .unwrap();
+                // A step errs by rtol (1 rad/s + w) at most in w = 3 rad/s and less, which the energy sees twice.
+                let limit = 3.0 * rtol * sim.stats().steps as f64;
+                assert!(worst < limit, "{rtol:e}: {worst:e} of {limit:e}");
+                assert_eq!(sim.stats().switches, $switches, "{rtol:e}");
+            }
+        }
+    };
+}
+
+keeps_energy!(a_kink_inside_a_constraint_is_hit, geneva_free, 2);
+keeps_energy!(a_kink_inside_a_constraint_is_hit_in_absolute_coordinates, geneva_absolute, 2);
+keeps_energy!(a_maximum_inside_a_constraint_is_hit, clamped, 1);
+keeps_energy!(a_maximum_inside_a_constraint_is_hit_in_absolute_coordinates, clamped_absolute, 1);
+
+macro_rules! breaks {
+    ($name:ident, $module:ident, $at:expr, $by:expr, $of_speed:expr) => {
+        #[test]
+        fn $name() {
+            let fixed = $module::Geneva::new().start_with(Rk4::new(1e-3)).unwrap().step(2.0);
+            for (outcome, near) in [
+                ($module::Geneva::new().start().unwrap().step(2.0), 1e-6),
+                ($module::Geneva::new().start().unwrap().run(2.0, 0.1, |_| ()), 1e-6),
+                (fixed, 2e-3),
+            ] {
+                let (time, part, by, of_speed) = jump(outcome).unwrap();
+                assert_eq!((part, of_speed), ("index", $of_speed));
+                assert!((time - $at).abs() < near, "{time}");
+                assert!((by - $by).abs() < 1e-3, "{by}");
+            }
+        }
+    };
+}
+
+// The crank alone keeps its 3 rad/s from -90 deg on; folded, both bodies have the same speed on either side.
+breaks!(sides_that_differ_end_the_run, broken, (0.5 + std::f64::consts::FRAC_PI_2) / 3.0, 0.5, false);
+breaks!(
+    sides_that_differ_end_the_run_in_absolute_coordinates,
+    broken_absolute,
+    (0.5 + std::f64::consts::FRAC_PI_2) / 3.0,
+    0.5,
+    false
+);
+breaks!(a_fold_ends_the_run, folded, std::f64::consts::FRAC_PI_2 / 3.0, 6.0, true);
+breaks!(
+    a_fold_ends_the_run_in_absolute_coordinates,
+    folded_absolute,
+    std::f64::consts::FRAC_PI_2 / 3.0,
+    6.0,
+    true
+);

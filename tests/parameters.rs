@@ -1,0 +1,267 @@
+//! What parameters may be, at the start and while it runs.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+
+use plm::{Cause, Dop853, Fault, Rk4};
+
+mod slider {
+    plm::mechanism! {
+        pub Slider {
+            param m1: kg = 1 kg;
+            param i1: kg*m^2 = 1 kg*m^2;
+            param grip: N/m = 100 N/m;
+            ground { port o: (0, 0) m; }
+            body b { mass: m1; inertia: i1; port p: (0, 0) m; start x: 0.1 m, locked; }
+            prismatic g(ground.o, b.p) { stiffness: grip; }
+            output b.x;
+        }
+    }
+}
+
+mod chain {
+    plm::mechanism! {
+        /// Three bars; the second has what the parameters say, the third hangs on a joint that gives way.
+        pub Chain {
+            gravity: 9.81 m/s^2;
+            allow(W0004);
+            param m2: kg = 1 kg;
+            param i2: kg*m^2 = 0.1 kg*m^2;
+            param give: m/N = 1e-6 m/N;
+            param lag: s = 1 ms;
+            ground { port o: (0, 0) m; }
+            body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
+            body two { mass: m2; inertia: i2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 1.5 m; }
+            body three { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 2.5 m; }
+            revolute first(ground.o, one.a);
+            revolute second(one.b, two.a);
+            revolute third(two.b, three.a) { compliance: give; relaxation: lag; }
+        }
+    }
+}
+
+mod hung {
+    plm::mechanism! {
+        /// A chain of which the middle bar may be without mass or without inertia.
+        pub Hung {
+            gravity: 9.81 m/s^2;
+            param m2: kg = 1 kg;
+            param i2: kg*m^2 = 0.1 kg*m^2;
+            ground { port o: (0, 0) m; }
+            body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
+            body two { mass: m2; inertia: i2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 1.5 m; }
+            body three { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 2.5 m; }
+            revolute first(ground.o, one.a);
+            revolute second(one.b, two.a);
+            revolute third(two.b, three.a);
+        }
+    }
+}
+
+mod hung_absolute {
+    plm::mechanism! {
+        pub HungAbsolute {
+            rung: absolute;
+            param m2: kg = 1 kg;
+            ground { port o: (0, 0) m; }
+            body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
+            body two { mass: m2; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 1.5 m; }
+            revolute first(ground.o, one.a);
+            revolute second(one.b, two.a);
+        }
+    }
+}
+
+mod loop_of {
+    plm::mechanism! {
+        pub LoopOf {
+            param span: m = 2 m;
+            param coupler: m = 2 m;
+            ground { port a: (0, 0) m; port d: (span, 0 m); }
+            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
+            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (coupler, 0 m); start y: 0.5 m; }
+            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 2 m; start angle: 90 deg; }
+            revolute a(ground.a, crank.a);
+            revolute b(crank.b, bar.b);
+            revolute c(bar.c, rocker.c);
+            revolute d(ground.d, rocker.d);
+        }
+    }
+}
+
+mod loop_absolute {
+    plm::mechanism! {
+        pub LoopAbsolute {
+            rung: absolute;
+            param span: m = 2 m;
+            param coupler: m = 2 m;
+            ground { port a: (0, 0) m; port d: (span, 0 m); }
+            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
+            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (coupler, 0 m); start y: 0.5 m; }
+            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 2 m; start angle: 90 deg; }
+            revolute a(ground.a, crank.a);
+            revolute b(crank.b, bar.b);
+            revolute c(bar.c, rocker.c);
+            revolute d(ground.d, rocker.d);
+        }
+    }
+}
+
+/// The part and words of a fault of a value that is not allowed.
+fn refused(outcome: Result<impl Sized, Fault>) -> (&'static str, &'static str) {
+    match outcome.err() {
+        Some(Fault { part, cause: Cause::NotAllowed { what, .. }, .. }) => (part, what),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// What no mass can be.
+const WRONG: [f64; 4] = [-1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+#[test]
+fn a_mass_that_cannot_be_is_told_at_the_start() {
+    use slider::Slider;
+    let told = (Slider { m1: -1.0, ..Slider::new() }).start().err().unwrap();
+    assert_eq!(told.to_string(), "t = 0 s: b: the mass must be positive and finite, found -1 kg");
+    for wrong in WRONG.into_iter().chain([0.0]) {
+        let (part, what) = refused((Slider { m1: wrong, ..Slider::new() }).start());
+        let expected = if wrong.is_nan() { ("m1", "parameter") } else { ("b", "mass") };
+        assert_eq!((part, what), expected, "{wrong}");
+        assert_eq!(refused((Slider { m1: wrong, ..Slider::new() }).assemble()), expected, "{wrong}");
+    }
+}
+
+#[test]
+fn a_mass_inside_a_chain_is_told_by_its_body() {
+    use chain::Chain;
+    for wrong in [-1.0, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(refused((Chain { m2: wrong, ..Chain::new() }).start()), ("two", "mass"));
+        assert_eq!(refused((Chain { i2: wrong, ..Chain::new() }).start()), ("two", "inertia"));
+        assert_eq!(refused((Chain { give: wrong, ..Chain::new() }).start()), ("third", "compliance"));
+        assert_eq!(refused((Chain { lag: wrong, ..Chain::new() }).start()), ("third", "relaxation"));
+    }
+    assert_eq!(refused((Chain { give: 0.0, ..Chain::new() }).start()), ("third", "compliance"));
+    // Without relaxation there is no damping in the joint.
+    assert!((Chain { lag: 0.0, ..Chain::new() }).start().is_ok());
+}
+
+#[test]
+fn a_body_without_mass_is_carried_by_others_or_refused() {
+    use hung::Hung;
+    // The tip's weight turns the middle bar; with mass and inertia alike gone it is a link.
+    for (m2, i2) in [(1.0, 0.0), (0.0, 0.1), (0.0, 0.0)] {
+        let run = |m2: f64, i2: f64| {
+            let mut sim = (Hung { m2, i2, ..Hung::new() }).start_with(Dop853::new(1e-11)).unwrap();
+            let energy = sim.kinetic_energy() + sim.gravity_energy();
+            sim.step(1.0).unwrap();
+            let change = sim.kinetic_energy() + sim.gravity_energy() - energy;
+            assert!(change.abs() < 1e-8, "{m2} kg, {i2} kg m^2: {change:e} J");
+            sim.three().angle
+        };
+        // The limit of small ones is the same motion.
+        let (gone, small) = (run(m2, i2), run(m2.max(1e-9), i2.max(1e-9)));
+        assert!((gone - small).abs() < 1e-6, "{m2} kg, {i2} kg m^2: {gone} and {small}");
+    }
+    // What moves alone has to have mass.
+    let told = (slider::Slider { m1: 0.0, ..slider::Slider::new() }).start().err().unwrap();
+    let expected = "t = 0 s: b: the mass must be positive where no other mass carries it, found 0 kg";
+    assert_eq!(told.to_string(), expected);
+    // It never turns: any inertia is as good as another.
+    assert!((slider::Slider { i1: 0.0, ..slider::Slider::new() }).start().is_ok());
+    // Absolute coordinates divide by every mass.
+    use hung_absolute::HungAbsolute;
+    assert_eq!(refused((HungAbsolute { m2: 0.0, ..HungAbsolute::new() }).start()), ("two", "mass"));
+}
+
+#[test]
+fn a_length_that_is_not_a_number_is_told_at_the_start() {
+    use loop_of::LoopOf;
+    let told = (LoopOf { span: f64::NAN, ..LoopOf::new() }).start().err().unwrap();
+    assert_eq!(told.to_string(), "t = 0 s: span: the parameter must be a number, found NaN m");
+    let told = (LoopOf { span: f64::INFINITY, ..LoopOf::new() }).start().err().unwrap();
+    assert_eq!((told.part, told.cause), ("d", Cause::NotFinite), "{told}");
+}
+
+#[test]
+fn a_parameter_is_looked_at_when_it_is_changed_while_it_runs() {
+    let mut sim = slider::Slider::new().start_with(Rk4::new(1e-3)).unwrap();
+    sim.step(0.1).unwrap();
+    let before = (sim.time(), sim.b());
+    for wrong in WRONG {
+        sim.mechanism.m1 = wrong;
+        for _ in 0..2 {
+            let expected = if wrong.is_nan() { "m1" } else { "b" };
+            assert_eq!(refused(sim.step(0.1)).0, expected);
+            assert_eq!(refused(sim.run(1.0, 0.1, |_| ())).0, expected);
+            assert_eq!((sim.time(), sim.b()), before);
+        }
+    }
+    // It goes on when it is mended; with twice the mass, as if it had started here.
+    sim.mechanism.m1 = 2.0;
+    sim.step(0.1).unwrap();
+    assert_eq!(sim.stats().renewed, 1);
+    let root = 50.0_f64.sqrt();
+    let (x, v) = (before.1.x, before.1.vx);
+    let expected = x * (root * 0.1).cos() + v / root * (root * 0.1).sin();
+    assert!((sim.b().x - expected).abs() < 1e-9, "{} {expected}", sim.b().x);
+}
+
+/// How far a joint of the loop is open.
+macro_rules! gap {
+    ($sim:expr) => {{
+        let sim = &$sim;
+        let (bar, rocker) = (sim.bar(), sim.rocker());
+        let coupler = sim.mechanism.coupler;
+        let tip = (bar.x + coupler * bar.angle.cos(), bar.y + coupler * bar.angle.sin());
+        let end = (rocker.x + rocker.angle.cos(), rocker.y + rocker.angle.sin());
+        let crank = sim.crank();
+        let knee = (crank.x + 0.5 * crank.angle.cos(), crank.y + 0.5 * crank.angle.sin());
+        (tip.0 - end.0).hypot(tip.1 - end.1)
+            + (bar.x - knee.0).hypot(bar.y - knee.1)
+            + (rocker.x - sim.mechanism.span).hypot(rocker.y)
+    }};
+}
+
+/// Changes lengths of a loop in a run: those that it can have close it, the others end the run.
+macro_rules! changes_of_length {
+    ($name:ident, $mechanism:path) => {
+        #[test]
+        fn $name() {
+            let mut sim = <$mechanism>::new().start_with(Dop853::new(1e-10)).unwrap();
+            sim.step(0.3).unwrap();
+            for (span, coupler) in [(2.1, 2.0), (2.1, 2.2), (1.9, 1.7), (2.0, 2.0)] {
+                (sim.mechanism.span, sim.mechanism.coupler) = (span, coupler);
+                sim.step(0.05).unwrap();
+                assert!(gap!(sim) < 1e-8, "{span}, {coupler}: {:e}", gap!(sim));
+            }
+            assert_eq!(sim.stats().renewed, 4);
+            let saved = sim.save();
+            // Crank, coupler and rocker together do not reach that far.
+            sim.mechanism.span = 5.0;
+            for _ in 0..2 {
+                let told = sim.step(0.05).unwrap_err();
+                assert!(matches!(told.cause, Cause::Open { gap } if gap > 0.1), "{told}");
+            }
+            // As it was it goes on to the bit.
+            sim.mechanism.span = 2.0;
+            sim.step(0.05).unwrap();
+            let mended = sim.rocker();
+            sim.resume(&saved);
+            sim.step(0.05).unwrap();
+            let off = (mended.angle - sim.rocker().angle).abs();
+            assert!(off < 1e-12, "{off:e}");
+        }
+    };
+}
+
+changes_of_length!(a_loop_in_closed_form_is_assembled_anew_by_new_lengths, loop_of::LoopOf);
+changes_of_length!(
+    a_loop_in_absolute_coordinates_is_assembled_anew_by_new_lengths,
+    loop_absolute::LoopAbsolute
+);
+
+#[test]
+fn an_input_alone_assembles_nothing() {
+    let mut sim = chain::Chain::new().start().unwrap();
+    sim.mechanism.m2 = 1.0;
+    sim.step(0.01).unwrap();
+    assert_eq!(sim.stats().renewed, 0);
+}
