@@ -232,10 +232,12 @@ impl fmt::Display for Cause {
             Self::Zeno { events, within } => {
                 write!(f, "switches without end: {events} times within {within:e} s")
             }
-            Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
-            Self::Drift { phi, phi_dot } => {
-                write!(f, "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s")
+            // A number so small would fill lines with zeros.
+            Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
+                write!(f, "an interval of {length:e} s cannot be integrated")
             }
+            Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
+            Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
             Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
             Self::VelocityRedundant { count, locks, joints } => {
                 redundant(f, *count, "velocity", locks, joints)
@@ -248,6 +250,24 @@ impl fmt::Display for Cause {
     }
 }
 
+/// Which of the two residuals it is, and what to do.
+fn drift(f: &mut fmt::Formatter<'_>, phi: f64, phi_dot: f64) -> fmt::Result {
+    // The projection takes positions to rounding wherever joints can be closed: velocities that it cannot take there contradict
+    // each other.
+    if phi < 1e-9 && phi < phi_dot {
+        return write!(
+            f,
+            "the pose is singular: this joint is closed, but {phi_dot:e} m/s or rad/s of its velocity cannot be taken away; \
+             shorter steps, or a `compliance` at this joint"
+        );
+    }
+    write!(
+        f,
+        "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s, and cannot be closed again; shorter steps, \
+         or a `compliance` at this joint"
+    )
+}
+
 fn redundant(
     f: &mut fmt::Formatter<'_>,
     count: usize,
@@ -258,9 +278,9 @@ fn redundant(
     let plural = if count == 1 { "" } else { "s" };
     write!(f, "{count} redundant {what} constraint{plural}: ")?;
     if what == "velocity" {
-        locks.write_rates(f)?
+        locks.write_rates(f)?;
     } else {
-        write!(f, "{locks:#}")?
+        write!(f, "{locks:#}")?;
     }
     if !joints.is_empty() {
         write!(f, ", tied by {joints}")?;

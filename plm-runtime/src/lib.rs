@@ -19,6 +19,7 @@
 //! | [`ports`] | inputs and outputs by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`tube`] | numbers over an interval of time |
 //! | [`twofold`] | numbers of twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
@@ -49,6 +50,7 @@ pub mod singular;
 pub mod start;
 pub mod statics;
 pub mod system;
+pub mod tube;
 pub mod twofold;
 pub mod vector;
 
@@ -69,5 +71,6 @@ pub use sim::{Notice, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, System};
+pub use tube::{Interval, Tube};
 pub use twofold::Twofold;
 pub use vector::Vector;

@@ -1,7 +1,15 @@
 //! A running simulation: a mechanism at a moment, a method, and what was done.
 
+mod audit;
 mod changes;
+mod clock;
+mod samples;
+mod told;
 
+use self::audit::audit;
+pub(crate) use self::clock::Clock;
+use self::samples::{Observer, Sampler, Unobserved};
+pub use self::told::{Notice, Stats};
 use crate::events::{self, Watch};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
@@ -23,6 +31,10 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) stats: Stats,
     pub(crate) watch: Watch<M::S, M::G>,
     pub(crate) limits: Limits<M::S>,
+    /// What rounding has left out of the time.
+    pub(crate) clock: Clock<M::S>,
+    /// The longest step so far, s.
+    pub(crate) longest_step: M::S,
     /// Before this time an interval may end.
     latest: M::S,
     /// What the parameters were when they were looked at last.
@@ -32,49 +44,6 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
 #[derive(Clone, Copy)]
 pub struct Snapshot<M: Mechanism, I = Dop853<M>>(Sim<M, I>);
-
-/// What a simulation has done since it began.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stats {
-    /// Accepted internal steps.
-    pub steps: u64,
-    /// Rejected internal steps.
-    pub rejected: u64,
-    /// Evaluations of the rate.
-    pub evaluations: u64,
-    /// Matrices of derivatives of the rate.
-    pub jacobians: u64,
-    /// Decompositions of such matrices.
-    pub factorisations: u64,
-    /// Projections onto the constraints.
-    pub settled: u64,
-    /// Evaluations that were done again by rank.
-    pub by_rank: u64,
-    /// Changes of chart.
-    pub charts: u64,
-    /// Singular poses that were passed, where the mechanism could have gone on in another way.
-    pub change_points: u64,
-    /// Steps near singular poses, where no chart is good: without charts and in numbers of twice the precision.
-    pub near_singular: u64,
-    /// Conditions that switched, and known times that were passed.
-    pub switches: u64,
-    /// Changes of parameters that joints, masses or known times read, after each of which it was assembled anew.
-    pub renewed: u64,
-    /// Longest accepted step, s.
-    pub longest_step: f64,
-}
-
-/// Something that the user should know although the run goes on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Notice {
-    /// The longest step times Baumgarte's decay rate is above 0.5: the stabilisation costs accuracy (and above 2.785
-    /// Runge-Kutta 4 is unstable). Shorten the step or lengthen the time constant.
-    StiffStabilisation {
-        /// Step times decay rate.
-        h_alpha: f64,
-    },
-}
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
@@ -86,17 +55,25 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             stats: Stats::default(),
             watch: Watch::new(),
             limits: Limits { energy_jump: None, change_points: false },
+            clock: Clock { time: M::S::ZERO, rest: M::S::ZERO },
+            longest_step: M::S::ZERO,
             latest: Self::end_of_time(),
         }
     }
 
     /// Runs for the communication interval `dt`, in s, and ends exactly there.
     ///
+    /// What rounding leaves out of the time is made up for by the intervals that follow: a million of a millisecond end
+    /// at 1000 s, in `f32` as well.
+    ///
     /// # Errors
     /// When the interval cannot be integrated; the state is then that of the last accepted step.
     #[inline]
     pub fn step(&mut self, dt: M::S) -> Result<(), Fault> {
-        self.advance(self.state.time() + dt, &mut Unobserved)
+        let clock = self.clock.after(self.state.time(), dt);
+        self.advance(clock.time, dt, &mut Unobserved)?;
+        self.clock = clock;
+        Ok(())
     }
 
     /// Runs until the time `until` and gives a sample at the current time and after every `every`, in s.
@@ -104,29 +81,40 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Methods with dense output are not made to step shorter by samples. A sample that drifted is settled.
     ///
     /// # Errors
-    /// When the run cannot be continued; the samples before that moment have been given.
+    /// When the run cannot be continued; the samples before that moment have been given. Before all, when `until` has passed,
+    /// or when `every` is not positive or too short to move the time.
     pub fn run(&mut self, until: M::S, every: M::S, mut sample: impl FnMut(&M::State)) -> Result<(), Fault> {
         let start = self.state.time();
-        // Rounding must not cost the last sample.
-        let count = ((until - start) / every).to_f64() * (1.0 + 16.0 * M::S::EPSILON.to_f64());
-        if !(count >= 0.0 && count.is_finite()) {
+        let (length, one) = (until - start, M::S::lit(1.0));
+        if !(until >= start && until.is_finite()) {
+            return Err(self.bad_interval(length));
+        }
+        let ulp = M::S::EPSILON * start.abs().max(until.abs());
+        if !(every > M::S::ZERO && every > M::S::lit(4.0) * ulp) {
             return Err(self.bad_interval(every));
         }
         self.take_changes()?;
-        let time_of = |k: u64| (start + M::S::lit(k as f64) * every).min(until);
+        // Rounding must not cost the last sample.
+        let last = (length / every * (one + M::S::lit(16.0) * M::S::EPSILON)).floor();
+        let time_of = |k: M::S| (start + k * every).min(until);
         sample(&self.state);
+        let mut k = one;
         if !I::DENSE {
-            for k in 1..=count as u64 {
-                self.advance(time_of(k), &mut Unobserved)?;
+            while k <= last {
+                self.advance(time_of(k), every, &mut Unobserved)?;
                 sample(&self.state);
+                k = k + one;
             }
-            return self.advance(until, &mut Unobserved);
+            return self.advance(until, length, &mut Unobserved);
         }
-        let mut sampler = Sampler { next: 1, last: count as u64, time_of, moment: self.state, sample };
-        self.advance(until, &mut sampler)
+        let mut sampler = Sampler { next: one, last, time_of, moment: self.state, sample };
+        self.advance(until, length, &mut sampler)
     }
 
     /// Projects the state onto its constraints.
+    ///
+    /// After a run that has ended with [`Cause::Drift`] the state is that before the step, which was on its constraints: to
+    /// settle it changes nothing.
     ///
     /// # Errors
     /// When the projection does not converge, or a parameter has been changed to what cannot be.
@@ -163,14 +151,18 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// What was done so far.
     pub fn stats(&self) -> Stats {
-        self.stats
+        Stats { longest_step: self.longest_step.to_f64(), ..self.stats }
     }
 
     /// What the user should know although the run goes on.
     pub fn notice(&self) -> Option<Notice> {
-        let alpha = self.state.mechanism().baumgarte_rate()?;
-        let h_alpha = self.stats.longest_step * alpha;
-        (h_alpha > 0.5).then_some(Notice::StiffStabilisation { h_alpha })
+        let alpha = self.state.mechanism().baumgarte_rate().unwrap_or_default();
+        let h_alpha = self.longest_step.to_f64() * alpha;
+        if h_alpha > 0.5 {
+            return Some(Notice::StiffStabilisation { h_alpha });
+        }
+        let conditions = self.stats.passed_over;
+        (conditions > 0).then_some(Notice::PassedOver { conditions })
     }
 
     /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run
@@ -197,16 +189,16 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         *self = snapshot.0;
     }
 
-    /// Advances to `end`; `observer` sees every accepted step.
-    fn advance(&mut self, end: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
+    /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
+    fn advance(&mut self, end: M::S, length: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end < self.latest) {
-            self.begin(end)?;
+            self.begin(end, length)?;
         }
-        let Self { state, method, stats, watch, limits, .. } = self;
+        let Self { state, method, stats, watch, limits, longest_step, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course::new((system, held), (time, x), end, stats);
+        let mut course = Course::new((system, held), (time, x), end, (stats, longest_step));
         let mut outcome = Ok(());
         while outcome.is_ok() && course.time < end {
             let instant = system.next_instant(course.time, &course.held);
@@ -228,43 +220,6 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     fn forget(&mut self) {
         self.method.restart();
         self.watch.forget();
-    }
-}
-
-/// Who sees the steps of a run.
-trait Observer<M: Mechanism> {
-    /// A step was accepted; what was held over it is held still.
-    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
-}
-
-/// Nobody.
-struct Unobserved;
-
-impl<M: Mechanism> Observer<M> for Unobserved {
-    #[inline]
-    fn see<I: Method<M>>(&mut self, _method: &mut I, _course: &mut Course<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
-}
-
-/// Gives samples at even times.
-struct Sampler<M: Mechanism, T, F> {
-    /// Number of the next sample, and of the last one.
-    next: u64,
-    last: u64,
-    time_of: T,
-    moment: M::State,
-    sample: F,
-}
-
-impl<M: Mechanism, T: Fn(u64) -> M::S, F: FnMut(&M::State)> Observer<M> for Sampler<M, T, F> {
-    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        while self.next <= self.last && (self.time_of)(self.next) <= course.time {
-            sample_at(method, course, (self.time_of)(self.next), &mut self.moment)?;
-            (self.sample)(&self.moment);
-            self.next += 1;
-        }
-        Ok(())
     }
 }
 
@@ -443,24 +398,6 @@ fn refuse<M: Mechanism>(course: &mut Course<'_, M>, before: (M::S, M::X), watch:
     watch.forget();
 }
 
-/// Compares the energy after a step with that before and the work in between, by the trapezoidal rule.
-fn audit<M: Mechanism>(course: &Course<'_, M>, fraction: M::S, before: &(M::S, M::X)) -> Result<(), Fault> {
-    let energy = |t: M::S, x: &M::X| course.system.energy(t, &course.held, x);
-    let (Some(from), Some(to)) = (energy(before.0, &before.1), energy(course.time, &course.x)) else {
-        return Ok(());
-    };
-    let half = M::S::lit(0.5) * (course.time - before.0);
-    let jump = (to.kinetic - from.kinetic) + (to.gravity - from.gravity) - half * (from.power + to.power);
-    let moves = from.kinetic.max(to.kinetic).max((half * from.power).abs()).max((half * to.power).abs());
-    // False for what is not a number.
-    let fits = jump.abs() <= fraction * moves;
-    if !fits {
-        let cause = Cause::EnergyJump { by: jump.to_f64(), of: moves.to_f64() };
-        return Err(Fault::new(course.time.to_f64(), cause));
-    }
-    Ok(())
-}
-
 impl<M: Mechanism> Next<M> {
     /// Goes on with it.
     pub(crate) fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
@@ -485,25 +422,5 @@ fn pass<M: Mechanism, I: Method<M>>(
     course.stats.switches += 1;
     method.restart();
     watch.forget();
-    Ok(())
-}
-
-/// Puts `moment` at a time within the last step, onto the constraints.
-fn sample_at<M: Mechanism, I: Method<M>>(
-    method: &mut I,
-    course: &mut Course<'_, M>,
-    time: M::S,
-    moment: &mut M::State,
-) -> Result<(), Fault> {
-    let (mut held, mut x) = (course.held, course.x);
-    if time < course.time {
-        method.densify(course)?;
-        (held, x) = method.moment(course, time);
-    }
-    let (drift, limit) = (course.system.drift(time, &x), method.drift_limit(course.system));
-    if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
-        course.system.settle(time, &mut x)?;
-    }
-    moment.set(time, &held, &x);
     Ok(())
 }

@@ -1,7 +1,8 @@
 //! The contract between generated equations of motion and the methods that integrate them.
 
 use crate::fault::Fault;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
+use crate::tube::Tube;
 use crate::vector::Vector;
 
 /// A system of first-order differential equations x' = f(t, u, x) with the state x = [q, v, first-order states].
@@ -65,6 +66,30 @@ pub trait System {
     /// x - low while `u` holds it on, and high - x while `u` holds it off.
     fn guards(&self, t: Self::S, u: &Self::U, x: &Self::X, g: &mut Self::G) {
         let _ = (t, u, x, g);
+    }
+
+    /// How many numbers the rate bends at where they pass zero; a step ends there if that matters.
+    const KINKS: usize = 0;
+
+    /// Gives each of these numbers with its index.
+    fn kinks(&self, t: Self::S, u: &Self::U, x: &Self::X, each: &mut impl FnMut(usize, Self::S)) {
+        let _ = (t, u, x, each);
+    }
+
+    /// Guards over an interval, and kinks behind them: gives each with its index, for a time and components of the state that move. False if
+    /// a system cannot, and then conditions that last shorter than a small part of a step can be missed.
+    fn guards_within(
+        &self,
+        t: Tube<Self::S>,
+        u: &Self::U,
+        x: &impl Fn(usize) -> Tube<Self::S>,
+        each: &mut impl FnMut(usize, Tube<Self::S>),
+    ) -> bool
+    where
+        Self::S: Real,
+    {
+        let _ = (t, u, x, each);
+        false
     }
 
     /// A condition switches where its guard passes zero and goes on to below minus this: within the band nothing does.

@@ -4,12 +4,15 @@
 #![allow(clippy::approx_constant, reason = "the manual prints what it prints")]
 
 mod assembly;
+mod brief;
 mod compliance;
 mod derivatives;
 mod feedback;
+mod kinks;
 mod language;
 mod linkages;
 mod manual;
+mod near;
 mod newton;
 mod observe;
 mod operations;

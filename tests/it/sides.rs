@@ -15,7 +15,7 @@ mod bang {
             prismatic other(ground.o, clock.o);
             force back(block.o) { x: if block.x < 0 m then 4 N else -2 N; }
             force pulse(clock.o) { x: if t < from then 0 N else if t < until then 3 N else 0 N; }
-            // A spring that does not pull: a kink, which is left to the error control.
+            // A spring that does not pull: a kink, at which nothing switches.
             force stop(clock.o) { x: if clock.x < 100 m then 0 N else -10 N/m*(clock.x - 100 m); }
         }
     }

@@ -59,6 +59,8 @@ pub struct Model {
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub sides: Vec<Side>,
+    /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
+    pub kinks: Vec<Expr>,
     /// Where rows jump or may jump; derivation finds them.
     pub jumps: Vec<Jump>,
     /// What stands in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
@@ -380,6 +382,11 @@ pub struct Steady {
 }
 
 impl Model {
+    /// Number of sides that depend on the state, and of kinks: what is looked at in every step.
+    pub fn watched(&self) -> usize {
+        self.guards() + self.kinks.len()
+    }
+
     /// Does an expression read a parameter without a default?
     pub fn reads_required(&self, graph: &Graph, expr: Expr) -> bool {
         let read = graph.symbols(&[expr]);

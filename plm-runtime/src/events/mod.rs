@@ -7,11 +7,16 @@
 //! The step is done again, because what follows starts from that state: it has the accuracy of every other step and the
 //! constraints are kept, while the dense output is of lower order and off the constraints.
 
+mod kinks;
+mod looks;
 mod root;
+mod search;
 
-use self::root::{Point, root};
+use self::kinks::Kinks;
+use self::looks::Looks;
+use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
-use crate::method::{Course, Method};
+use crate::method::{Course, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
@@ -22,11 +27,8 @@ const MOST_SWITCHES: u32 = 100;
 const SHORT: f64 = 1e-6;
 /// ... but not less than so many units in the last place of the time.
 const SHORT_ULPS: f64 = 1000.0;
-/// A step is looked at so often, evenly, for a guard that is crossed and crossed back.
-const LOOKS: usize = 4;
-/// A condition that begins a step past its guard may yet come to its side within it: halvings of the step that are
-/// looked at to find out.
-const HALVINGS: u32 = 10;
+/// A step of so many units in the last place of the time is none.
+const LEAST_ULPS: f64 = 32.0;
 
 /// Switches every condition whose guard is past its band at the state `x`; how many did.
 ///
@@ -53,6 +55,12 @@ pub fn switch_where_due<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x
 pub(crate) struct Watch<S, G> {
     /// The guards at the current state, unless it may have been changed.
     guards: Option<G>,
+    /// How far each is on the wrong side because it was switched a little before its time; zero for most.
+    left_over: G,
+    /// Nothing has been done yet: a condition that is on its boundary begins on the side that it goes to.
+    is_new: bool,
+    /// A condition without dense output that came and went within the last step.
+    brief: Option<usize>,
     /// When the present burst of switches began, and how many it has.
     since: S,
     count: u32,
@@ -60,12 +68,20 @@ pub(crate) struct Watch<S, G> {
 
 impl<S: Real, G: Vector<S>> Watch<S, G> {
     pub(crate) fn new() -> Self {
-        Self { guards: None, since: S::lit(0.0), count: 0 }
+        Self {
+            guards: None,
+            left_over: G::fill(S::ZERO),
+            is_new: true,
+            brief: None,
+            since: S::ZERO,
+            count: 0,
+        }
     }
 
     /// State, parameters or inputs may have been changed.
     pub(crate) fn forget(&mut self) {
         self.guards = None;
+        self.left_over = G::fill(S::ZERO);
     }
 
     /// Makes sure that the sides held are those that apply.
@@ -88,36 +104,45 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         method: &mut I,
         course: &mut Course<'_, M>,
     ) -> Result<Option<usize>, Fault> {
-        if G::LEN == 0 || !I::DENSE {
+        if G::LEN == 0 && (M::KINKS == 0 || !I::DENSE) {
             method.advance(course)?;
             return Ok(None);
         }
         let (before, start) = (*method, Start { time: course.time, held: course.held, x: course.x });
         method.advance(course)?;
         let end = guards_here(course)?;
-        let Some((index, time)) = self.first_crossing(method, course, start.time, &end)? else {
-            self.guards = Some(end);
+        if !I::DENSE {
+            self.look_between(course, &start);
             return Ok(None);
+        }
+        // What would end a step so early that it hardly moves the time happens at once.
+        let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
+        let (mut due, mut time) = match self.search(method, course, start.time, &end)? {
+            (Found::Crossing(index, _), time) => (Some(index), time),
+            (Found::Open(_), time) if time - start.time > least => (None, time),
+            _ => (None, course.time),
         };
+        if let Some(kink) = kink(method, course, start.time)?.filter(|kink| *kink < time) {
+            (due, time) = (None, kink);
+        }
         if time >= course.time {
-            return Ok(Some(index));
+            self.arrive(end);
+            return Ok(due);
         }
         course.stats.steps -= 1;
         course.stats.rejected += 1;
         (*method, course.time, course.held, course.x) = (before, start.time, start.held, start.x);
-        if time <= start.time {
-            return Ok(Some(index));
+        // What happens at once needs no step.
+        if time - start.time <= least {
+            return Ok(due);
         }
         let whole = core::mem::replace(&mut course.end, time);
         let outcome = method.advance(course);
         course.end = whole;
         outcome?;
+        self.arrive(guards_here(course)?);
         // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
-        if course.time < time {
-            self.guards = Some(guards_here(course)?);
-            return Ok(None);
-        }
-        Ok(Some(index))
+        Ok(due.filter(|_| course.time >= time))
     }
 
     /// Holds the other side of the condition that is due; without dense output of all that are past their guards.
@@ -132,6 +157,9 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return Ok(());
         }
         if !I::DENSE {
+            if let Some(index) = self.brief.take() {
+                required(course, index)?;
+            }
             return self.switch_due(method, course, true);
         }
         let Some(index) = due else {
@@ -142,8 +170,18 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         course.system.switch(course.time, &mut after, &course.x, index);
         hold(course, after)?;
         method.restart();
-        self.guards = Some(guards_here(course)?);
-        self.count(course, 1, index)
+        let here = guards_here(course)?;
+        self.guards = Some(here);
+        self.left_over.set(index, here.at(index).min(S::ZERO));
+        let switched = u32::from(!core::mem::replace(&mut self.is_new, false));
+        self.count(course, switched, index)
+    }
+
+    /// The state reached has these guards.
+    fn arrive(&mut self, guards: G) {
+        self.is_new = false;
+        self.guards = Some(guards);
+        self.left_over = self.left_over.map2(&guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
 
     /// Switches what is past its guard at the current state, where a step led; else a change from outside did.
@@ -172,46 +210,52 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         self.count(course, switched, first)
     }
 
-    /// The condition that leaves its side first in the last step, and when; the start of the step for one that had left
-    /// it before and does not come back.
-    fn first_crossing<M: System<S = S, G = G>, I: Method<M>>(
+    /// Searches the dense output of the last step: what became of the conditions, and when.
+    fn search<M: System<S = S, G = G>, I: Method<M>>(
         &self,
         method: &mut I,
         course: &mut Course<'_, M>,
         start: S,
         end: &G,
-    ) -> Result<Option<(usize, S)>, Fault> {
-        let began = self.guards.unwrap_or(*end);
-        let length = course.time - start;
-        let at = |look: S| start + look / S::lit(LOOKS as f64) * length;
-        let system = course.system;
-        let guards_at = |method: &I, course: &Course<'_, M>, time: S| {
-            let (held, x) = method.moment(course, time);
-            guards(system, time, &held, &x)
-        };
-        let looks = |method: &I, course: &Course<'_, M>| {
-            let inside = [1.0, 2.0, 3.0].map(|look| guards_at(method, course, at(S::lit(look))));
-            [began, inside[0], inside[1], inside[2], *end]
-        };
-        let rough = looks(method, course);
-        if (0..G::LEN).all(|i| first_out(rough.map(|g| g.at(i)), system.band(i), |_| true).is_none()) {
-            return Ok(None);
+    ) -> Result<(Found<S>, S), Fault> {
+        if G::LEN == 0 {
+            return Ok((Found::Nothing, course.time));
         }
         method.densify(course)?;
-        let exact = looks(method, course);
-        let mut first: Option<(usize, S)> = None;
-        for i in 0..G::LEN {
-            let (band, guard) = (system.band(i), |time: S| guards_at(method, course, time).at(i));
-            let Some(look) = first_out(exact.map(|g| g.at(i)), band, |look| guard(at(look)) < -band) else {
-                continue;
-            };
-            let out = Point { at: at(look), value: guard(at(look)) };
-            let crossing = crossing(Point { at: start, value: began.at(i) }, out, guard);
-            if first.is_none_or(|(_, time)| crossing < time) {
-                first = Some((i, crossing));
+        let Some(path) = method.path() else {
+            let began = self.guards.unwrap_or(*end);
+            let looks = Looks { method, course, start, left_over: &self.left_over };
+            return Ok(looks.first(&began, end));
+        };
+        let found = Search::new(course.system, course.held, path, &self.left_over).first();
+        Ok(match found {
+            Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
+            Found::Nothing => (found, course.time),
+        })
+    }
+
+    /// Looks for conditions that come and go within a step of a method without dense output, which ends where it ends.
+    #[cold]
+    fn look_between<M: System<S = S, G = G>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        start: &Start<S, M::U, M::X>,
+    ) {
+        let path = Path::between((start.time, &start.x), (course.time, &course.x), M::NQ);
+        let search = || Search::new(course.system, course.held, path, &self.left_over);
+        self.brief = None;
+        if !matches!(search().first(), Found::Crossing(..)) {
+            return;
+        }
+        for index in 0..G::LEN {
+            let search = search().of_one(index);
+            if matches!(search.first(), Found::Crossing(..)) && !search.is_past(S::lit(1.0), index) {
+                course.stats.passed_over += 1;
+                if self.brief.is_none() || course.system.must_hold(index) {
+                    self.brief = Some(index);
+                }
             }
         }
-        Ok(first)
     }
 
     /// Counts switches; too many in too short a time are a fault of the condition `index`.
@@ -223,8 +267,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
     ) -> Result<(), Fault> {
         course.stats.switches += u64::from(switched);
         let time = course.time;
-        let short =
-            S::lit(SHORT * course.stats.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
+        let short = (S::lit(SHORT) * *course.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
         if time - self.since > short || time < self.since {
             (self.since, self.count) = (time, 0);
         }
@@ -235,6 +278,34 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         let cause = Cause::Zeno { events: self.count, within: (time - self.since).to_f64() };
         Err(Fault::of_part(time.to_f64(), course.system.guard_name(index), cause))
     }
+}
+
+/// The time of the first kink in the last step that is not smaller than the tolerance.
+///
+/// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
+fn kink<M: System<S: Real>, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    start: M::S,
+) -> Result<Option<M::S>, Fault> {
+    let (Some(tolerance), Some(path), true) = (method.tolerance(), method.path(), M::KINKS > 0) else {
+        return Ok(None);
+    };
+    let (system, held) = (course.system, course.held);
+    if (Kinks { system, held, path }).first().is_none() {
+        return Ok(None);
+    }
+    method.densify(course)?;
+    let Some(path) = method.path() else { return Ok(None) };
+    let mut outcome = Ok(());
+    let theta = Kinks { system, held, path }.first_that_matters(tolerance, |t, x| {
+        let mut rate = *x;
+        outcome = course.rate(t, x, &mut rate);
+        outcome.is_ok().then_some(rate)
+    });
+    outcome?;
+    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(course.end.abs());
+    Ok(theta.map(|theta| path.time(theta)).filter(|time| *time - start > least))
 }
 
 /// Where a step began.
@@ -296,40 +367,4 @@ fn guards<M: System>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
 /// The guard `index` is beyond its band.
 fn is_past<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
     g.at(index) < -system.band(index)
-}
-
-/// The first look at which a guard is beyond its band, or between looks, where the parabola through three of them says
-/// so; of those that `is_out` confirms.
-fn first_out<S: Real>(g: [S; LOOKS + 1], band: S, is_out: impl Fn(S) -> bool) -> Option<S> {
-    (1..=LOOKS).find_map(|k| {
-        let (look, value) = (S::lit(k as f64), g[k]);
-        if value < -band {
-            return is_out(look).then_some(look);
-        }
-        let (before, after) = (g[k - 1] - value, *g.get(k + 1)? - value);
-        // Its lowest point stands `lean / bend` looks after the middle one.
-        let (lean, bend) = (S::lit(0.5) * (before - after), before + after);
-        let lowest = value - S::lit(0.5) * lean * lean / bend;
-        let place = look + lean / bend;
-        (lean.abs() < bend && lowest < -band && is_out(place)).then_some(place)
-    })
-}
-
-/// The first time past the root of a guard between the start of a step and a time at which it is past.
-fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: impl Fn(S) -> S) -> S {
-    let zero = S::lit(0.0);
-    let tolerance = S::EPSILON * start.at.abs().max(end.at.abs());
-    if start.value > zero {
-        return root(start, end, tolerance, guard);
-    }
-    let mut length = end.at - start.at;
-    for _ in 0..HALVINGS {
-        length = S::lit(0.5) * length;
-        let at = start.at + length;
-        let value = guard(at);
-        if value > zero {
-            return root(Point { at, value }, end, tolerance, guard);
-        }
-    }
-    start.at
 }

@@ -10,7 +10,7 @@ use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{FixedStep, Formula, Plan, Rk4Formula};
 use crate::scalar::Scalar;
-use crate::sim::Sim;
+use crate::sim::{Clock, Sim};
 use crate::vector::Vector;
 
 /// Eight simulations of one mechanism, with parameters, inputs and states of their own: their rates are computed at once,
@@ -58,10 +58,10 @@ where
             // One whose change cannot be is found as it was, and goes alone: it says so itself.
             let _ = sim.take_changes();
         }
-        let (joins, end) = self.together(dt);
+        let (joins, clock) = self.together(dt);
         let mut lanes = {
             let mut joins = joins.into_iter();
-            self.sims.each_mut().map(|sim| Lane::new(sim, end, joins.next() == Some(true)))
+            self.sims.each_mut().map(|sim| Lane::new(sim, clock.time, joins.next() == Some(true)))
         };
         run::<M, L, F>(&mut lanes);
         let reached = lanes.map(|mut lane| {
@@ -74,21 +74,29 @@ where
                 return sim.step(dt);
             }
             sim.state.set(*time, held, x);
+            if outcome.is_ok() {
+                sim.clock = clock;
+            }
             *outcome
         })
     }
 
-    /// Which simulations have the same steps before them, and the end of those.
-    fn together(&self, dt: f64) -> ([bool; LANES], f64) {
+    /// Which simulations have the same steps before them, and the time at the end of those.
+    fn together(&self, dt: f64) -> ([bool; LANES], Clock<f64>) {
         let time = self.sims.iter().fold(f64::NEG_INFINITY, |time, sim| time.max(sim.state.time()));
-        let end = time + dt;
-        let latest = |sim: &&Sim<M, _>| sim.state.time() == time && end > time && end.is_finite();
-        let Some(first) = self.sims.iter().find(latest) else { return ([false; LANES], end) };
+        let at_latest = self.sims.iter().find(|sim| sim.state.time() == time);
+        let none = Clock { time, rest: 0.0 };
+        let clock = at_latest.map_or(none, |sim| sim.clock).after(time, dt);
+        let end = clock.time;
+        let latest = |sim: &&Sim<M, _>| {
+            sim.state.time() == time && end > time && end.is_finite() && sim.clock.after(time, dt) == clock
+        };
+        let Some(first) = self.sims.iter().find(latest) else { return ([false; LANES], clock) };
         let joins = |sim: &Sim<M, FixedStep<f64, F>>| {
             let free = sim.state.mechanism().next_instant(time, &sim.state.held()).is_none();
             free && sim.is_unchanged() && latest(&sim) && sim.method.longest_step == first.method.longest_step
         };
-        (self.sims.each_ref().map(joins), end)
+        (self.sims.each_ref().map(joins), clock)
     }
 }
 

@@ -25,9 +25,9 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
 impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     /// The simulation, on its way to `end`; it goes with the others if it `joins` them.
     pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
-        let Sim { state, method, stats, watch, limits, .. } = sim;
+        let Sim { state, method, stats, watch, limits, longest_step, .. } = sim;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course::new((system, held), (state.time(), x), end, stats);
+        let mut course = Course::new((system, held), (state.time(), x), end, (stats, longest_step));
         let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
         Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, coasted: 0 }
     }

@@ -21,6 +21,7 @@ mod euler;
 mod fixed;
 mod gauss;
 mod jacobian;
+mod path;
 mod plan;
 mod radau;
 mod rates;
@@ -33,6 +34,7 @@ pub use embedded::{Embedded, Limits, Pair};
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
 pub use fixed::{FixedStep, Formula};
 pub use gauss::Gauss;
+pub use path::Path;
 pub(crate) use plan::Plan;
 pub use radau::RadauIia5;
 pub use rates::Rates;
@@ -77,6 +79,12 @@ pub trait Method<M: System>: Copy {
     /// The state at a time within the last step, after [`densify`](Self::densify); a rougher one (order 3) without.
     fn interpolate(&self, time: M::S) -> M::X;
 
+    /// What [`interpolate`](Self::interpolate) gives, as polynomials; none where nothing is known of a step, and where the state
+    /// stands in what is held.
+    fn path(&self) -> Option<Path<M::S, M::X>> {
+        None
+    }
+
     /// What is held, and the state, at a time within the last step of the course, as [`interpolate`](Self::interpolate).
     fn moment(&self, course: &Course<'_, M>, time: M::S) -> (M::U, M::X) {
         (course.held, self.interpolate(time))
@@ -91,6 +99,11 @@ pub trait Method<M: System>: Copy {
         let _ = h;
         self.restart();
         false
+    }
+
+    /// The relative tolerance of steps that are chosen by their error.
+    fn tolerance(&self) -> Option<M::S> {
+        None
     }
 
     /// The drift above which a state is settled.
@@ -111,6 +124,8 @@ pub struct Course<'a, M: System> {
     pub end: M::S,
     /// What was done so far.
     pub stats: &'a mut Stats,
+    /// The longest step so far, s.
+    pub longest_step: &'a mut M::S,
     /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`](crate::Health).
     pub health: M::S,
     /// Steps are made without what the mechanism's own coordinates need, until this time at least.
@@ -123,9 +138,9 @@ impl<'a, M: System> Course<'a, M> {
         (system, held): (&'a M, M::U),
         (time, x): (M::S, M::X),
         end: M::S,
-        stats: &'a mut Stats,
+        (stats, longest_step): (&'a mut Stats, &'a mut M::S),
     ) -> Self {
-        Self { system, held, time, x, end, stats, health: M::S::lit(1.0), rescued: None }
+        Self { system, held, time, x, end, stats, longest_step, health: M::S::lit(1.0), rescued: None }
     }
 
     /// A fault at the time reached.
@@ -134,7 +149,7 @@ impl<'a, M: System> Course<'a, M> {
     }
 
     /// The rate at `(t, x)`, by rank where it is unhealthy.
-    fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
+    pub(crate) fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         self.stats.evaluations += 1;
         let health = self.system.rate(t, &self.held, x, dx);
         self.health = self.health.min(health.0);

@@ -15,15 +15,16 @@ pub(crate) struct Plan<S> {
     pub(crate) h: S,
     /// The time after the next step.
     pub(crate) next_time: S,
-    steps: u32,
+    /// Whole numbers, counted in the scalar: a target that has no f64 converts none.
+    steps: S,
     /// Steps up to that time.
-    done: u32,
+    done: S,
 }
 
 impl<S: Real> Plan<S> {
     /// Nothing planned.
     pub(super) fn none() -> Self {
-        Self { start: S::ZERO, end: S::ZERO, h: S::ZERO, next_time: S::ZERO, steps: 0, done: 0 }
+        Self { start: S::ZERO, end: S::ZERO, h: S::ZERO, next_time: S::ZERO, steps: S::ZERO, done: S::ZERO }
     }
 
     /// Divides what is left of an interval into whole steps of at most `longest`.
@@ -31,7 +32,7 @@ impl<S: Real> Plan<S> {
         let Some(plan) = Self::new(course.time, course.end, longest) else {
             return Err(course.fault(Cause::StepTooSmall { step: longest.to_f64() }));
         };
-        course.stats.longest_step = course.stats.longest_step.max(plan.h.to_f64());
+        *course.longest_step = course.longest_step.max(plan.h);
         Ok(plan)
     }
 
@@ -59,18 +60,23 @@ impl<S: Real> Plan<S> {
         Ok(drifted)
     }
 
-    /// Divides an interval into whole steps of at most `longest` (and a millionth, so that rounding in the length of the
-    /// interval does not cost another step). None if such steps do not move the time or cannot be counted.
+    /// Divides an interval into whole steps of at most `longest` (and a millionth, and what rounding of the times makes of
+    /// the interval's length, so that neither costs another step). An interval of whole steps gets steps of exactly that
+    /// length. None if such steps do not move the time or cannot be counted.
     fn new(start: S, end: S, longest: S) -> Option<Self> {
-        let ratio = ((end - start) / longest).to_f64() * (1.0 - 1e-6);
+        let (one, length) = (S::lit(1.0), end - start);
+        let rounding = S::lit(2.0) * S::EPSILON * start.abs().max(end.abs());
+        let ratio = (length - rounding.max(S::lit(1e-6) * length)).max(S::ZERO) / longest;
         // False for a step that is negative or not a number.
-        if !(0.0..f64::from(u32::MAX)).contains(&ratio) {
+        let counts = longest > S::ZERO && ratio < one / S::EPSILON;
+        if !counts {
             return None;
         }
-        let whole = ratio as u32;
-        let steps = if ratio > f64::from(whole) { whole + 1 } else { whole.max(1) };
-        let h = (end - start) / S::lit(f64::from(steps));
-        let mut plan = Self { start, end, h, next_time: start, steps, done: 0 };
+        let whole = ratio.floor();
+        let steps = if ratio > whole { whole + one } else { whole.max(one) };
+        let even = (length - steps * longest).abs() <= rounding;
+        let h = if even { longest } else { length / steps };
+        let mut plan = Self { start, end, h, next_time: start, steps, done: S::ZERO };
         plan.next();
         (plan.next_time > start).then_some(plan)
     }
@@ -78,8 +84,8 @@ impl<S: Real> Plan<S> {
     /// The time after the next step.
     #[inline]
     pub(crate) fn next(&mut self) {
-        self.done = self.done.wrapping_add(1);
-        let inside = self.start + S::lit(f64::from(self.done)) * self.h;
+        self.done = self.done + S::lit(1.0);
+        let inside = self.start + self.done * self.h;
         self.next_time = if self.done < self.steps { inside } else { self.end };
     }
 }

@@ -53,12 +53,12 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Ok(())
     }
 
-    /// Why an interval to `end` cannot be begun, unless changes were all that kept it.
+    /// Why an interval to `end`, which is to be `length` from here, cannot be begun, unless changes were all that kept it.
     #[cold]
-    pub(super) fn begin(&mut self, end: M::S) -> Result<(), Fault> {
+    pub(super) fn begin(&mut self, end: M::S, length: M::S) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end.is_finite()) {
-            return Err(self.bad_interval(end - time));
+            return Err(self.bad_interval(length));
         }
         self.take_changes()
     }

@@ -72,7 +72,9 @@ impl<S: Real> Ahead<S> {
             } else {
                 (ahead.scale, ahead.lowest) = (S::INFINITY, S::INFINITY);
             }
-            if !(ahead.scale < apart) {
+            // False for what is not a number.
+            let nearer = ahead.scale < apart;
+            if !nearer {
                 break;
             }
             apart = S::lit(0.5) * ahead.scale;

@@ -67,8 +67,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     ) -> Result<(), Fault> {
         let equations = &here.equations;
         self.around.longest_step = longest;
-        let mut inner =
-            Course::new((equations, course.held), (course.time, here.full), course.end, &mut *course.stats);
+        let (held, time, end) = (course.held, course.time, course.end);
+        let told = (&mut *course.stats, &mut *course.longest_step);
+        let mut inner = Course::new((equations, held), (time, here.full), end, told);
         self.around.begin(&mut inner)?;
         self.around.advance(&mut inner)?;
         let (time, mut full) = (inner.time, inner.x);
@@ -77,7 +78,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
             _ => return Err(fault(course, here, Refused::NotFound)),
         }
         self.over = None;
-        self.arrive(course, time, &full);
+        Self::arrive(course, time, &full);
         Ok(())
     }
 
@@ -103,8 +104,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
                     self.over = Some((from, polynomial));
                     self.around.restart();
                     course.stats.steps += 1;
-                    course.stats.longest_step = course.stats.longest_step.max((time - from).to_f64());
-                    self.arrive(course, time, &full);
+                    *course.longest_step = course.longest_step.max(time - from);
+                    Self::arrive(course, time, &full);
                     return Ok(());
                 }
                 Err(Refused::NotFound) => {}
@@ -117,7 +118,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         Err(refused)
     }
 
-    fn arrive(&self, course: &mut Course<'_, M>, time: M::S, full: &[M::S; NX]) {
+    fn arrive(course: &mut Course<'_, M>, time: M::S, full: &[M::S; NX]) {
         course.time = time;
         course.system.hold(&mut course.held, &mut course.x, full);
         if course.rescued.is_some_and(|until| until <= time) && is_regular(course.system, time, full) {
@@ -241,7 +242,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         let equations = Equations(*course.system);
         let x = course.system.full(course.time, &course.held, &course.x);
         let (held, time, end) = (course.held, course.time, course.end);
-        let mut inner = Course::new((&equations, held), (time, x), end, &mut *course.stats);
+        let told = (&mut *course.stats, &mut *course.longest_step);
+        let mut inner = Course::new((&equations, held), (time, x), end, told);
         self.around.densify(&mut inner)
     }
 
@@ -250,13 +252,12 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     }
 
     fn moment(&self, course: &Course<'_, M>, time: M::S) -> (M::U, M::X) {
-        let full = match &self.over {
-            Some((from, polynomial)) => polynomial.at((time - *from) / polynomial.h),
-            None => {
-                let full = self.around.interpolate(time);
-                let equations = Equations(*course.system);
-                equations.evaluate(time, &course.held, &full).map_or(full, |evaluated| evaluated.x)
-            }
+        let full = if let Some((from, polynomial)) = &self.over {
+            polynomial.at((time - *from) / polynomial.h)
+        } else {
+            let full = self.around.interpolate(time);
+            let equations = Equations(*course.system);
+            equations.evaluate(time, &course.held, &full).map_or(full, |evaluated| evaluated.x)
         };
         let (mut held, mut x) = (course.held, course.x);
         course.system.hold(&mut held, &mut x, &full);

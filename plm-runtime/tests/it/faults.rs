@@ -41,6 +41,7 @@ fn a_pole_makes_the_step_too_small() {
     let fault = sim.step(2.0).unwrap_err();
     assert!((fault.time - 1.0).abs() < 1e-6, "{fault}");
     assert!(matches!(fault.cause, Cause::StepTooSmall { .. } | Cause::NotFinite), "{fault}");
+    assert_eq!(fault.part, "tank");
     // The state of the last accepted step is kept, and it is on the solution 1 / (1 - t).
     assert!(sim.time < 1.0 && sim.x[0].is_finite());
     assert!((sim.time + 1.0 / sim.x[0] - 1.0).abs() < 1e-7);
@@ -157,4 +158,23 @@ fn steps_that_make_no_sense_are_refused() {
         let mut sim = oscillator().start_with(Dopri5::new(1e-6).with_longest_step(h)).unwrap();
         assert!(matches!(sim.step(1.0).unwrap_err().cause, Cause::StepTooSmall { .. }), "{h}");
     }
+}
+
+#[test]
+fn too_many_steps_name_the_part_that_needs_them() {
+    let mut sim = BlowUp.start_with(Dopri5::new(1e-9).with_most_steps(20)).unwrap();
+    let fault = sim.step(2.0).unwrap_err();
+    assert_eq!((fault.part, fault.cause), ("tank", Cause::TooManySteps { steps: 20 }));
+    let mut sim = BlowUp.start_with(Dop853::new(1e-12).with_most_steps(10)).unwrap();
+    assert_eq!(sim.step(2.0).unwrap_err().part, "tank");
+}
+
+#[test]
+fn a_drift_says_which_of_the_two_it_is() {
+    let text = |phi, phi_dot| Fault::of_part(1.0, "pin", Cause::Drift { phi, phi_dot }).to_string();
+    assert!(
+        text(1e-14, 1.5e-9)
+            .starts_with("t = 1 s: pin: the pose is singular: this joint is closed, but 1.5e-9 m/s")
+    );
+    assert!(text(1e-3, 1e-2).starts_with("t = 1 s: pin: the joints come apart by 1e-3 m or rad, 1e-2 m/s"));
 }

@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs)]
 
 mod assembly;
+mod brief;
 mod change_points;
 mod charts;
+mod clock;
 mod dense;
 mod dual;
 mod events;
@@ -24,4 +26,5 @@ mod resume;
 mod ros34pw2;
 mod single;
 mod smooth;
+mod tube;
 mod twofold;

@@ -209,8 +209,35 @@ impl Graph {
         match self.compare(a, b) {
             Some(true) => self.one(),
             Some(false) => self.zero(),
-            None => self.intern(Node::Less(a, b)),
+            None => match self.less_than_extremum(a, b) {
+                Some(known) => known,
+                None => self.intern(Node::Less(a, b)),
+            },
         }
+    }
+
+    /// A comparison of a constant with the extremum of another and `x` asks for `x` alone, or for nothing: `0 < max(x, 0)` is
+    /// `0 < x`. What is left passes the boundary with a slope, where the extremum rests on it.
+    fn less_than_extremum(&mut self, a: Expr, b: Expr) -> Option<Expr> {
+        let constant_first = self.as_number(a).is_some();
+        let (constant, other) = if constant_first { (a, b) } else { (b, a) };
+        self.as_number(constant)?;
+        let Node::Call(function @ (Function::Min | Function::Max), arguments) = self.node(other) else {
+            return None;
+        };
+        let (is_max, [p, q]) = (*function == Function::Max, <[Expr; 2]>::try_from(&arguments[..]).ok()?);
+        let (bound, x) = if self.as_number(p).is_some() { (p, q) } else { (q, p) };
+        // Does the bound itself fulfil the condition?
+        let holds =
+            if constant_first { self.compare(constant, bound)? } else { self.compare(bound, constant)? };
+        // Of a maximum above the constant, and of a minimum below it, one is enough.
+        let one_is_enough = is_max == constant_first;
+        Some(match (holds, one_is_enough) {
+            (true, true) => self.one(),
+            (false, false) => self.zero(),
+            _ if constant_first => self.less(constant, x),
+            _ => self.less(x, constant),
+        })
     }
 
     /// `a` where the condition holds, else `b`. A condition that is not a comparison means "greater than 0".

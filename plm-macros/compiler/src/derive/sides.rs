@@ -1,8 +1,9 @@
 //! Conditions at which forces and rates jump: each gets a side that is held over a step, so that within it everything is
-//! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is, for the error control to see.
+//! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is; what it compares is looked at in every
+//! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
 //! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
-use plm_cas::{Expr, Graph, Node};
+use plm_cas::{Expr, Function, Graph, Node};
 
 use super::kinks::{self, Kink};
 use crate::model::{Jump, Model, Side};
@@ -28,11 +29,13 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         let difference = graph.sub(a, b);
         let instant = instant(model, difference, graph);
         if instant.is_none() && !jumps(&roots, condition, difference, graph) {
+            model.kinks.push(difference);
             continue;
         }
         pairs.push(side(model, (condition, difference, instant), name, graph));
     }
     let jumps = hold_rows(model, kinks, &mut pairs, graph);
+    bends(model, &roots, graph);
     if pairs.is_empty() {
         return pairs;
     }
@@ -57,6 +60,44 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         output.components = graph.substitute(&output.components, &pairs);
     }
     pairs
+}
+
+/// Adds what `min`, `max` and `abs` compare to the kinks, and leaves those that can be looked at: they read the state or the
+/// time, and nothing that is not known before accelerations are. Where a side is held steps end already.
+fn bends(model: &mut Model, roots: &[Expr], graph: &mut Graph) {
+    let mut kinks = std::mem::take(&mut model.kinks);
+    for expr in graph.reachable(roots) {
+        let difference = match graph.node(expr) {
+            Node::Call(Function::Min | Function::Max, arguments) => match arguments[..] {
+                [a, b] => graph.sub(a, b),
+                _ => continue,
+            },
+            Node::Call(Function::Abs, arguments) => match arguments[..] {
+                [a] => a,
+                _ => continue,
+            },
+            _ => continue,
+        };
+        kinks.push(difference);
+    }
+    let moving: Vec<Expr> = (model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v)))
+        .chain(model.states.iter().map(|state| state.symbol))
+        .chain([model.time])
+        .collect();
+    let held: Vec<Expr> = (model.params.iter().map(|param| param.symbol))
+        .chain(model.inputs.iter().map(|input| input.symbol))
+        .collect();
+    for kink in kinks {
+        let read = graph.symbols(&[kink]);
+        let known = read.iter().all(|symbol| moving.contains(symbol) || held.contains(symbol));
+        let moves = known && read.iter().any(|symbol| moving.contains(symbol));
+        let negative = graph.neg(kink);
+        let same = |expr: Expr| expr == kink || expr == negative;
+        let is_held = model.sides.iter().any(|side| same(side.difference));
+        if moves && !is_held && !model.kinks.iter().any(|other| same(*other)) {
+            model.kinks.push(kink);
+        }
+    }
 }
 
 /// A new side of a condition, and what stands for that.

@@ -83,7 +83,7 @@ pub(crate) fn guards(
     signature: &str,
     arguments: &[&str],
 ) {
-    let count = emission.model.guards();
+    let count = emission.model.watched();
     if count == 0 {
         return;
     }
@@ -94,7 +94,7 @@ pub(crate) fn guards(
         origin,
         &Shape {
             docs: &[
-                "How far every condition is from switching: positive while the side that is held applies.",
+                "How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.",
             ],
             attribute: "",
             signature: &format!("{signature}, g: &mut [S; {count}])"),
@@ -146,20 +146,15 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
         );
         system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");
     }
-    let switching = if reduced.has_loops() {
+    if reduced.has_loops() {
         let chosen = charts::chosen(reduced, "u.chart", |k| {
             format!("self.switching_{k}(t, &u.input, &u.memory, x, g)")
         });
-        format!(
-            "if rt::charts::is_free::<Self>(u) {{
-                return self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g);
-            }}
-            {chosen}"
-        )
+        let free = "self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g)";
+        sides::contract(text, emission, &chosen, Some(free));
     } else {
-        "self.switching(t, u, x, g)".to_owned()
-    };
-    sides::contract(text, emission, &switching);
+        sides::contract(text, emission, "self.switching(t, u, x, g)", None);
+    }
     system::energy(text, emission);
     push(
         text,

@@ -55,22 +55,95 @@ fn row_jumps(text: &mut String, emission: &Emission) {
     text.push_str("    }\n");
 }
 
-/// What `System` says of them; `call` is the call of the guards' function with `g` as its last argument.
-pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
+/// What `System` says of them; `call` is the call of the guards' function with `g` as its last argument, `free` that of a
+/// state that no chart holds, where there may be one.
+pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str, free: Option<&str>) {
     let (length, _) = emission.state_length();
-    let guards = emission.model.guards();
     let input = emission.input();
-    if guards > 0 {
-        let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
-        let (required, only) = requirements(emission.model);
-        push(
-            text,
-            format_args!(
-                "        fn guards(&self, t: S, u: &Self::U, x: &[S; {length}], g: &mut [S; {guards}]) {{
-            {call};
+    if emission.model.watched() > 0 {
+        watched(text, emission, (call, free), length);
+    }
+    if emission.model.guards() > 0 {
+        switches(text, emission, length);
+    }
+    known_times(text, emission, input);
+    jumps(text, emission);
+}
+
+/// What is looked at in every step: guards and kinks, at a time and over an interval.
+fn watched(text: &mut String, emission: &Emission, (call, free): (&str, Option<&str>), length: usize) {
+    let (guards, kinks, all) =
+        (emission.model.guards(), emission.model.kinks.len(), emission.model.watched());
+    let within = call.replace("self.", "mechanism.");
+    let here = free.map_or_else(
+        || call.to_owned(),
+        |free| format!("if rt::charts::is_free::<Self>(u) {{ {free} }} else {{ {call} }}"),
+    );
+    // Without a chart the state stands in what is held, and does not move with `x`.
+    let only = free.map_or("", |_| {
+        "if rt::charts::is_free::<Self>(u) {
+                return false;
+            }
+            "
+    });
+    let held = emission.held("rt::Tube<S>");
+    push(
+        text,
+        format_args!(
+            "        const KINKS: usize = {kinks};
+
+        fn guards(&self, t: S, u: &Self::U, x: &[S; {length}], g: &mut [S; {guards}]) {{
+            let mut all = [S::lit(0.0); {all}];
+            let out = g;
+            let g = &mut all;
+            {here};
+            for (guard, value) in out.iter_mut().zip(all) {{
+                *guard = value;
+            }}
         }}
 
-{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
+        fn kinks(&self, t: S, u: &Self::U, x: &[S; {length}], each: &mut impl FnMut(usize, S)) {{
+            let mut all = [S::lit(0.0); {all}];
+            let g = &mut all;
+            {here};
+            for (index, value) in all.into_iter().skip({guards}).enumerate() {{
+                each(index, value);
+            }}
+        }}
+
+        fn guards_within(
+            &self,
+            t: rt::Tube<S>,
+            u: &Self::U,
+            x: &impl Fn(usize) -> rt::Tube<S>,
+            each: &mut impl FnMut(usize, rt::Tube<S>),
+        ) -> bool {{
+            {only}use rt::lanes::Pack;
+            let constant = |[s]: [S; 1]| rt::Tube::constant(s);
+            let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
+            let mut tubes = [rt::Tube::constant(S::lit(0.0)); {all}];
+            let within = |u: &{held}, x: &[rt::Tube<S>; {length}], g: &mut [rt::Tube<S>; {all}]| {within};
+            within(&held, &core::array::from_fn(x), &mut tubes);
+            for (index, tube) in tubes.into_iter().enumerate() {{
+                each(index, tube);
+            }}
+            true
+        }}
+
+"
+        ),
+    );
+}
+
+/// What `System` says of the sides that depend on the state.
+fn switches(text: &mut String, emission: &Emission, length: usize) {
+    let (guards, input) = (emission.model.guards(), emission.input());
+    let names = emission.model.sides.iter().take(guards).map(|side| format!("{:?}", side.name));
+    let (required, only) = requirements(emission.model);
+    push(
+        text,
+        format_args!(
+            "{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
             {only}if let Some(side) = {input}.side_.get_mut(index) {{
                 *side = -*side;
             }}
@@ -82,12 +155,9 @@ pub(crate) fn contract(text: &mut String, emission: &Emission, call: &str) {
         }}
 
 ",
-                names.collect::<Vec<_>>().join(", ")
-            ),
-        );
-    }
-    known_times(text, emission, input);
-    jumps(text, emission);
+            names.collect::<Vec<_>>().join(", ")
+        ),
+    );
 }
 
 /// `must_hold`, and what keeps `switch` away from such conditions.
@@ -162,7 +232,7 @@ fn jumps(text: &mut String, emission: &Emission) {
             self.jumps(t, &q, &v, &mut jump);
             let (terms, _) = jump.as_chunks::<5>();
             let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {{
-                let changes = after.is_some_and(|after| {after}.side[side] != {u}.side[side]);
+                let changes = after.is_some_and(|after| {after}.side_[side] != {u}.side_[side]);
                 (changes || after.is_none()).then_some(absolute::Crossing {{ row, terms, changes }})
             }});
             absolute::jump::<S, Self, NQ, NC>(self, t, (&q, &v), crossings)

@@ -100,7 +100,7 @@ fn system(text: &mut String, emission: &Emission) {
             );
         }
     }
-    sides::contract(text, emission, "self.switching(t, u, x, g)");
+    sides::contract(text, emission, "self.switching(t, u, x, g)", None);
     energy(text, emission);
     typical(text, emission);
     text.push_str("    }\n\n");

@@ -70,6 +70,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         sizes: Vec::new(),
         files: Vec::new(),
         sides: Vec::new(),
+        kinks: Vec::new(),
         allowed: Vec::new(),
         graph,
     })

@@ -5,16 +5,21 @@ use plm_cas::{Expr, Graph};
 use super::function::{Function, Place};
 use crate::model::Model;
 
-/// `g`: positive as long as the side that is held applies; symbols are replaced by `substitution`.
+/// `g`: positive as long as the side that is held applies, then what kinks bend at; symbols are replaced by `substitution`.
 pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)], graph: &mut Graph) -> Function {
     let of_state = model.sides.iter().filter(|side| side.instant.is_none());
-    let differences: Vec<Expr> = of_state.clone().map(|side| side.difference).collect();
+    let differences: Vec<Expr> =
+        of_state.clone().map(|side| side.difference).chain(model.kinks.iter().copied()).collect();
     let differences = graph.substitute(&differences, substitution);
+    let kinks = differences[model.guards()..].to_vec();
     let results = of_state
         .zip(differences)
         .enumerate()
         .map(|(k, (side, difference))| (Place::Element("g", k), graph.mul(side.symbol, difference)));
-    let results = results.collect();
+    let mut results: Vec<(Place, Expr)> = results.collect();
+    results.extend(
+        kinks.into_iter().enumerate().map(|(k, kink)| (Place::Element("g", model.guards() + k), kink)),
+    );
     Function::of_results(results).optimise(graph)
 }
 

@@ -60,6 +60,7 @@ impl<'a> Resolver<'a> {
             sizes: sizes.ok()?,
             files: self.files.keys().cloned().collect(),
             sides,
+            kinks: Vec::new(),
             allowed: self.allowed,
         })
     }

@@ -1,6 +1,7 @@
 //! The polynomial between the ends of a step.
 
-use crate::scalar::Scalar;
+use crate::method::Path;
+use crate::scalar::Real;
 use crate::vector::Vector;
 
 /// An accepted step: its ends and the rates there.
@@ -14,7 +15,7 @@ pub(super) struct Span<S, X> {
     pub(super) rate_to: X,
 }
 
-impl<S: Scalar, X: Vector<S>> Span<S, X> {
+impl<S: Real, X: Vector<S>> Span<S, X> {
     /// The state at `time`: through both ends with their rates, and `bends` in addition (Hairer, Nørsett, Wanner I,
     /// II.6; CONTD5 and CONTD8 of their programs). Without bends it is the cubic by C. Hermite.
     pub(super) fn at(&self, time: S, bends: &[X]) -> X {
@@ -31,4 +32,38 @@ impl<S: Scalar, X: Vector<S>> Span<S, X> {
             self.from.at(i) + theta * (change + rest * (start_slope + theta * (end_slope + rest * bend)))
         })
     }
+
+    /// The same as powers of theta.
+    pub(super) fn path(&self, bends: &[X]) -> Path<S, X> {
+        Path::new(self.time, self.h, |i| {
+            let mut sum = [S::ZERO; 8];
+            for (k, b) in bends.iter().enumerate().rev() {
+                sum = if k % 2 == 0 { by_theta(sum) } else { by_rest(sum) };
+                sum[0] = sum[0] + b.at(i);
+            }
+            let change = self.to.at(i) - self.from.at(i);
+            let start_slope = self.h * self.rate_from.at(i) - change;
+            let end_slope = change - self.h * self.rate_to.at(i) - start_slope;
+            sum = by_rest(sum);
+            sum[0] = sum[0] + end_slope;
+            sum = by_theta(sum);
+            sum[0] = sum[0] + start_slope;
+            sum = by_rest(sum);
+            sum[0] = sum[0] + change;
+            sum = by_theta(sum);
+            sum[0] = sum[0] + self.from.at(i);
+            sum
+        })
+    }
+}
+
+/// A polynomial, of degree 6 at most, times theta.
+fn by_theta<S: Real>(c: [S; 8]) -> [S; 8] {
+    core::array::from_fn(|k| if k == 0 { S::ZERO } else { c[k - 1] })
+}
+
+/// A polynomial, of degree 6 at most, times 1 - theta.
+fn by_rest<S: Real>(c: [S; 8]) -> [S; 8] {
+    let shifted = by_theta(c);
+    core::array::from_fn(|k| c[k] - shifted[k])
 }

@@ -11,7 +11,7 @@ use self::control::Control;
 use self::dense::Span;
 use self::start::first_step;
 use super::adaptive::{next_step, rate_here, shortest};
-use super::{Course, Method, Watched, drift_of_size, excess, larger, not_finite};
+use super::{Course, Method, Path, Watched, drift_of_size, excess, larger, not_finite};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -151,6 +151,22 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         (P::error(h, k, &weight), self.drift_ratio(course.system, course.time + h, end))
     }
 
+    /// The part of the state with the largest error, each component by itself.
+    #[cold]
+    fn worst(course: &Course<'_, M>, k: &P::Stages<M::X>) -> &'static str {
+        let typical = course.system.typical();
+        let mut most = ("", M::S::ZERO);
+        for i in 0..M::X::LEN {
+            let mut weight = M::X::fill(M::S::ZERO);
+            weight.set(i, M::S::lit(1.0) / (typical.at(i) + course.x.at(i).abs()));
+            let error = P::error(M::S::lit(1.0), k, &weight);
+            if error > most.1 {
+                most = (course.system.part_of_state(i), error);
+            }
+        }
+        most.0
+    }
+
     /// Drift of a state over the tolerance, less what projection cannot remove.
     fn drift_ratio(&self, system: &M, t: M::S, x: &M::X) -> M::S {
         excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
@@ -210,7 +226,8 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)?;
+            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)
+                .map_err(|fault| Fault { part: Self::worst(course, &k), ..fault })?;
             let mut attempt = self.trial(course, &rate, h, &mut k);
             let (error, drift) = match &attempt {
                 Ok(trial) => self.judge(course, h, &k, &trial.x),
@@ -228,7 +245,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         let settles = drift > M::S::lit(SETTLED_ABOVE);
                         self.propose(proposal, h, if settles { worst } else { error });
                         course.stats.steps += 1;
-                        course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
+                        *course.longest_step = course.longest_step.max(h);
                         (course.time, course.x) = (time, to);
                         return Ok(());
                     }
@@ -237,7 +254,9 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             }
             course.stats.rejected += 1;
             proposal = h * self.control.reject(&P::LIMITS, worst);
-            ensure_moves(course, proposal, attempt)?;
+            ensure_moves(course, proposal, attempt).map_err(|fault| {
+                if fault.part.is_empty() { Fault { part: Self::worst(course, &k), ..fault } } else { fault }
+            })?;
         }
     }
 
@@ -260,6 +279,11 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         self.span.map_or(M::X::fill(M::S::lit(0.0)), |step| step.at(time, bends))
     }
 
+    fn path(&self) -> Option<Path<M::S, M::X>> {
+        let bends = self.bends.as_ref().map_or(&[] as &[M::X], |bends| bends.as_ref());
+        self.span.as_ref().map(|span| span.path(bends))
+    }
+
     fn restart(&mut self) {
         self.rate = None;
         self.span = None;
@@ -271,6 +295,10 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         self.control.refuse();
         self.proposal = Some(M::S::lit(0.5) * h);
         true
+    }
+
+    fn tolerance(&self) -> Option<M::S> {
+        Some(Embedded::tolerance(self))
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {

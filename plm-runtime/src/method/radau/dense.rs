@@ -1,7 +1,8 @@
 //! The collocation polynomial of a step.
 
 use super::tableau::C;
-use crate::scalar::Scalar;
+use crate::method::Path;
+use crate::scalar::Real;
 use crate::vector::Vector;
 
 /// The polynomial of degree 3 through the state at the beginning of a step and its three stages, in Newton's form from
@@ -19,7 +20,7 @@ pub(super) struct Dense<S, X> {
     differences: [X; 3],
 }
 
-impl<S: Scalar, X: Vector<S>> Dense<S, X> {
+impl<S: Real, X: Vector<S>> Dense<S, X> {
     /// Of a step of `h` that ended at `end` in `to`, and was settled to `settled`; with the stages less the state at its beginning.
     pub(super) fn new(end: S, h: S, to: X, settled: X, z: &[X; 3]) -> Self {
         let lit = S::lit;
@@ -47,6 +48,21 @@ impl<S: Scalar, X: Vector<S>> Dense<S, X> {
         let [c1, c2, _] = C.map(|c| s - S::lit(c - 1.0));
         let [first, second, third] = &self.differences;
         X::from_fn(|i| s * (first.at(i) + c2 * (second.at(i) + c1 * third.at(i))))
+    }
+
+    /// The same as powers of the fraction of the step that has passed, theta = 1 + s.
+    pub(super) fn path(&self) -> Path<S, X> {
+        let [c1, c2, _] = C.map(S::lit);
+        let zero = S::ZERO;
+        Path::new(self.end - self.h, self.h, |i| {
+            let [d1, d2, d3] = self.differences.map(|difference| difference.at(i));
+            // change = s (d1 + (theta - c2) (d2 + (theta - c1) d3))
+            let (low, high) = (d2 - c1 * d3, d3);
+            let inner = [d1 - c2 * low, low - c2 * high, high];
+            let off = self.settled.at(i) - self.to.at(i);
+            let first = self.to.at(i) - inner[0];
+            [first, inner[0] - inner[1] + off, inner[1] - inner[2], inner[2], zero, zero, zero, zero]
+        })
     }
 
     /// Length of the step.

@@ -10,7 +10,7 @@ use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
 use self::tableau::{C, ERROR};
 use super::adaptive::{next_step, rate_here};
-use super::{Course, Method, drift_of_size, excess, larger};
+use super::{Course, Method, Path, drift_of_size, excess, larger};
 use crate::fault::Fault;
 use crate::linalg::Derivatives as _;
 use crate::linear::Linear;
@@ -48,6 +48,8 @@ pub struct RadauIia5<M: Linear> {
     /// Drift that the last projection could not remove, over the tolerance.
     residue: M::S,
     steps_left: u64,
+    /// The component with the largest error in the last step that was tried.
+    worst: usize,
 }
 
 /// A step that may be accepted.
@@ -89,6 +91,7 @@ impl<M: Linear> RadauIia5<M> {
             dense: None,
             residue: M::S::ZERO,
             steps_left: 0,
+            worst: 0,
         }
     }
 
@@ -162,7 +165,13 @@ impl<M: Linear> RadauIia5<M> {
 
     /// Error of a trial step over the tolerance (Hairer and Wanner II, IV.8, eqs. (8.19) and (8.20)): filtered a second
     /// time where the first estimate would reject and the beginning may be a fast transient.
-    fn error(&self, course: &mut Course<'_, M>, trial: &Trial<M::X>, rate: &M::X, weights: &M::X) -> M::S {
+    fn error(
+        &mut self,
+        course: &mut Course<'_, M>,
+        trial: &Trial<M::X>,
+        rate: &M::X,
+        weights: &M::X,
+    ) -> M::S {
         let (Some(by_x), Some(factors)) = (&self.by_x, &self.factors) else { return M::S::INFINITY };
         let over_h = ERROR.map(|weight| M::S::lit(weight) / factors.h);
         let [z1, z2, z3] = &trial.z;
@@ -171,6 +180,7 @@ impl<M: Linear> RadauIia5<M> {
         let estimate = |rate: &M::X| factors.solve(by_x, &sum.map2(rate, |sum, rate| sum + rate));
         let first = estimate(rate);
         let error = norm(&first, weights);
+        self.worst = largest(&first, weights);
         if !(error >= M::S::lit(1.0) && (self.control.is_first() || self.control.rejected)) {
             return error;
         }
@@ -207,7 +217,7 @@ impl<M: Linear> RadauIia5<M> {
             self.by_x = None;
         }
         course.stats.steps += 1;
-        course.stats.longest_step = course.stats.longest_step.max(h.to_f64());
+        *course.longest_step = course.longest_step.max(h);
         (course.time, course.x) = (time, x);
         Ok(())
     }
@@ -248,7 +258,8 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         let mut proposal = self.proposal.unwrap_or_else(|| first_step(course, &rate, &weights));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)?;
+            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)
+                .map_err(|fault| Fault { part: course.system.part_of_state(self.worst), ..fault })?;
             let time = if last { course.end } else { course.time + h };
             let by_rank = course.stats.by_rank;
             match self.trial(course, h, &weights)? {
@@ -283,6 +294,10 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         self.dense.map_or(M::X::fill(M::S::ZERO), |dense| dense.at(time))
     }
 
+    fn path(&self) -> Option<Path<M::S, M::X>> {
+        self.dense.as_ref().map(Dense::path)
+    }
+
     fn restart(&mut self) {
         (self.rate, self.by_x, self.factors, self.dense) = (None, None, None, None);
         self.residue = M::S::ZERO;
@@ -295,9 +310,19 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         true
     }
 
+    fn tolerance(&self) -> Option<M::S> {
+        Some(RadauIia5::tolerance(self))
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
     }
+}
+
+/// The largest component, each by its weight.
+fn largest<S: Real, X: Vector<S>>(v: &X, weights: &X) -> usize {
+    let parts = v.map2(weights, |v, weight| (v * weight).abs());
+    (0..X::LEN).fold(0, |most, i| if parts.at(i) > parts.at(most) { i } else { most })
 }
 
 /// Root mean square, every component by its weight; NaN if there is one.

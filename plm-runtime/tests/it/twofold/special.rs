@@ -95,11 +95,16 @@ fn literals_keep_their_digits() {
 fn constants_are_those_of_the_precision() {
     assert_eq!(Twofold::<f64>::EPSILON.to_f64(), 2.0_f64.powi(-104));
     assert_eq!(Twofold::<f32>::EPSILON.to_f64(), 2.0_f64.powi(-46));
-    assert_eq!(Twofold::<f64>::RANK_TOLERANCE, Twofold::<f64>::EPSILON.sqrt());
-    assert_eq!(Twofold::<f32>::RANK_TOLERANCE, Twofold::<f32>::EPSILON.sqrt());
-    let cube = |x: f64| x.powi(3);
-    assert!((cube(Twofold::<f64>::HEALTHY) / 2.0_f64.powi(-104) - 1.0).abs() < 0.1);
-    assert!((cube(Twofold::<f32>::HEALTHY) / 2.0_f64.powi(-46) - 1.0).abs() < 0.2);
+    // Lengths are known as exactly as in the words: so far rows can repeat each other.
+    assert_eq!(Twofold::<f64>::RANK_TOLERANCE, Twofold::of(f64::RANK_TOLERANCE));
+    assert_eq!(Twofold::<f32>::RANK_TOLERANCE, Twofold::of(f32::RANK_TOLERANCE));
+    // A pivot of rows that repeat each other but for rounding of lengths is the square of that.
+    let repeated = [f64::EPSILON, f64::from(f32::EPSILON)].map(|rounding| rounding * rounding);
+    let healthy = [Twofold::<f64>::HEALTHY, Twofold::<f32>::HEALTHY];
+    let of_words = [f64::HEALTHY, f32::HEALTHY];
+    for k in 0..2 {
+        assert!(1e4 * repeated[k] < healthy[k] && healthy[k] < 1e-4 * of_words[k] * of_words[k]);
+    }
 }
 
 #[test]

@@ -1,0 +1,177 @@
+//! Where the rate bends: knots of tables, `abs`, `min`, `max`.
+//!
+//! Error control sees most kinks, and is blind for those that come and go between its stages: a step over a narrow hat in a
+//! table goes as if there were none. So signs are followed over the step, as guards are, though not as far; where they
+//! change, the dense output is held against the rate. It fits where the kink is smaller than the tolerance; where it does
+//! not, the step ends at the kink.
+
+use super::root::{Point, root};
+use crate::method::Path;
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::tube::Tube;
+use crate::vector::Vector;
+
+/// Halvings of a step.
+const FINEST: u32 = 12;
+/// Intervals of a step that are looked at.
+const MOST: u32 = 64;
+/// Kinks that are followed in a step.
+const FOLLOWED: usize = 8;
+/// The part of a step behind a kink where its sign has changed, and nothing else yet: signs are taken so far behind the
+/// beginning of a step too, which may be a kink.
+const BESIDE: f64 = 1e-9;
+/// That part in units in the last place, at least.
+const BESIDE_ULPS: f64 = 64.0;
+/// A kink matters if what it adds to the error of a step is more than so many tolerances: the derivative of the dense
+/// output is some times less exact than the step itself.
+const MATTERS: f64 = 10.0;
+
+/// The kinks over a step.
+pub(super) struct Kinks<'a, M: System> {
+    pub(super) system: &'a M,
+    pub(super) held: M::U,
+    pub(super) path: Path<M::S, M::X>,
+}
+
+impl<M: System<S: Real>> Kinks<'_, M> {
+    /// The first fraction of the step at which a sign changes.
+    pub(super) fn first(&self) -> Option<M::S> {
+        self.after(beside()).map(|(theta, _)| theta)
+    }
+
+    /// The first kink that matters, by the error of the dense output beyond it in units of `tolerance`; `rate` is the rate.
+    pub(super) fn first_that_matters(
+        &self,
+        tolerance: M::S,
+        mut rate: impl FnMut(M::S, &M::X) -> Option<M::X>,
+    ) -> Option<M::S> {
+        let (one, half) = (M::S::lit(1.0), M::S::lit(0.5));
+        let (first, mut past) = self.after(beside())?;
+        let (mut from, mut sum) = (first, M::S::ZERO);
+        for _ in 0..FOLLOWED {
+            let next = self.after(past).unwrap_or((one, one));
+            // By Simpson's rule from kink to kink; at the first the dense output still fits.
+            let (to, middle) = (next.0, half * (from + next.0));
+            let part = (to - from) * M::S::lit(1.0 / 6.0);
+            let fourfold = M::S::lit(4.0) * self.defect(middle, &mut rate)?;
+            sum = sum + part * (self.defect(from, &mut rate)? + fourfold + self.defect(to, &mut rate)?);
+            if sum > M::S::lit(MATTERS) * tolerance {
+                return Some(first);
+            }
+            (from, past) = next;
+            if past >= one {
+                break;
+            }
+        }
+        None
+    }
+
+    /// How far the dense output is from the rate, times the step, over the sizes of the state: the largest component.
+    fn defect(&self, theta: M::S, rate: &mut impl FnMut(M::S, &M::X) -> Option<M::X>) -> Option<M::S> {
+        let (x, typical) = (self.path.at(theta), self.system.typical());
+        let rate = rate(self.path.time(theta), &x)?;
+        let slope = self.path.slope(theta);
+        let mut most = M::S::ZERO;
+        for i in 0..M::X::LEN {
+            let off = (self.path.h * rate.at(i) - slope.at(i)).abs() / (typical.at(i) + x.at(i).abs());
+            most = if off <= most { most } else { off };
+        }
+        Some(most)
+    }
+
+    /// The first fraction of the step after another at which a sign changes, and one shortly behind it.
+    fn after(&self, begin: M::S) -> Option<(M::S, M::S)> {
+        let half = M::S::lit(0.5);
+        let positive = self.signs(begin);
+        let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
+        let mut from = M::S::ZERO;
+        loop {
+            let to = from + width;
+            if to > begin {
+                let start = from.max(begin);
+                spent += 1;
+                let changed = self.signs(to) ^ positive;
+                let open = self.open(start, to, positive, changed);
+                if open && level < FINEST && spent < MOST {
+                    (level, index, width) = (level + 1, 2 * index, half * width);
+                    continue;
+                }
+                if changed != 0 {
+                    return Some(self.crossing(start, to, changed));
+                }
+            }
+            (from, index) = (to, index + 1);
+            while level > 0 && index % 2 == 0 {
+                (level, index, width) = (level - 1, index / 2, width + width);
+            }
+            if level == 0 {
+                return None;
+            }
+        }
+    }
+
+    /// Can a sign change more than once in an interval?
+    fn open(&self, from: M::S, to: M::S, positive: u128, changed: u128) -> bool {
+        let half = M::S::lit(0.5);
+        let (middle, radius) = (half * (from + to), half * (to - from));
+        let (time, x) = self.path.around(middle, radius);
+        let mut open = false;
+        let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
+            let Some(bit) = bit(i.wrapping_sub(M::G::LEN)) else { return };
+            let range = tube.range(radius);
+            let stays = changed & bit == 0
+                && if positive & bit == 0 { range.high <= M::S::ZERO } else { range.low > M::S::ZERO };
+            let monotone = tube.slope.low >= M::S::ZERO || tube.slope.high <= M::S::ZERO;
+            open |= !(stays || monotone);
+        });
+        open || !known
+    }
+
+    /// The earliest change of those that have changed over an interval, and a place behind it.
+    fn crossing(&self, from: M::S, to: M::S, changed: u128) -> (M::S, M::S) {
+        let tolerance = M::S::EPSILON * M::S::lit(16.0);
+        let mut first = to;
+        for i in (0..128).filter(|i| bit(*i).is_some_and(|bit| changed & bit != 0)) {
+            let sign = if self.value(from, i) > M::S::ZERO { M::S::lit(1.0) } else { M::S::lit(-1.0) };
+            let point = |at: M::S| Point { at, value: sign * self.value(at, i) };
+            let (a, b) = (point(from), point(to));
+            if a.value > M::S::ZERO {
+                first = first.min(root(a, b, tolerance, |theta| sign * self.value(theta, i)));
+            }
+        }
+        (first, first + beside())
+    }
+
+    /// One of the numbers.
+    fn value(&self, theta: M::S, index: usize) -> M::S {
+        let mut found = M::S::ZERO;
+        self.system.kinks(self.path.time(theta), &self.held, &self.path.at(theta), &mut |i, value| {
+            if i == index {
+                found = value;
+            }
+        });
+        found
+    }
+
+    /// Which numbers are positive, of the first 128.
+    fn signs(&self, theta: M::S) -> u128 {
+        let mut signs = 0;
+        self.system.kinks(self.path.time(theta), &self.held, &self.path.at(theta), &mut |i, value| {
+            if let (Some(bit), true) = (bit(i), value > M::S::ZERO) {
+                signs |= bit;
+            }
+        });
+        signs
+    }
+}
+
+/// How far behind a kink its sign is taken, as a part of the step.
+fn beside<S: Real>() -> S {
+    S::lit(BESIDE).max(S::lit(BESIDE_ULPS) * S::EPSILON)
+}
+
+/// The bit of a kink; those behind the first 128 are left to error control.
+fn bit(index: usize) -> Option<u128> {
+    u32::try_from(index).ok().and_then(|index| 1_u128.checked_shl(index))
+}

@@ -1,0 +1,285 @@
+//! The first time in a step at which a guard leaves its side.
+//!
+//! A step is bisected from its beginning on until every guard is known to stay on its side, or to leave it once: by its
+//! range over the interval, by the sign of its slope ([`Tube`](crate::Tube)). Where a guard comes so near to zero that this stays open,
+//! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found.
+
+use super::root::{Point, root};
+use crate::method::Path;
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::tube::{Interval, Tube};
+use crate::vector::Vector;
+
+/// Halvings of a step: 2^-22 of it are a quarter of a millionth.
+const FINEST: u32 = 22;
+/// Halvings that are always made where a system cannot say what its guards are over an interval.
+const ROUGHEST: u32 = 2;
+/// Where it cannot, halvings after which nothing more is learnt.
+const FINEST_OF_POINTS: u32 = 6;
+/// Intervals of a step that are looked at; then what is left of it is left for the next step.
+const MOST: u32 = 4000;
+/// Four times the part of a step that intervals which all stay open get through.
+const LEAST: f64 = 0.002;
+/// Halvings after which rounding is judged where it happens, and not at the beginning of the step.
+const LOCAL: u32 = 10;
+/// Rounding of a state and of the time, in units in the last place.
+const ULPS: f64 = 8.0;
+
+/// What became of the conditions in a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Found<S> {
+    /// All stay on their sides.
+    Nothing,
+    /// The first that does not, and at which fraction of the step.
+    Crossing(usize, S),
+    /// Nothing up to a fraction of the step; beyond, it took too long.
+    Open(S),
+}
+
+/// The guards over a step.
+pub(super) struct Search<'a, M: System> {
+    system: &'a M,
+    held: M::U,
+    path: Path<M::S, M::X>,
+    /// Where a guard passes this it leaves its side: zero, or what was left when it was switched last.
+    base: M::G,
+    /// Fraction of the step from which on a guard is looked at.
+    from: M::G,
+    /// What rounding makes of a guard at the beginning.
+    noise: M::G,
+    /// The one guard that is looked at, of all.
+    only: Option<usize>,
+}
+
+/// What is known of an interval.
+enum Verdict<S> {
+    Clean,
+    Open,
+    Crossing(usize, S),
+}
+
+/// The ends of an interval and the guards there.
+struct Piece<S, G> {
+    from: S,
+    to: S,
+    left: G,
+    right: G,
+    /// Bisected so often that rounding is judged here.
+    is_local: bool,
+    /// What rounding makes of the guards.
+    noise: G,
+}
+
+impl<'a, M: System<S: Real>> Search<'a, M> {
+    /// Over `path`; `left_over` is how far guards were on the wrong side when they were switched there.
+    pub(super) fn new(system: &'a M, held: M::U, path: Path<M::S, M::X>, left_over: &M::G) -> Self {
+        let zero = M::G::fill(M::S::ZERO);
+        let mut search = Self { system, held, path, base: zero, from: zero, noise: zero, only: None };
+        search.noise = search.rounding(M::S::ZERO);
+        for i in 0..M::G::LEN {
+            if left_over.at(i) < M::S::ZERO {
+                match search.return_of(i) {
+                    Some(from) => search.from.set(i, from),
+                    None => search.base.set(i, left_over.at(i)),
+                }
+            }
+        }
+        search
+    }
+
+    /// The same for one guard alone.
+    pub(super) fn of_one(self, index: usize) -> Self {
+        Self { only: Some(index), ..self }
+    }
+
+    /// Is the guard past at a fraction of the step?
+    pub(super) fn is_past(&self, theta: M::S, index: usize) -> bool {
+        self.values(theta).at(index) < self.edge(index) - self.noise.at(index)
+    }
+
+    /// Below this a guard is past, but for rounding.
+    fn edge(&self, index: usize) -> M::S {
+        self.base.at(index) - self.system.band(index)
+    }
+
+    /// The first guard that leaves its side.
+    pub(super) fn first(&self) -> Found<M::S> {
+        let half = M::S::lit(0.5);
+        let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
+        let (mut from, mut left, mut noise) = (M::S::ZERO, self.values(M::S::ZERO), self.noise);
+        loop {
+            let (to, is_local) = (from + width, level >= LOCAL);
+            let piece = Piece { from, to, left, right: self.values(to), is_local, noise };
+            spent += 1;
+            let verdict = self.judge(&piece, level);
+            if let Verdict::Crossing(i, theta) = verdict {
+                return Found::Crossing(i, theta);
+            }
+            if matches!(verdict, Verdict::Open) {
+                if spent > MOST && from > M::S::lit(LEAST) {
+                    return Found::Open(from);
+                }
+                let finest = if spent > MOST { FINEST_OF_POINTS } else { FINEST };
+                if level < finest {
+                    (level, index, width) = (level + 1, 2 * index, half * width);
+                    if level == LOCAL {
+                        noise = self.rounding(from);
+                    }
+                    continue;
+                }
+                if let Some((i, theta)) = self.earliest(&piece) {
+                    return Found::Crossing(i, theta);
+                }
+            }
+            (from, left, index) = (to, piece.right, index + 1);
+            while level > 0 && index % 2 == 0 {
+                (level, index, width) = (level - 1, index / 2, width + width);
+            }
+            if level < LOCAL {
+                noise = self.noise;
+            }
+            if level == 0 {
+                return Found::Nothing;
+            }
+        }
+    }
+
+    /// Does every guard stay on its side over an interval, or leave it once?
+    fn judge(&self, piece: &Piece<M::S, M::G>, level: u32) -> Verdict<M::S> {
+        let (mut open, mut crossed) = (false, false);
+        let ranges = self.ranges(piece, level, |i, range, slope| {
+            if self.only.is_some_and(|only| only != i) || self.from.at(i) >= piece.to {
+                return;
+            }
+            if self.from.at(i) > piece.from {
+                open = true;
+                return;
+            }
+            // What is a little beyond zero may be rounding, and may be the edge of what is shorter than the interval.
+            let edge = self.edge(i);
+            let past = edge - piece.noise.at(i);
+            let stay = if piece.is_local { past } else { edge };
+            let (left, right) = (piece.left.at(i), piece.right.at(i));
+            let monotone = slope.low >= M::S::ZERO || slope.high <= M::S::ZERO;
+            if left.min(right) >= past && (monotone || range.low >= stay) {
+                return;
+            }
+            let leaves = right < past && slope.high <= M::S::ZERO;
+            crossed |= leaves;
+            open |= !leaves;
+        });
+        if open || !ranges {
+            return Verdict::Open;
+        }
+        let crossing = if crossed { self.earliest(piece) } else { None };
+        crossing.map_or(Verdict::Clean, |(i, theta)| Verdict::Crossing(i, theta))
+    }
+
+    /// The guard that passes its base first in an interval, of those that are past at its end.
+    fn earliest(&self, piece: &Piece<M::S, M::G>) -> Option<(usize, M::S)> {
+        let mut first: Option<(usize, M::S)> = None;
+        for i in (0..M::G::LEN).filter(|i| self.only.is_none_or(|only| only == *i)) {
+            let is_past = piece.right.at(i) < self.edge(i) - piece.noise.at(i);
+            if is_past && self.from.at(i) <= piece.from {
+                let theta = self.crossing(piece, i);
+                if first.is_none_or(|(_, earlier)| theta < earlier) {
+                    first = Some((i, theta));
+                }
+            }
+        }
+        first
+    }
+
+    /// The first fraction of the step past the base of a guard, which is past at the end of an interval.
+    fn crossing(&self, piece: &Piece<M::S, M::G>, i: usize) -> M::S {
+        // What rests on its base has not passed it.
+        let above = self.base.at(i) - M::S::EPSILON * piece.noise.at(i);
+        let left = Point { at: piece.from, value: piece.left.at(i) - above };
+        if left.value <= M::S::ZERO {
+            return piece.from;
+        }
+        let right = Point { at: piece.to, value: piece.right.at(i) - above };
+        let (start, end) = (self.path.start, self.path.time(M::S::lit(1.0)));
+        let tolerance = M::S::EPSILON * (start.abs().max(end.abs()) / self.path.h).max(M::S::EPSILON);
+        root(left, right, tolerance, |theta| self.values(theta).at(i) - above)
+    }
+
+    /// The guards at a fraction of the step.
+    fn values(&self, theta: M::S) -> M::G {
+        super::guards(self.system, self.path.time(theta), &self.held, &self.path.at(theta))
+    }
+
+    /// Gives the range and the slope of every guard over an interval; false if none are known.
+    fn ranges(
+        &self,
+        piece: &Piece<M::S, M::G>,
+        level: u32,
+        mut each: impl FnMut(usize, Interval<M::S>, Interval<M::S>),
+    ) -> bool {
+        let half = M::S::lit(0.5);
+        let (middle, radius) = (half * (piece.from + piece.to), half * (piece.to - piece.from));
+        let (time, x) = self.path.around(middle, radius);
+        let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
+            if i < M::G::LEN {
+                each(i, tube.range(radius), tube.slope);
+            }
+        });
+        if known || level < ROUGHEST {
+            return known;
+        }
+        // By the parabola through three points.
+        let between = self.values(middle);
+        for i in 0..M::G::LEN {
+            let (a, b, c) = (piece.left.at(i), between.at(i), piece.right.at(i));
+            let (lean, bend) = (half * (c - a), a + c - (b + b));
+            let dip = if lean.abs() < bend { half * lean * lean / bend } else { M::S::ZERO };
+            let low = a.min(c).min(b - dip);
+            let slope = if a >= b && b >= c { -(a - c).abs() } else { M::S::INFINITY };
+            let finest = level >= FINEST_OF_POINTS;
+            let low = if finest { a.min(c) } else { low };
+            each(i, Interval { low, high: M::S::INFINITY }, Interval { low: -M::S::INFINITY, high: slope });
+        }
+        true
+    }
+
+    /// What rounding of the state and of the time makes of each guard at a fraction of the step.
+    fn rounding(&self, theta: M::S) -> M::G {
+        let ulps = M::S::lit(ULPS) * M::S::EPSILON;
+        let rounded = |s: M::S, size: M::S| Tube {
+            slope: Interval { low: -ulps * size, high: ulps * size },
+            ..Tube::constant(s)
+        };
+        let (x, typical) = (self.path.at(theta), self.system.typical());
+        let (ahead, end) = (self.path.time(theta), self.path.time(M::S::lit(1.0)));
+        let size = |i: usize| typical.at(i) + x.at(i).abs();
+        let mut noise = self.values(theta).map(|g| ulps * g.abs());
+        self.system.guards_within(
+            rounded(ahead, end.abs()),
+            &self.held,
+            &|i| rounded(x.at(i), size(i)),
+            &mut |i, tube| {
+                let size = tube.slope.size();
+                if i < M::G::LEN && size.is_finite() {
+                    noise.set(i, noise.at(i) + size);
+                }
+            },
+        );
+        noise
+    }
+
+    /// How soon a guard comes to its side that was switched a little before or after its time; if it does.
+    fn return_of(&self, index: usize) -> Option<M::S> {
+        let mut theta = M::S::lit(1.0);
+        for _ in 0..FINEST {
+            theta = M::S::lit(0.5) * theta;
+        }
+        for _ in 0..=FINEST {
+            if self.values(theta).at(index) > M::S::ZERO {
+                return Some(theta);
+            }
+            theta = theta + theta;
+        }
+        None
+    }
+}

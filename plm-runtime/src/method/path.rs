@@ -1,0 +1,117 @@
+//! The state over the last step, as polynomials.
+
+use crate::scalar::Real;
+use crate::tube::{Interval, Tube};
+use crate::vector::Vector;
+
+/// The state over a step, as polynomials of the fraction of it that has passed.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<S, X> {
+    /// The time at the beginning, s.
+    pub start: S,
+    /// The length of the step, s.
+    pub h: S,
+    /// Coefficients of the powers of the fraction from 0 up; no method has a higher degree.
+    pub coefficients: [X; 8],
+}
+
+impl<S: Real, X: Vector<S>> Path<S, X> {
+    /// Of functions that give each component's coefficients.
+    pub(crate) fn new(start: S, h: S, mut component: impl FnMut(usize) -> [S; 8]) -> Self {
+        let mut coefficients = [X::fill(S::ZERO); 8];
+        for i in 0..X::LEN {
+            for (power, coefficient) in coefficients.iter_mut().zip(component(i)) {
+                power.set(i, coefficient);
+            }
+        }
+        Self { start, h, coefficients }
+    }
+
+    /// What the ends of a step tell where a method has no dense output: coordinates by the cubic of C. Hermite with the
+    /// velocities at both ends, velocities as its derivative, first-order states by a line. It takes no evaluation.
+    pub(crate) fn between(from: (S, &X), to: (S, &X), coordinates: usize) -> Self {
+        let ((start, from), (end, to)) = (from, to);
+        let h = end - start;
+        let (zero, two, three) = (S::ZERO, S::lit(2.0), S::lit(3.0));
+        // c + b theta + (3 d - 2 b - e) theta^2 + (b + e - 2 d) theta^3, d the change, b and e the slopes at both ends.
+        let cubic = |i: usize| {
+            let (b, e) = (h * from.at(coordinates + i), h * to.at(coordinates + i));
+            let change = to.at(i) - from.at(i);
+            [from.at(i), b, three * change - two * b - e, b + e - two * change]
+        };
+        Self::new(start, h, |i| {
+            let [a, b, c, d] = if i < coordinates {
+                cubic(i)
+            } else if i < 2 * coordinates {
+                let [_, b, c, d] = cubic(i - coordinates);
+                [b / h, two * c / h, three * d / h, zero]
+            } else {
+                [from.at(i), to.at(i) - from.at(i), zero, zero]
+            };
+            [a, b, c, d, zero, zero, zero, zero]
+        })
+    }
+
+    /// The time at a fraction of the step, s.
+    pub(crate) fn time(&self, theta: S) -> S {
+        self.start + theta * self.h
+    }
+
+    /// The state at a fraction of the step.
+    pub(crate) fn at(&self, theta: S) -> X {
+        X::from_fn(|i| {
+            let powers = self.coefficients.iter().rev();
+            powers.fold(S::ZERO, |sum, power| sum.mul_add(theta, power.at(i)))
+        })
+    }
+
+    /// Its derivative, per step.
+    pub(crate) fn slope(&self, theta: S) -> X {
+        X::from_fn(|i| {
+            let powers = self.coefficients.iter().enumerate().skip(1).rev();
+            powers.fold(S::ZERO, |sum, (k, power)| sum.mul_add(theta, S::lit(k as f64) * power.at(i)))
+        })
+    }
+
+    /// Time and state from `radius` before to `radius` after a fraction of the step; slopes are per step.
+    pub(crate) fn around(&self, middle: S, radius: S) -> (Tube<S>, impl Fn(usize) -> Tube<S>) {
+        let (from, to) = (self.time(middle - radius), self.time(middle + radius));
+        let time = Tube {
+            middle: self.time(middle),
+            value: Interval::between(from, to),
+            slope: Interval::point(self.h),
+        };
+        (time, move |i| enclose(self.shifted(i, middle), radius))
+    }
+
+    /// The coefficients of a component about another fraction of the step, by repeated synthetic division (D. E. Knuth,
+    /// The Art of Computer Programming 2, 4.6.4, "shifting").
+    fn shifted(&self, i: usize, middle: S) -> [S; 8] {
+        let mut c = self.coefficients.map(|power| power.at(i));
+        for first in 0..7 {
+            for k in (first..7).rev() {
+                c[k] = c[k + 1].mul_add(middle, c[k]);
+            }
+        }
+        c
+    }
+}
+
+/// Ranges of a polynomial and of its derivative up to `radius` from zero, term by term: even powers have one sign.
+fn enclose<S: Real>(c: [S; 8], radius: S) -> Tube<S> {
+    let (mut value, mut slope) = (Interval::point(c[0]), Interval::point(c[1]));
+    let mut power = radius;
+    for k in 1..8 {
+        value = value + reach(c[k] * power, k % 2 == 0);
+        if k < 7 {
+            slope = slope + reach(S::lit((k + 1) as f64) * c[k + 1] * power, k % 2 == 0);
+        }
+        power = power * radius;
+    }
+    Tube { middle: c[0], value, slope }
+}
+
+/// From nothing to `size` if `one_sided`, else to both sides.
+fn reach<S: Real>(size: S, one_sided: bool) -> Interval<S> {
+    Interval::between(if one_sided { S::ZERO } else { -size }, size)
+}

@@ -1,0 +1,52 @@
+//! What a simulation tells of itself.
+
+/// What a simulation has done since it began.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stats {
+    /// Accepted internal steps.
+    pub steps: u64,
+    /// Rejected internal steps.
+    pub rejected: u64,
+    /// Evaluations of the rate.
+    pub evaluations: u64,
+    /// Matrices of derivatives of the rate.
+    pub jacobians: u64,
+    /// Decompositions of such matrices.
+    pub factorisations: u64,
+    /// Projections onto the constraints.
+    pub settled: u64,
+    /// Evaluations that were done again by rank.
+    pub by_rank: u64,
+    /// Changes of chart.
+    pub charts: u64,
+    /// Singular poses that were passed, where the mechanism could have gone on in another way.
+    pub change_points: u64,
+    /// Steps near singular poses, where no chart is good: without charts and in numbers of twice the precision.
+    pub near_singular: u64,
+    /// Conditions that switched, and known times that were passed.
+    pub switches: u64,
+    /// Conditions that came and went within a step of a method without dense output, and were passed over.
+    pub passed_over: u64,
+    /// Changes of parameters that joints, masses or known times read, after each of which it was assembled anew.
+    pub renewed: u64,
+    /// Longest accepted step, s.
+    pub longest_step: f64,
+}
+
+/// Something that the user should know although the run goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Notice {
+    /// The longest step times Baumgarte's decay rate is above 0.5: the stabilisation costs accuracy (and above 2.785
+    /// Runge-Kutta 4 is unstable). Shorten the step or lengthen the time constant.
+    StiffStabilisation {
+        /// Step times decay rate.
+        h_alpha: f64,
+    },
+    /// Conditions came and went within steps of equal length, which passed over them: shorter steps, or a method with dense
+    /// output, which ends a step there.
+    PassedOver {
+        /// How often.
+        conditions: u64,
+    },
+}
