@@ -122,6 +122,12 @@ pub enum Cause {
         /// The joints through which they do.
         joints: Names,
     },
+    /// With these parameters joints repeat what others say, which they do not with those that were declared: the coordinates
+    /// leave out a freedom.
+    Repeats {
+        /// The joints.
+        joints: Names,
+    },
     /// The joints cannot be closed; the part is the one that stays open widest.
     Open {
         /// What remains, m or rad.
@@ -242,6 +248,11 @@ impl fmt::Display for Cause {
             Self::VelocityRedundant { count, locks, joints } => {
                 redundant(f, *count, "velocity", locks, joints)
             }
+            Self::Repeats { joints } => write!(
+                f,
+                "with these parameters {joints} say what other joints say, and the coordinates leave out a freedom; declare \
+                 such parameters as defaults, or take `rung: absolute`"
+            ),
             Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
             Self::VelocityOpen { gap } => {
                 write!(f, "the start velocities contradict the joints by {gap:e} m/s or rad/s")

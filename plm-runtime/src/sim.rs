@@ -223,38 +223,54 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     }
 }
 
+/// Steps of fixed length that fail one after the other, and are divided each time, until the run ends: they are too long.
+const MOST_FAILURES: u32 = 100;
+
 /// Advances to the end of the course; no known time lies before it.
 fn stretch<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    (watch, limits): Guarded<'_, M>,
+    guarded: Guarded<'_, M>,
     observer: &mut impl Observer<M>,
 ) -> Result<(), Fault> {
-    watch.begin(method, course)?;
+    guarded.0.begin(method, course)?;
     method.begin(course)?;
-    while course.time < course.end {
-        let mut outcome = Ok(());
-        if !M::Rescue::holds(course) {
-            outcome = step(method, course, (watch, limits), observer);
-        }
-        if M::Rescue::holds(course) || outcome.is_err() {
-            rescue(method, course, (watch, limits), (outcome, observer))?;
-        }
-    }
-    Ok(())
+    go_on(method, course, guarded, (Ok(()), observer))
 }
 
 /// Advances to the end of the course from a step that may have failed.
 pub(crate) fn alone<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    (watch, limits): Guarded<'_, M>,
+    guarded: Guarded<'_, M>,
     failed: Result<(), Fault>,
 ) -> Result<(), Fault> {
-    if failed.is_err() {
-        rescue(method, course, (&mut *watch, limits), (failed, &mut Unobserved))?;
+    method.begin(course)?;
+    go_on(method, course, guarded, (failed, &mut Unobserved))
+}
+
+/// Steps to the end of the course; near singular poses, and where one fails that cannot be shortened, by the rescue.
+fn go_on<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    (mut outcome, observer): (Result<(), Fault>, &mut impl Observer<M>),
+) -> Result<(), Fault> {
+    let mut failures = 0;
+    while course.time < course.end {
+        if outcome.is_ok() && !M::Rescue::holds(course) {
+            outcome = step(method, course, (&mut *watch, limits), observer);
+        }
+        failures = if outcome.is_ok() { 0 } else { failures + 1 };
+        if failures > MOST_FAILURES {
+            return outcome;
+        }
+        if M::Rescue::holds(course) || outcome.is_err() {
+            rescue(method, course, (&mut *watch, limits), (outcome, observer))?;
+            outcome = Ok(());
+        }
     }
-    stretch(method, course, (watch, limits), &mut Unobserved)
+    outcome
 }
 
 /// One step; it may be refused, and is not made then.
@@ -268,9 +284,7 @@ fn step<M: Mechanism, I: Method<M>>(
     let before = (course.time, course.x);
     course.health = M::S::lit(1.0);
     let due = watch.step(method, course)?;
-    if M::Rescue::is_due(course) {
-        course.rescued = Some(course.time);
-        refuse(course, before, watch);
+    if came_near(course, before, watch) {
         return Ok(());
     }
     let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
@@ -296,12 +310,19 @@ fn rescue<M: Mechanism, I: Method<M>>(
         watch.forget();
         watch.begin(method, course)?;
     }
+    // The energy is that of the mechanism's own coordinates.
+    let limits = Limits { energy_jump: None, ..limits };
     let mut rescue = M::Rescue::new();
     while course.time < course.end && M::Rescue::holds(course) {
         let before = (course.time, course.held, course.x);
         let outcome = step(&mut rescue, course, (&mut *watch, limits), observer);
         // The cause is that which the mechanism's own coordinates tell.
         outcome.map_err(|fault| failed.err().map_or(fault, |cause| Fault { time: fault.time, ..cause }))?;
+        if course.time <= before.0 {
+            // What is held is the pose; the step was refused.
+            course.held = before.1;
+            continue;
+        }
         if let Some(part) = rescue.passed() {
             if limits.change_points {
                 let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);
@@ -390,11 +411,27 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
     }
 }
 
-/// Goes back to where a step began.
+/// Has the last step led over nearly singular poses? It is taken back then.
+#[inline]
+pub(crate) fn came_near<M: Mechanism>(
+    course: &mut Course<'_, M>,
+    before: (M::S, M::X),
+    watch: &mut Watch<M::S, M::G>,
+) -> bool {
+    let due = M::Rescue::is_due(course);
+    if due {
+        course.rescued = Some(course.time);
+        refuse(course, before, watch);
+    }
+    due
+}
+
+/// Goes back to where a step began; what switched at once had made none.
 fn refuse<M: Mechanism>(course: &mut Course<'_, M>, before: (M::S, M::X), watch: &mut Watch<M::S, M::G>) {
+    let made = u64::from(course.time > before.0);
     (course.time, course.x) = before;
-    course.stats.steps -= 1;
-    course.stats.rejected += 1;
+    course.stats.steps -= made;
+    course.stats.rejected += made;
     watch.forget();
 }
 

@@ -121,15 +121,16 @@ fn absolute_coordinates_are_settled_lane_by_lane() {
     assert!(stats.iter().all(|stats| stats.settled > 0), "{stats:?}");
 }
 
+/// Each passes its flat poses without the others.
 #[test]
-fn unhealthy_lanes_go_by_rank() {
+fn lanes_near_singular_poses_go_alone() {
     let mechanisms = AROUND.map(|s| {
         let mut mechanism = parallelogram::FourBars::new();
         mechanism.start.crank.omega.value = 2.0 + s;
         mechanism
     });
     let stats = agree(mechanisms, Rk4::new(1e-3), &[0.7, 1.3], unchanged);
-    assert!(stats.iter().any(|stats| stats.by_rank > 0), "{stats:?}");
+    assert!(stats.iter().all(|stats| stats.near_singular > 0 && stats.change_points == 1), "{stats:?}");
 }
 
 /// Times at which forces jump are hit by the lanes that have them.
@@ -150,7 +151,7 @@ fn what_ends_a_run_ends_its_lane() {
     let stats = agree(mechanisms, Rk4::new(1e-3), &[1.0, 0.5, 0.5], |_, lane, sim| {
         sim.stop_at_change_points(lane % 2 == 0);
     });
-    let stopped = stats.map(|stats| stats.steps < 2000);
+    let stopped = stats.map(|stats| stats.steps < 1900);
     assert!(stopped.contains(&true) && stopped.contains(&false), "{stats:?}");
 
     // Steps of a twentieth of a second lose some of the energy, and here and there more than is allowed.

@@ -64,7 +64,8 @@ pub fn flat_part<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usi
         m.min_norm(t, q, &[S::lit(1.0); NQ], &r, &mut dq);
         // What is not a number is as long as can be.
         let way = largest(&dq);
-        if !(way <= longest) {
+        let is_shorter = way <= longest;
+        if !is_shorter {
             (longest, part) = (way, name);
         }
     }

@@ -59,8 +59,8 @@ pub(crate) struct Watch<S, G> {
     left_over: G,
     /// Nothing has been done yet: a condition that is on its boundary begins on the side that it goes to.
     is_new: bool,
-    /// A condition without dense output that came and went within the last step.
-    brief: Option<usize>,
+    /// A condition without dense output that came and went within the last step, and how many did.
+    brief: Option<(usize, u64)>,
     /// When the present burst of switches began, and how many it has.
     since: S,
     count: u32,
@@ -117,7 +117,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         // What would end a step so early that it hardly moves the time happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
-        let (mut due, mut time) = match self.search(method, course, start.time, &end)? {
+        let (mut due, mut time) = match self.search(method, course, &start, &end)? {
             (Found::Crossing(index, _), time) => (Some(index), time),
             (Found::Open(_), time) if time - start.time > least => (None, time),
             _ => (None, course.time),
@@ -157,7 +157,8 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return Ok(());
         }
         if !I::DENSE {
-            if let Some(index) = self.brief.take() {
+            if let Some((index, passed_over)) = self.brief.take() {
+                course.stats.passed_over += passed_over;
                 required(course, index)?;
             }
             return self.switch_due(method, course, true);
@@ -215,7 +216,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         &self,
         method: &mut I,
         course: &mut Course<'_, M>,
-        start: S,
+        start: &Start<S, M::U, M::X>,
         end: &G,
     ) -> Result<(Found<S>, S), Fault> {
         if G::LEN == 0 {
@@ -223,8 +224,8 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         method.densify(course)?;
         let Some(path) = method.path() else {
-            let began = self.guards.unwrap_or(*end);
-            let looks = Looks { method, course, start, left_over: &self.left_over };
+            let began = guards(course.system, start.time, &start.held, &start.x);
+            let looks = Looks { method, course, start: start.time, left_over: &self.left_over };
             return Ok(looks.first(&began, end));
         };
         let found = Search::new(course.system, course.held, path, &self.left_over).first();
@@ -250,10 +251,9 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         for index in 0..G::LEN {
             let search = search().of_one(index);
             if matches!(search.first(), Found::Crossing(..)) && !search.is_past(S::lit(1.0), index) {
-                course.stats.passed_over += 1;
-                if self.brief.is_none() || course.system.must_hold(index) {
-                    self.brief = Some(index);
-                }
+                let (first, count) = self.brief.unwrap_or((index, 0));
+                let told = if course.system.must_hold(index) { index } else { first };
+                self.brief = Some((told, count + 1));
             }
         }
     }

@@ -11,6 +11,7 @@ use crate::mechanism::{Mechanism, Moment};
 use crate::method::{FixedStep, Formula, Plan, Rk4Formula};
 use crate::scalar::Scalar;
 use crate::sim::{Clock, Sim};
+use crate::singular::Rescue;
 use crate::vector::Vector;
 
 /// Eight simulations of one mechanism, with parameters, inputs and states of their own: their rates are computed at once,
@@ -167,10 +168,11 @@ fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     let mut looked = false;
     for (i, lane) in lanes.iter_mut().enumerate() {
         let healthy = side.joined[i] && f64::HEALTHY < health[i];
-        if !lane.runs || (healthy && all_finite && lane.coast(plan, &column(&next, i))) {
+        let trusted = healthy && all_finite && !M::Rescue::doubts(health[i]);
+        if !lane.runs || (trusted && lane.coast(plan, &column(&next, i))) {
             continue;
         }
-        let made = healthy.then(|| column(&next, i));
+        let made = healthy.then(|| (column(&next, i), health[i]));
         lane.step(time, plan, column(&side.x, i), made);
         set_column(&mut next, i, &lane.course.x);
         looked = true;

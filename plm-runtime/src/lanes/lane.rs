@@ -5,7 +5,7 @@ use crate::events::Watch;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, FixedStep, Formula, Method, Plan};
-use crate::sim::{Limits, Sim, alone, look};
+use crate::sim::{Limits, Sim, alone, came_near, look};
 use crate::singular::Rescue;
 use crate::vector::Vector;
 
@@ -52,9 +52,11 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         coasts
     }
 
-    /// Makes the next step of the plan from the state `x`, to `next` if that is known, and looks at it.
-    pub(super) fn step(&mut self, time: f64, plan: &Plan<f64>, x: M::X, next: Option<M::X>) {
+    /// Makes the next step of the plan from the state `x`, to `next` if that is known, with its health, and looks at it.
+    pub(super) fn step(&mut self, time: f64, plan: &Plan<f64>, x: M::X, next: Option<(M::X, f64)>) {
         (self.course.time, self.course.x, self.method.plan) = (time, x, *plan);
+        self.course.health = next.map_or(1.0, |next| next.1.min(1.0));
+        let next = next.map(|next| next.0);
         self.outcome = if M::Rescue::holds(&self.course) { Ok(()) } else { self.land(next) };
         self.runs = self.outcome.is_ok() && !M::Rescue::holds(&self.course);
         if !self.runs {
@@ -76,6 +78,9 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
             None => method.step(course, &mut x)?,
         }
         method.land(course, x)?;
+        if came_near(course, before, watch) {
+            return Ok(());
+        }
         if let Some(next) = look(*method, course, (&mut **watch, *limits), before)? {
             next.hold(*method, course);
         }

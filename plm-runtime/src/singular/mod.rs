@@ -39,6 +39,9 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// Is the state one that only this method can go on from?
     fn holds(course: &Course<'_, M>) -> bool;
 
+    /// May a step with this as its smallest pivot ratio have led over poses that are nearly singular?
+    fn doubts(health: M::S) -> bool;
+
     /// Did the last step lead over poses that are so nearly singular that only this method can be trusted?
     fn is_due(course: &Course<'_, M>) -> bool;
 
@@ -99,6 +102,10 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
     }
     #[inline]
     fn holds(_course: &Course<'_, M>) -> bool {
+        false
+    }
+    #[inline]
+    fn doubts(_health: M::S) -> bool {
         false
     }
     #[inline]

@@ -294,8 +294,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     }
 
     #[inline]
+    fn doubts(health: M::S) -> bool {
+        !M::CHARTED && health < M::S::lit(POOR)
+    }
+
+    #[inline]
     fn is_due(course: &Course<'_, M>) -> bool {
-        !M::CHARTED && course.health < M::S::lit(POOR) && is_poor(course)
+        Self::doubts(course.health) && is_poor(course)
     }
 
     fn take(course: &mut Course<'_, M>) -> bool {

@@ -67,17 +67,25 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
     text.push_str("    }\n\n");
 }
 
+/// What ends a start at which rows repeat others although the charts count on all of them: they would leave out a freedom.
+const REPEATS: &str = "            if assembly.redundant.contains(&true) {
+                let joints = rt::Names::marked(&<Self as absolute::Absolute<S, NQ, NC>>::PARTS, &assembly.redundant);
+                return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
+            }
+";
+
 /// From the assembled pose to the state.
 fn begin(emission: &Emission) -> String {
     let sides = sides::begin(emission);
     if let Some(reduced) = emission.loops() {
         return format!(
             "            let memory = [S::lit(0.0); {}];
-            let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
+{repeats}            let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
             rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
 {sides}            Ok((held, x))
 ",
-            reduced.memory_length
+            reduced.memory_length,
+            repeats = if reduced.is_redundant() { "" } else { REPEATS },
         );
     }
     let call = if emission.reduced.is_some() {

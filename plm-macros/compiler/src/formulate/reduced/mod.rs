@@ -75,6 +75,11 @@ impl Reduced {
         !self.memory.is_empty()
     }
 
+    /// Are rows left out of it that say what others say?
+    pub(crate) fn is_redundant(&self) -> bool {
+        self.charts.iter().flat_map(|chart| &chart.groups).any(|group| group.starts_with("redundant"))
+    }
+
     /// Is it rung 4?
     pub(crate) fn iterates(&self) -> bool {
         !self.followed.is_empty()
