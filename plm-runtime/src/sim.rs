@@ -333,7 +333,7 @@ fn rescue<M: Mechanism, I: Method<M>>(
         }
     }
     method.restart();
-    method.begin(course)
+    if course.time < course.end { method.begin(course) } else { Ok(()) }
 }
 
 /// Can a fault come from a pose at which the mechanism's own coordinates are not regular?

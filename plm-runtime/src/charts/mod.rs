@@ -56,7 +56,7 @@ pub struct Held<I, Y> {
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 ///
 /// The memory begins with two numbers for each coordinate, then for the time: where it was at the last look, and how far it
-/// may move until the next one. Behind them stand an angle, its cosine and its sine for each class of bodies.
+/// may move until the next one (negative where every state is looked at). Behind them stand an angle, its cosine and its sine for each class of bodies.
 pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     /// The inputs.
     type Input: Copy;
@@ -200,7 +200,7 @@ fn regular<S: Real>() -> S {
 fn check_near<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Result<(), Fault> {
     let old = &held.memory;
     let moved = |k: usize| (memory.at(2 * k) - old.at(2 * k)).abs();
-    let reach = |k: usize| [old, memory].map(|at| M::S::lit(FAR) * at.at(2 * k + 1));
+    let reach = |k: usize| [old, memory].map(|at| M::S::lit(FAR) * at.at(2 * k + 1).abs());
     let within = (0..M::NQ).all(|k| {
         let [before, after] = reach(k);
         moved(k) <= before.max(after)

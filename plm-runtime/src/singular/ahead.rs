@@ -8,6 +8,7 @@ use super::equations::{Equations, Evaluated};
 use crate::absolute::smallest_pivot;
 use crate::scalar::Real;
 use crate::twofold::Twofold;
+use crate::vector::Vector;
 
 /// Poses that far apart are compared first, in radians (or lengths of the mechanism).
 const APART: f64 = 0.02;
@@ -41,9 +42,7 @@ impl<S: Real> Ahead<S> {
         M: Fine<NQ, NC, NX, S = S>,
     {
         let fastest = |from: usize, of: &[S; NX]| {
-            (0..NQ).fold(S::ZERO, |most: S, i| {
-                most.max((of[(from + i).min(NX - 1)] / equations.typical_of(i)).abs())
-            })
+            (0..NQ).fold(S::ZERO, |most: S, i| most.max((of.at(from + i) / equations.typical_of(i)).abs()))
         };
         let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
         let moving = speed * speed > S::lit(APART) * acceleration;
@@ -56,7 +55,7 @@ impl<S: Real> Ahead<S> {
         let (fine, _) = equations.0.twofold(held);
         let pivot = |distance: S| {
             let q = core::array::from_fn(|i| {
-                Twofold::of(here.x[i]) + Twofold::of(distance) * Twofold::of(of[NQ + i] / most)
+                Twofold::of(here.x.at(i)) + Twofold::of(distance) * Twofold::of(of.at(NQ + i) / most)
             });
             smallest_pivot(&fine, Twofold::of(t), &q).rounded()
         };

@@ -35,14 +35,26 @@ pub(super) fn place(j: usize) -> f64 {
 
 /// `P_0` to `P_8` at `x`.
 fn legendre<S: Scalar>(x: S) -> [S; NODES + 1] {
-    let mut p = [S::lit(1.0); NODES + 1];
-    p[1] = x;
-    for k in 1..NODES {
-        let k_float = k as f64;
-        p[k + 1] =
-            (S::lit(2.0 * k_float + 1.0) * x * p[k] - S::lit(k_float) * p[k - 1]) / S::lit(k_float + 1.0);
+    let (mut p, mut before, mut now) = ([S::lit(1.0); NODES + 1], S::lit(1.0), x);
+    for (k, p) in p.iter_mut().enumerate().skip(1) {
+        *p = now;
+        let k = k as f64;
+        let next = (S::lit(2.0 * k + 1.0) * x * now - S::lit(k) * before) / S::lit(k + 1.0);
+        (before, now) = (now, next);
     }
     p
+}
+
+/// `int_0^t P_0` to `int_0^t P_7`, `x = 2 t - 1`.
+fn integrals<S: Scalar>(t: S) -> [S; NODES] {
+    let p = legendre(t + t - S::lit(1.0));
+    let mut integrals = [t; NODES];
+    for (k, (integral, p)) in integrals.iter_mut().skip(1).zip(p.windows(3)).enumerate() {
+        if let [before, _, after] = p {
+            *integral = (*after - *before) / S::lit((4 * k + 6) as f64);
+        }
+    }
+    integrals
 }
 
 /// The solution over a step: its start, length, and the coefficients of its rate.
@@ -60,8 +72,8 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         for (j, rate) in rates.iter().enumerate() {
             let [x, w] = node(j);
             let p = legendre(S::lit(x));
-            for (k, row) in coefficients.iter_mut().enumerate() {
-                let factor = S::lit((2 * k + 1) as f64 * w) * p[k];
+            for (k, (row, p)) in coefficients.iter_mut().zip(p).enumerate() {
+                let factor = S::lit((2 * k + 1) as f64 * w) * p;
                 for (c, f) in row.iter_mut().zip(rate) {
                     *c = factor.mul_add(*f, *c);
                 }
@@ -72,11 +84,9 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
 
     /// The state at the part `t` of the step.
     pub(super) fn at(&self, t: S) -> [S; N] {
-        let p = legendre(t + t - S::lit(1.0));
         let mut x = [S::lit(0.0); N];
         // From the small ones to the large one.
-        for (k, row) in self.coefficients.iter().enumerate().rev() {
-            let integral = if k == 0 { t } else { (p[k + 1] - p[k - 1]) / S::lit(2.0 * (2 * k + 1) as f64) };
+        for (row, integral) in self.coefficients.iter().rev().zip(integrals(t).into_iter().rev()) {
             for (sum, c) in x.iter_mut().zip(row) {
                 *sum = integral.mul_add(*c, *sum);
             }
@@ -88,7 +98,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
     pub(super) fn rate(&self, t: S) -> [S; N] {
         let p = legendre(t + t - S::lit(1.0));
         let mut f = [S::lit(0.0); N];
-        for (row, p) in self.coefficients.iter().zip(p).rev() {
+        for (row, p) in self.coefficients.iter().rev().zip(p.into_iter().rev().skip(1)) {
             for (sum, c) in f.iter_mut().zip(row) {
                 *sum = p.mul_add(*c, *sum);
             }

@@ -39,9 +39,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// Is a state where it was before it was led back? Otherwise the constraints are elsewhere: lengths that repeat each
     /// other disagree.
     pub(super) fn is_beside(&self, x: &[M::S; NX], evaluated: &Evaluated<M::S, NX>) -> bool {
-        let moved: [M::S; NX] = core::array::from_fn(|i| evaluated.x[i] - x[i]);
+        let moved: [M::S; NX] = core::array::from_fn(|i| evaluated.x.at(i) - x.at(i));
         let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
-        size(&moved, |i| self.typical_of(i) + x[i].abs()) < beside
+        size(&moved, |i| self.typical_of(i) + x.at(i).abs()) < beside
     }
 
     /// Typical size of each number of a state.
@@ -75,6 +75,6 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Sys
 
     fn part_of_state(&self, index: usize) -> &'static str {
         let name = if index < 2 * NQ { M::COORDINATES.get(index % NQ.max(1)) } else { None };
-        name.map_or("", |name| name.rsplit_once('.').map_or(name, |split| split.0))
+        name.copied().unwrap_or_default()
     }
 }

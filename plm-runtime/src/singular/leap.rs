@@ -58,8 +58,8 @@ where
         let mut moved = M::S::ZERO;
         for (state, c) in states.iter_mut().zip(nodes) {
             let next = polynomial.at(c);
-            let change: [M::S; NX] = core::array::from_fn(|i| next[i] - state[i]);
-            let weight = |i: usize| equations.typical_of(i) + next[i].abs();
+            let change: [M::S; NX] = core::array::from_fn(|i| next.at(i) - state.at(i));
+            let weight = |i: usize| equations.typical_of(i) + next.at(i).abs();
             moved = moved.max(size(&change, weight));
             *state = next;
         }
@@ -82,12 +82,11 @@ fn guess<S: Real, const NQ: usize, const NX: usize>(
     time: S,
 ) -> [S; NX] {
     core::array::from_fn(|i| {
-        let at = |x: &[S; NX], k: usize| x.get(k).copied().unwrap_or(S::ZERO);
-        let bend = rate.map_or(S::ZERO, |rate| at(rate, i + NQ));
+        let bend = rate.map_or(S::ZERO, |rate| rate.at(i + NQ));
         let half = S::lit(0.5) * time * time;
         match i {
-            _ if i < NQ => from[i] + time * at(from, i + NQ) + half * bend,
-            _ => from[i] + time * rate.map_or(S::ZERO, |rate| rate[i]),
+            _ if i < NQ => from.at(i) + time * from.at(i + NQ) + half * bend,
+            _ => from.at(i) + time * rate.map_or(S::ZERO, |rate| rate.at(i)),
         }
     })
 }
@@ -117,8 +116,8 @@ where
     let (one, end) = (M::S::lit(1.0), polynomial.at(M::S::lit(1.0)));
     let after = equations.evaluate(t + polynomial.h, held, &end).ok_or(Refused::NotFound)?;
     let rate = polynomial.rate(one);
-    let off: [M::S; NX] = core::array::from_fn(|i| polynomial.h * (after.dx[i] - rate[i]));
-    let weight = |i: usize| equations.typical_of(i) + end[i].abs();
+    let off: [M::S; NX] = core::array::from_fn(|i| polynomial.h * (after.dx.at(i) - rate.at(i)));
+    let weight = |i: usize| equations.typical_of(i) + end.at(i).abs();
     let agrees = M::S::lit(AGREES).max(M::S::EPSILON.sqrt());
     if size(&off, weight) < agrees { Ok(polynomial) } else { Err(Refused::NotFound) }
 }

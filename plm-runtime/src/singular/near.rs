@@ -129,7 +129,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     /// A state from which nothing is known but its pose and velocity.
     fn leave(&mut self, course: &mut Course<'_, M>, here: &Here<M, NQ, NC, NX>) -> Result<(), Fault> {
         let speed = (0..NQ).fold(M::S::ZERO, |most: M::S, i| {
-            most.max((here.full[(NQ + i).min(NX - 1)] / here.equations.typical_of(i)).abs())
+            most.max((here.full.at(NQ + i) / here.equations.typical_of(i)).abs())
         });
         let times = AWAY.into_iter().map(|distance| M::S::lit(distance) / speed);
         let times = times.filter(|h| h.is_finite());
@@ -177,8 +177,8 @@ fn fault<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     here: &Here<M, NQ, NC, NX>,
     refused: Refused<M::S>,
 ) -> Fault {
-    let moves = (NQ..2 * NQ)
-        .any(|i| here.full[i.min(NX - 1)].abs() > M::S::EPSILON * here.equations.typical_of(i - NQ));
+    let moves =
+        (NQ..2 * NQ).any(|i| here.full.at(i).abs() > M::S::EPSILON * here.equations.typical_of(i - NQ));
     let cause = match refused {
         Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
         Refused::NotFound if moves => Cause::Undecided { gap: here.gap(course.time).to_f64() },

@@ -34,12 +34,16 @@ impl Terms {
         let (short, last) =
             if kind == 0 { (self.short[0], self.last[0]) } else { (self.short[1], self.last[1]) };
         let mut small = S::ZERO;
-        for n in (short..=last).rev().step_by(self.step) {
+        // `step_by` panics at zero.
+        let mut n = last;
+        while n >= short {
             small = small * x.high + INVERSE_FACTORIALS.at(2 * n);
+            n -= self.step;
         }
         let mut sum = Twofold::of(small);
-        for n in (self.first..=short - self.step).rev().step_by(self.step) {
+        while n >= self.first {
             sum = sum.times(x).plus(INVERSE_FACTORIALS.pair(2 * n));
+            n -= self.step;
         }
         sum
     }

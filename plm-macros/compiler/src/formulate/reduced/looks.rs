@@ -21,10 +21,18 @@ impl Layout<'_> {
         let drivers = 0..motion.drivers.len();
         let mut boxes: Vec<[Expr; 2]> = Vec::new();
         for driver in drivers {
-            let reach = self.reach(scheme, motion, &|unknown| motion.gain[unknown][driver]);
-            boxes.push([motion.value[motion.drivers[driver]], reach]);
+            // Where a rate vanishes it does not stay so: the coordinate itself must not go far either.
+            let own = motion.drivers[driver];
+            let slides = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
+            let own_rate = if slides { self.graph.recip(motion.length) } else { self.graph.one() };
+            let reach = self.reach(scheme, motion, (&|unknown| motion.gain[unknown][driver], Some(own_rate)));
+            boxes.push([motion.value[own], reach]);
         }
-        let reach = self.reach(scheme, motion, &|unknown| motion.drift[unknown]);
+        let mut reach = self.reach(scheme, motion, (&|unknown| motion.drift[unknown], None));
+        if self.coordinates.moves_with(self.model.time, self.graph) {
+            // What is prescribed may rest now and move later: every state is looked at.
+            reach = self.graph.neg(reach);
+        }
         boxes.push([self.model.time, reach]);
         let areas = motion.solutions.iter().map(|solution| solution.determinant).collect();
         self.remembered(motion, (boxes, areas), &motion.solutions)
@@ -32,7 +40,12 @@ impl Layout<'_> {
 
     /// How far a coordinate may move, if the unknowns move by `rate` with it, so that no loop comes much nearer to flat and
     /// no body turns far.
-    fn reach(&mut self, scheme: &Scheme, motion: &Motion, rate: &dyn Fn(usize) -> Expr) -> Expr {
+    fn reach(
+        &mut self,
+        scheme: &Scheme,
+        motion: &Motion,
+        (rate, own): (&dyn Fn(usize) -> Expr, Option<Expr>),
+    ) -> Expr {
         let graph = &mut *self.graph;
         let mut bounds: Vec<Expr> = Vec::new();
         for (group, solution) in scheme.loops().zip(&motion.solutions) {
@@ -49,6 +62,9 @@ impl Layout<'_> {
             }
         }
         bounds.retain(|&bound| !graph.is_zero(bound));
+        if !bounds.is_empty() {
+            bounds.extend(own);
+        }
         let Some(fastest) = bounds.into_iter().reduce(|a, b| graph.max(a, b)) else {
             return graph.number(Number::from_f64(ANYWHERE));
         };
