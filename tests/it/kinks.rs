@@ -15,7 +15,6 @@ macro_rules! gate {
             }
 
             pub fn speed<I: plm::Method<Gate>>(method: I, interval: f64) -> (f64, plm::Stats) {
-                use plm::Mechanism;
                 let mut sim = Gate::new().start_with(method).unwrap();
                 while sim.time() < 10.0 {
                     sim.step(interval.min(10.0 - sim.time())).unwrap();

@@ -107,8 +107,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
         format_args!(
             "        #[cold]
         fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
-            let _ = dx;
-            Err(rt::charts::not_regular(self, t, u, x))
+            if rt::System::rate(self, t, u, x, dx).is_good() {{ Ok(()) }} else {{ Err(rt::charts::not_regular(self, t, u, x)) }}
         }}
 
         #[inline]
