@@ -71,31 +71,30 @@ pub fn quadrorhomb() -> Result<Figure, Fault> {
     let mut sim = Quadrorhomb::from_crank(0.0).start()?;
     let trace = falling(&mut sim);
     let limit = quadrorhomb_limit().to_degrees();
-    let reached = sim.crank().angle.abs().to_degrees();
-    let (time, cause) = match &trace.end {
-        Ok(()) => (f64::INFINITY, "runs on".to_owned()),
-        Err(fault) => (fault.time, fault.to_string()),
-    };
-    let lost = sim.energy().abs() / sim.kinetic_energy();
+    let farthest = |a: (f64, f64), b: (f64, f64)| if b.1.abs() > a.1.abs() { b } else { a };
+    // The first time that it comes there; samples stand 1 ms apart.
+    let until = |(time, _): &(f64, f64)| *time < QUADRORHOMB_FALL + 0.01;
+    let (time, angle) = trace.over_time(1).into_iter().filter(until).fold((0.0, 0.0), farthest);
+    let reached = angle.abs().to_degrees();
     let rows = vec![
         Row::new(
-            "Quadrorhomb in free fall: end",
-            format!("locks up at {QUADRORHOMB_FALL:.5} s"),
-            format!("stops: {cause}"),
-            (time - QUADRORHOMB_FALL).abs() < 5e-4,
+            "Quadrorhomb in free fall: its crank turns back",
+            format!("at {QUADRORHOMB_FALL:.5} s"),
+            format!("at {time:.3} s"),
+            trace.survived() && (time - QUADRORHOMB_FALL).abs() < 1.5e-3,
         ),
         Row::new(
             "Quadrorhomb in free fall: angle of the crank there",
             format!("{limit:.4} deg"),
             format!("{reached:.4} deg"),
-            (limit - reached).abs() < 0.01,
+            (0.0..0.3).contains(&(limit - reached)),
         ),
-        Row::below("Quadrorhomb in free fall: energy over kinetic energy there", 1e-4, "", lost),
+        Row::below("Quadrorhomb in free fall: largest error of the energy", 1e-6, "J", trace.largest(0)),
     ];
     let degrees = trace.over_time(1).into_iter().map(|(time, angle)| (time, angle.to_degrees()));
     let chart = Chart::new(Axis::linear("time", "s"), Axis::linear("angle of the crank", "deg"))
         .titled("Quadrorhomb in free fall")
-        .noted(format!("It ends with: {cause}"))
+        .noted("Beyond, its cell has folded through.")
         .with(Series::new("default method", degrees))
         .with_rule(Rule::horizontal(-limit, "limit of the crank"))
         .with_rule(Rule::vertical(QUADRORHOMB_FALL, "lock-up by quadrature"))
