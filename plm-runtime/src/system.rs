@@ -50,6 +50,12 @@ pub trait System {
         Drift { phi: Self::S::lit(0.0), phi_dot: Self::S::lit(0.0) }
     }
 
+    /// Can the rate be computed in what `u` holds? Not near singular poses, where no chart is good.
+    fn is_regular(&self, u: &Self::U) -> bool {
+        let _ = u;
+        true
+    }
+
     /// Looks at an accepted state and brings what is held over the next step up to date: charts, branches of loops.
     ///
     /// # Errors

@@ -110,6 +110,10 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
             if rt::System::rate(self, t, u, x, dx).is_good() {{ Ok(()) }} else {{ Err(rt::charts::not_regular(self, t, u, x)) }}
         }}
 
+        fn is_regular(&self, u: &Self::U) -> bool {{
+            !rt::charts::is_free::<Self>(u)
+        }}
+
         #[inline]
         fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; {length}]) -> Result<rt::Accepted, Fault> {{
             rt::charts::accept(self, t, u, x)
