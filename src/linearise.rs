@@ -78,10 +78,10 @@ impl Mode {
 /// [`Cause::Singular`] where the accelerations or their derivatives are not determined without a decomposition by rank, or
 /// where no chart of the loops is good.
 pub fn linearise<T: Moment<M: Linearisable<State = T>>>(state: &T) -> Result<Linearisation, Fault> {
-    if !state.mechanism().is_regular(&state.held()) {
-        return Err(Fault::new(state.time(), Cause::Singular { rows: 0 }));
-    }
     let size = <<T::M as System>::X as plm_runtime::Vector<f64>>::LEN;
+    if !state.mechanism().is_regular(&state.held()) {
+        return Err(Fault::new(state.time(), Cause::Singular { rows: size }));
+    }
     let a = by_state(state, size)?;
     let inputs = <T::M as Ports>::INPUTS;
     let outputs = <T::M as Ports>::OUTPUTS;
