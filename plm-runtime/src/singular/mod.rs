@@ -2,15 +2,15 @@
 //!
 //! Where every chart of a mechanism is poor, the constraints alone say how it moves. It goes on in absolute coordinates,
 //! with every state led back onto the constraints before its rate is computed, in numbers of twice the precision
-//! ([`equations`]): the rate is then a smooth function of the state however near a singular pose is.
+//! (`equations`): the rate is then a smooth function of the state however near a singular pose is.
 //!
 //! How near that is, is told by the smallest pivot of `phi_q M^-1 phi_q^T`. Along the motion it is `c + k (s - s0)^2`
-//! ([`ahead`]):
+//! (`ahead`):
 //!
 //! * Away from zero, the pose is passed by: steps follow the turn, which takes place over a length of `sqrt(c / k)`.
 //! * Where `c` vanishes, the rank of `phi_q` does too (A. Mueller, Higher derivatives of the kinematic mapping and some
 //!   applications, Mech. Mach. Theory 76, 2014, on the branches that meet there). The motion through it is analytic; a step by
-//!   collocation leads over the pose, with nodes on both sides of it ([`leap`]).
+//!   collocation leads over the pose, with nodes on both sides of it (`leap`).
 //!
 //! Whether `c` vanishes is told by the gap that is left in the joints where the polynomial of that step is flat: a pose that
 //! is passed by leaves one of the size of the difference of the lengths.
