@@ -1,0 +1,250 @@
+//! Steps one after the other: made by the method, looked at by the system, and by the rescue near singular poses.
+
+use super::audit::audit;
+use super::samples::{Observer, Unobserved};
+use crate::events::{self, Watch};
+use crate::fault::{Cause, Fault};
+use crate::mechanism::Mechanism;
+use crate::method::{Course, Method};
+use crate::scalar::{Real, Scalar};
+use crate::singular::Rescue;
+use crate::system::{Accepted, System};
+
+/// Steps of fixed length that fail one after the other, and are divided each time, until the run ends: they are too long.
+const MOST_FAILURES: u32 = 100;
+
+/// Advances to the end of the course; no known time lies before it.
+pub(super) fn stretch<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    guarded: Guarded<'_, M>,
+    observer: &mut impl Observer<M>,
+) -> Result<(), Fault> {
+    guarded.0.begin(method, course)?;
+    method.begin(course)?;
+    go_on(method, course, guarded, (Ok(()), observer))
+}
+
+/// Advances to the end of the course from a step that may have failed.
+pub(crate) fn alone<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    guarded: Guarded<'_, M>,
+    failed: Result<(), Fault>,
+) -> Result<(), Fault> {
+    method.begin(course)?;
+    go_on(method, course, guarded, (failed, &mut Unobserved))
+}
+
+/// Steps to the end of the course; near singular poses, and where one fails that cannot be shortened, by the rescue.
+fn go_on<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    (mut outcome, observer): (Result<(), Fault>, &mut impl Observer<M>),
+) -> Result<(), Fault> {
+    let mut failures = 0;
+    while course.time < course.end {
+        if outcome.is_ok() && !M::Rescue::holds(course) {
+            outcome = step(method, course, (&mut *watch, limits), observer);
+        }
+        failures = if outcome.is_ok() { 0 } else { failures + 1 };
+        if failures > MOST_FAILURES {
+            return outcome;
+        }
+        if M::Rescue::holds(course) || outcome.is_err() {
+            rescue(method, course, (&mut *watch, limits), (outcome, observer))?;
+            outcome = Ok(());
+        }
+    }
+    outcome
+}
+
+/// One step; it may be refused, and is not made then.
+#[inline]
+fn step<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    observer: &mut impl Observer<M>,
+) -> Result<(), Fault> {
+    let before = (course.time, course.x);
+    course.health = M::S::lit(1.0);
+    let due = watch.step(method, course)?;
+    if came_near(course, before, watch) {
+        return Ok(());
+    }
+    let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
+    // Samples within the step belong to what was held over it.
+    observer.see(method, course)?;
+    next.hold(method, course);
+    watch.switch(method, course, due)
+}
+
+/// Steps near singular poses, until the mechanism's own coordinates are regular again; also where they are said to be
+/// singular by what a step has led to.
+#[cold]
+fn rescue<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    (failed, observer): (Result<(), Fault>, &mut impl Observer<M>),
+) -> Result<(), Fault> {
+    if let Err(fault) = failed {
+        if !(is_singular(&fault) && M::Rescue::take(course)) {
+            return Err(fault);
+        }
+        watch.forget();
+        watch.begin(method, course)?;
+    }
+    // The energy is that of the mechanism's own coordinates.
+    let limits = Limits { energy_jump: None, ..limits };
+    let mut rescue = M::Rescue::new();
+    while course.time < course.end && M::Rescue::holds(course) {
+        let before = (course.time, course.held, course.x);
+        let outcome = step(&mut rescue, course, (&mut *watch, limits), observer);
+        // The cause is that which the mechanism's own coordinates tell.
+        outcome.map_err(|fault| failed.err().map_or(fault, |cause| Fault { time: fault.time, ..cause }))?;
+        if course.time <= before.0 {
+            // What is held is the pose; the step was refused.
+            course.held = before.1;
+            continue;
+        }
+        if let Some(part) = rescue.passed() {
+            if limits.change_points {
+                let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);
+                (course.time, course.held, course.x) = before;
+                return Err(fault);
+            }
+            course.stats.change_points += 1;
+        }
+    }
+    method.restart();
+    if course.time < course.end { method.begin(course) } else { Ok(()) }
+}
+
+/// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
+fn is_singular(fault: &Fault) -> bool {
+    use Cause::{Locked, NotConverged, NotFinite, Singular, StepTooSmall, TurnedTooFar};
+    let cause = &fault.cause;
+    matches!(
+        cause,
+        Locked
+            | TurnedTooFar { .. }
+            | StepTooSmall { .. }
+            | NotConverged { .. }
+            | NotFinite
+            | Singular { .. }
+    )
+}
+
+/// What ends a run although its state could be continued.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits<S> {
+    /// The energy jumps by more than this fraction.
+    pub(super) energy_jump: Option<S>,
+    /// A loop can go on in several ways.
+    pub(super) change_points: bool,
+}
+
+impl<S> Limits<S> {
+    /// Every step is compared with the one before.
+    #[inline]
+    pub(crate) fn audit(&self) -> bool {
+        self.energy_jump.is_some()
+    }
+}
+
+/// Guards and limits of a run.
+type Guarded<'w, M> = (&'w mut Watch<<M as System>::S, <M as System>::G>, Limits<<M as System>::S>);
+
+/// A step that was refused is not shortened below so many units in the last place of the time.
+const SHORTEST_ULPS: f64 = 64.0;
+
+/// What a look at the state reached has found.
+pub(crate) struct Next<M: System> {
+    accepted: Accepted,
+    held: M::U,
+    x: M::X,
+}
+
+/// Lets the system look at the state reached. One that it refuses is not kept: none, if a shorter step is to be tried.
+pub(crate) fn look<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    before: (M::S, M::X),
+) -> Result<Option<Next<M>>, Fault> {
+    let (mut held, mut x) = (course.held, course.x);
+    let audited = limits.energy_jump.map_or(Ok(()), |fraction| audit(course, fraction, &before));
+    match audited.and_then(|()| course.system.accept(course.time, &mut held, &mut x)) {
+        Ok(Accepted { passed: Some(part), .. }) if limits.change_points => {
+            let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);
+            (course.time, course.x) = before;
+            method.restart();
+            watch.forget();
+            Err(fault)
+        }
+        Ok(accepted) => Ok(Some(Next { accepted, held, x })),
+        Err(fault) => {
+            let (h, time) = (course.time - before.0, course.time);
+            refuse(course, before, watch);
+            if method.shorten(h) && h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs() {
+                watch.begin(method, course)?;
+                return Ok(None);
+            }
+            Err(fault)
+        }
+    }
+}
+
+/// Has the last step led over nearly singular poses? It is taken back then.
+#[inline]
+pub(crate) fn came_near<M: Mechanism>(
+    course: &mut Course<'_, M>,
+    before: (M::S, M::X),
+    watch: &mut Watch<M::S, M::G>,
+) -> bool {
+    let due = M::Rescue::is_due(course);
+    if due {
+        course.rescued = Some(course.time);
+        refuse(course, before, watch);
+    }
+    due
+}
+
+/// Goes back to where a step began; what switched at once had made none.
+fn refuse<M: Mechanism>(course: &mut Course<'_, M>, before: (M::S, M::X), watch: &mut Watch<M::S, M::G>) {
+    let made = u64::from(course.time > before.0);
+    (course.time, course.x) = before;
+    course.stats.steps -= made;
+    course.stats.rejected += made;
+    watch.forget();
+}
+
+impl<M: Mechanism> Next<M> {
+    /// Goes on with it.
+    pub(crate) fn hold<I: Method<M>>(self, method: &mut I, course: &mut Course<'_, M>) {
+        (course.held, course.x) = (self.held, self.x);
+        course.stats.charts += u64::from(self.accepted.moved);
+        course.stats.change_points += u64::from(self.accepted.passed.is_some());
+        if self.accepted.moved {
+            method.restart();
+        }
+    }
+}
+
+/// Holds what applies after the known time that was reached.
+pub(super) fn pass<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    watch: &mut Watch<M::S, M::G>,
+) -> Result<(), Fault> {
+    let mut after = course.held;
+    course.system.pass(course.time, &mut after);
+    events::hold(course, after)?;
+    course.stats.switches += 1;
+    method.restart();
+    watch.forget();
+    Ok(())
+}
