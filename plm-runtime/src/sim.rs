@@ -114,7 +114,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Projects the state onto its constraints.
     ///
-    /// After a run that has ended with [`Cause::Drift`] the state is that before the step, which was on its constraints: to
+    /// After a run that has ended with [`Cause::Drift`](crate::Cause::Drift) the state is that before the step, which was on its constraints: to
     /// settle it changes nothing.
     ///
     /// # Errors
