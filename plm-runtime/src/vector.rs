@@ -51,8 +51,13 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
     }
 
     #[inline]
-    fn from_fn(f: impl FnMut(usize) -> S) -> Self {
-        core::array::from_fn(f)
+    fn from_fn(mut f: impl FnMut(usize) -> S) -> Self {
+        // `core::array::from_fn` makes a compiler translate six functions for every closure.
+        let mut x = [S::lit(0.0); N];
+        for i in 0..N {
+            x[i] = f(i);
+        }
+        x
     }
 
     #[inline]
@@ -72,12 +77,12 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn map(&self, mut f: impl FnMut(S) -> S) -> Self {
-        core::array::from_fn(|i| f(self[i]))
+        Self::from_fn(|i| f(self[i]))
     }
 
     #[inline]
     fn map2(&self, other: &Self, mut f: impl FnMut(S, S) -> S) -> Self {
-        core::array::from_fn(|i| f(self[i], other[i]))
+        Self::from_fn(|i| f(self[i], other[i]))
     }
 
     #[inline]
@@ -98,12 +103,12 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn weighted<const K: usize>(weights: [f64; K], vectors: [&Self; K]) -> Self {
-        core::array::from_fn(|i| weighted(weights, vectors, i))
+        Self::from_fn(|i| weighted(weights, vectors, i))
     }
 
     #[inline]
     fn moved<const K: usize>(&self, h: S, weights: [f64; K], vectors: [&Self; K]) -> Self {
-        core::array::from_fn(|i| h.mul_add(weighted(weights, vectors, i), self[i]))
+        Self::from_fn(|i| h.mul_add(weighted(weights, vectors, i), self[i]))
     }
 
     #[inline]

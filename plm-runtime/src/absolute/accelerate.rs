@@ -5,6 +5,7 @@ use super::newton::scale_columns;
 use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// Accelerations and multipliers of M a + phi_q^T lambda = Q, phi_q a = gamma.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,8 +35,8 @@ pub fn accelerate<S: Real, const NQ: usize, const NC: usize>(
     gamma: &[S; NC],
     phi_q: &[[S; NQ]; NC],
 ) -> Result<Acceleration<S, NQ, NC>, Fault> {
-    let mut a: [S; NQ] = core::array::from_fn(|i| inverse_mass[i] * force[i]);
-    let b: [S; NC] = core::array::from_fn(|j| dot(&phi_q[j], &a) - gamma[j]);
+    let mut a: [S; NQ] = Vector::from_fn(|i| inverse_mass[i] * force[i]);
+    let b: [S; NC] = Vector::from_fn(|j| dot(&phi_q[j], &a) - gamma[j]);
     let roots = inverse_mass.map(S::sqrt);
     let mut scaled = *phi_q;
     scale_columns(&mut scaled, &roots);

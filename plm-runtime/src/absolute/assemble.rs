@@ -15,6 +15,7 @@ use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
 use crate::scalar::Real;
 use crate::start::Start;
+use crate::vector::Vector;
 
 /// What to say of locks that are too many.
 type LockCause = fn(usize, Names, Names) -> Cause;
@@ -54,7 +55,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     Ok(Assembly {
         q,
         v,
-        moved: core::array::from_fn(|i| q[i] - start[i].value),
+        moved: Vector::from_fn(|i| q[i] - start[i].value),
         locked: start.map(|s| s.locked),
         redundant: neighbour.rows,
         rank,

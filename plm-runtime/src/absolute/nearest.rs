@@ -4,6 +4,7 @@ use super::newton::assembly_step;
 use super::{Absolute, join, split};
 use crate::linalg::largest;
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// Newton steps that are enough from any stage of a step.
 const ITERATIONS: usize = 16;
@@ -30,12 +31,12 @@ pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
         if gap <= closed || (gap <= disagree && S::lit(2.0) * gap > before) {
             let r = m.phi_dot(t, &q, &v);
             let Some(dv) = assembly_step(m, t, &q, &w, &r) else { return false };
-            v = core::array::from_fn(|i| v[i] - dv[i]);
+            v = Vector::from_fn(|i| v[i] - dv[i]);
             join(&q, &v, x);
             return true;
         }
         let Some(dq) = assembly_step(m, t, &q, &w, &r) else { return false };
-        q = core::array::from_fn(|i| q[i] - dq[i]);
+        q = Vector::from_fn(|i| q[i] - dq[i]);
         before = gap;
     }
     false
@@ -59,7 +60,7 @@ pub fn flat_part<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usi
 ) -> &'static str {
     let (mut longest, mut part) = (S::ZERO, "");
     for (row, name) in M::PARTS.into_iter().enumerate() {
-        let r = core::array::from_fn(|j| if j == row { S::lit(1.0) } else { S::ZERO });
+        let r = Vector::from_fn(|j| if j == row { S::lit(1.0) } else { S::ZERO });
         let mut dq = [S::ZERO; NQ];
         m.min_norm(t, q, &[S::lit(1.0); NQ], &r, &mut dq);
         // What is not a number is as long as can be.

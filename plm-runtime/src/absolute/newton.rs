@@ -3,6 +3,7 @@
 use super::Absolute;
 use super::independent::{Independent, moving_tolerance};
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// A step of assembly: the shortest dq with phi_q dq = r in which the coordinates with `free` = 0 stay, those with
 /// `free` = 1 move; phi_q^+ r where the rank is not full. `None` if nothing finite comes out.
@@ -42,7 +43,7 @@ fn least_norm<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
         m.phi_q(t, q, &mut jacobian);
         scale_columns(&mut jacobian, &roots);
         let (y, _) = Independent::rows(jacobian, tolerance)?.solve(r);
-        finite(core::array::from_fn(|i| roots[i] * y[i]))
+        finite(Vector::from_fn(|i| roots[i] * y[i]))
     })
 }
 

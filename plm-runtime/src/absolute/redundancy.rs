@@ -5,6 +5,7 @@ use super::independent::column_sizes;
 use super::newton::{scale_columns, without_pivoting};
 use crate::linalg::{add, identity, rotate};
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// Dependencies among the rows of [phi_q; E], where E holds a unit row for every locked coordinate.
 ///
@@ -102,7 +103,7 @@ fn mark<S: Real, const N: usize>(marks: &mut [bool; N], vector: &[S; N], size: S
 /// mechanism is smaller), by the fractions of multiples of the golden ratio. The rank there is the highest that the equations can have, off phi = 0.
 pub(crate) fn beside<S: Real, const NQ: usize>(q: &[S; NQ], free: &[S; NQ], length: S) -> [S; NQ] {
     let (mut fraction, reach) = (0.0, S::lit(0.2) * length.min(S::lit(1.0)));
-    core::array::from_fn(|i| {
+    Vector::from_fn(|i| {
         fraction += 0.618_033_988_749_894_9;
         if fraction >= 1.0 {
             fraction -= 1.0;

@@ -25,7 +25,7 @@ const BESIDE: f64 = 1e-9;
 const BESIDE_ULPS: f64 = 64.0;
 /// A kink matters if what it adds to the error of a step is more than so many tolerances: the derivative of the dense
 /// output is some times less exact than the step itself.
-const MATTERS: f64 = 10.0;
+const MATTERS: f64 = 1.0;
 
 /// The kinks over a step.
 pub(super) struct Kinks<'a, M: System> {

@@ -168,7 +168,9 @@ fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     let mut looked = false;
     for (i, lane) in lanes.iter_mut().enumerate() {
         let healthy = side.joined[i] && f64::HEALTHY < health[i];
-        let trusted = healthy && all_finite && !M::Rescue::doubts(health[i]);
+        let (before, after) = ((time, column(&side.x, i)), (plan.next_time, column(&next, i)));
+        let trusted =
+            healthy && all_finite && !M::Rescue::doubts(lane.course.system, health[i], &before, &after);
         if !lane.runs || (trusted && lane.coast(plan, &column(&next, i))) {
             continue;
         }

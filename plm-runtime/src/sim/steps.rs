@@ -46,7 +46,7 @@ fn go_on<M: Mechanism, I: Method<M>>(
     let mut failures = 0;
     while course.time < course.end {
         if outcome.is_ok() && !M::Rescue::holds(course) {
-            outcome = step(method, course, (&mut *watch, limits), observer);
+            outcome = step(method, course, (&mut *watch, limits), observer, false);
         }
         failures = if outcome.is_ok() { 0 } else { failures + 1 };
         if failures > MOST_FAILURES {
@@ -60,18 +60,19 @@ fn go_on<M: Mechanism, I: Method<M>>(
     outcome
 }
 
-/// One step; it may be refused, and is not made then.
+/// One step; it may be refused, and is not made then. The rescue's own may lead over singular poses.
 #[inline]
 fn step<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     (watch, limits): Guarded<'_, M>,
     observer: &mut impl Observer<M>,
+    by_rescue: bool,
 ) -> Result<(), Fault> {
     let before = (course.time, course.x);
     course.health = M::S::lit(1.0);
     let due = watch.step(method, course)?;
-    if came_near(course, before, watch) {
+    if !by_rescue && came_near(course, before, watch) {
         return Ok(());
     }
     let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
@@ -102,7 +103,7 @@ fn rescue<M: Mechanism, I: Method<M>>(
     let mut rescue = M::Rescue::new();
     while course.time < course.end && M::Rescue::holds(course) {
         let before = (course.time, course.held, course.x);
-        let outcome = step(&mut rescue, course, (&mut *watch, limits), observer);
+        let outcome = step(&mut rescue, course, (&mut *watch, limits), observer, true);
         // The cause is that which the mechanism's own coordinates tell.
         outcome.map_err(|fault| failed.err().map_or(fault, |cause| Fault { time: fault.time, ..cause }))?;
         if course.time <= before.0 {
@@ -205,7 +206,7 @@ pub(crate) fn came_near<M: Mechanism>(
     before: (M::S, M::X),
     watch: &mut Watch<M::S, M::G>,
 ) -> bool {
-    let due = M::Rescue::is_due(course);
+    let due = M::Rescue::is_due(course, &before);
     if due {
         course.rescued = Some(course.time);
         refuse(course, before, watch);

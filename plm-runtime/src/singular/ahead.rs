@@ -54,7 +54,7 @@ impl<S: Real> Ahead<S> {
         }
         let (fine, _) = equations.0.twofold(held);
         let pivot = |distance: S| {
-            let q = core::array::from_fn(|i| {
+            let q = Vector::from_fn(|i| {
                 Twofold::of(here.x.at(i)) + Twofold::of(distance) * Twofold::of(of.at(NQ + i) / most)
             });
             smallest_pivot(&fine, Twofold::of(t), &q).rounded()

@@ -6,6 +6,7 @@
 //! 2nd ed., II.1.3; M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, table 25.4).
 
 use crate::scalar::Scalar;
+use crate::vector::Vector;
 
 /// Number of nodes; the order is twice that.
 pub(super) const NODES: usize = 8;
@@ -91,7 +92,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
                 *sum = integral.mul_add(*c, *sum);
             }
         }
-        core::array::from_fn(|i| self.h.mul_add(x[i], self.from[i]))
+        Vector::from_fn(|i| self.h.mul_add(x[i], self.from[i]))
     }
 
     /// The rate at the part `t` of the step.

@@ -25,13 +25,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// A state, led back, and its rate; none where the loops cannot be closed.
     pub(super) fn evaluate(&self, t: M::S, held: &M::U, x: &[M::S; NX]) -> Option<Evaluated<M::S, NX>> {
         let (fine, inputs) = self.0.twofold(held);
-        let (t, mut x) = (Twofold::of(t), core::array::from_fn(|i| Twofold::of(x[i])));
+        let (t, mut x) = (Twofold::of(t), Vector::from_fn(|i| Twofold::of(x[i])));
         if !nearest::<_, _, NQ, NC, NX>(&fine, t, &mut x) {
             return None;
         }
         let mut dx = x;
         M::accelerate(&fine, t, &inputs, &x, &mut dx);
-        let rounded = |x: [Twofold<M::S>; NX]| core::array::from_fn(|i| x[i].rounded());
+        let rounded = |x: [Twofold<M::S>; NX]| Vector::from_fn(|i| x[i].rounded());
         let evaluated = Evaluated { x: rounded(x), dx: rounded(dx) };
         evaluated.dx.is_finite().then_some(evaluated)
     }
@@ -39,9 +39,18 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// Is a state where it was before it was led back? Otherwise the constraints are elsewhere: lengths that repeat each
     /// other disagree.
     pub(super) fn is_beside(&self, x: &[M::S; NX], evaluated: &Evaluated<M::S, NX>) -> bool {
-        let moved: [M::S; NX] = core::array::from_fn(|i| evaluated.x.at(i) - x.at(i));
+        let moved: [M::S; NX] = Vector::from_fn(|i| evaluated.x.at(i) - x.at(i));
         let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
         size(&moved, |i| self.typical_of(i) + x.at(i).abs()) < beside
+    }
+
+    /// The largest length of a state, m: an angle of four radians is rounded as its ports' places are.
+    pub(super) fn size(&self, x: &[M::S; NX]) -> M::S {
+        let length = self.0.length();
+        (0..NQ).fold(length, |most: M::S, i| {
+            let turned = if i % 3 == 2 { M::S::lit(0.25) * length } else { M::S::lit(1.0) };
+            most.max(turned * x.at(i).abs())
+        })
     }
 
     /// Typical size of each number of a state.
@@ -70,7 +79,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Sys
     }
 
     fn typical(&self) -> [M::S; NX] {
-        core::array::from_fn(|i| self.typical_of(i))
+        Vector::from_fn(|i| self.typical_of(i))
     }
 
     fn part_of_state(&self, index: usize) -> &'static str {

@@ -5,7 +5,6 @@ use super::collocation::{NODES, Polynomial, place};
 use super::equations::Equations;
 use super::size;
 use crate::absolute::{Absolute, split};
-use crate::linalg::largest;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
@@ -43,7 +42,7 @@ pub(super) fn leap<M, const NQ: usize, const NC: usize, const NX: usize>(
 where
     M: Fine<NQ, NC, NX>,
 {
-    let nodes: [M::S; NODES] = core::array::from_fn(|j| M::S::lit(place(j)));
+    let nodes: [M::S; NODES] = Vector::from_fn(|j| M::S::lit(place(j)));
     let mut states = nodes.map(|c| guess::<_, NQ, NX>(from, rate, c * h));
     let mut before = M::S::INFINITY;
     for _ in 0..ITERATIONS {
@@ -58,7 +57,7 @@ where
         let mut moved = M::S::ZERO;
         for (state, c) in states.iter_mut().zip(nodes) {
             let next = polynomial.at(c);
-            let change: [M::S; NX] = core::array::from_fn(|i| next.at(i) - state.at(i));
+            let change: [M::S; NX] = Vector::from_fn(|i| next.at(i) - state.at(i));
             let weight = |i: usize| equations.typical_of(i) + next.at(i).abs();
             moved = moved.max(size(&change, weight));
             *state = next;
@@ -81,7 +80,7 @@ fn guess<S: Real, const NQ: usize, const NX: usize>(
     rate: Option<&[S; NX]>,
     time: S,
 ) -> [S; NX] {
-    core::array::from_fn(|i| {
+    Vector::from_fn(|i| {
         let bend = rate.map_or(S::ZERO, |rate| rate.at(i + NQ));
         let half = S::lit(0.5) * time * time;
         match i {
@@ -100,15 +99,18 @@ fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
 where
     M: Fine<NQ, NC, NX>,
 {
-    let unit = M::S::EPSILON * equations.0.length().max(largest(&polynomial.from));
+    let unit = M::S::EPSILON * equations.size(&polynomial.from);
+    // What a flat loop lacks is spread over all of its joints.
     let gap_at = |part: M::S| {
         let (q, _) = split::<_, NX, NQ>(&polynomial.at(part));
-        largest(&Absolute::phi(&equations.0, t + part * polynomial.h, &q))
+        let gaps = Absolute::phi(&equations.0, t + part * polynomial.h, &q);
+        gaps.fold(M::S::ZERO, |sum, gap| sum + gap.abs())
     };
     // Lengths that repeat each other may disagree everywhere.
-    let ends = gap_at(M::S::ZERO).max(gap_at(M::S::lit(1.0)));
-    let inside = (1..2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
-    let gap = inside.fold(M::S::ZERO, M::S::max) - M::S::lit(10.0) * ends;
+    let disagree = gap_at(M::S::ZERO);
+    let disagree = if disagree > M::S::lit(CLOSED) * unit { M::S::lit(10.0) * disagree } else { M::S::ZERO };
+    let inside = (1..=2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
+    let gap = inside.fold(M::S::ZERO, M::S::max) - disagree;
     if gap > M::S::lit(CLOSED) * unit {
         let undecided = gap <= M::S::lit(UNDECIDED) * unit;
         return Err(if undecided { Refused::Undecided(gap) } else { Refused::Opens(gap) });
@@ -116,7 +118,7 @@ where
     let (one, end) = (M::S::lit(1.0), polynomial.at(M::S::lit(1.0)));
     let after = equations.evaluate(t + polynomial.h, held, &end).ok_or(Refused::NotFound)?;
     let rate = polynomial.rate(one);
-    let off: [M::S; NX] = core::array::from_fn(|i| polynomial.h * (after.dx.at(i) - rate.at(i)));
+    let off: [M::S; NX] = Vector::from_fn(|i| polynomial.h * (after.dx.at(i) - rate.at(i)));
     let weight = |i: usize| equations.typical_of(i) + end.at(i).abs();
     let agrees = M::S::lit(AGREES).max(M::S::EPSILON.sqrt());
     if size(&off, weight) < agrees { Ok(polynomial) } else { Err(Refused::NotFound) }

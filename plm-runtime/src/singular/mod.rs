@@ -20,6 +20,7 @@ mod collocation;
 mod equations;
 mod leap;
 mod near;
+mod poor;
 
 pub use self::near::Near;
 
@@ -39,11 +40,11 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// Is the state one that only this method can go on from?
     fn holds(course: &Course<'_, M>) -> bool;
 
-    /// May a step with this as its smallest pivot ratio have led over poses that are nearly singular?
-    fn doubts(health: M::S) -> bool;
+    /// May a step between two states have led over poses that are nearly singular? `health` is its smallest pivot ratio.
+    fn doubts(system: &M, health: M::S, before: &(M::S, M::X), after: &(M::S, M::X)) -> bool;
 
-    /// Did the last step lead over poses that are so nearly singular that only this method can be trusted?
-    fn is_due(course: &Course<'_, M>) -> bool;
+    /// Did the last step, from `before`, lead over poses that are so nearly singular that only this method can be trusted?
+    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X)) -> bool;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
     fn take(course: &mut Course<'_, M>) -> bool;
@@ -105,11 +106,11 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         false
     }
     #[inline]
-    fn doubts(_health: M::S) -> bool {
+    fn doubts(_system: &M, _health: M::S, _before: &(M::S, M::X), _after: &(M::S, M::X)) -> bool {
         false
     }
     #[inline]
-    fn is_due(_course: &Course<'_, M>) -> bool {
+    fn is_due(_course: &Course<'_, M>, _before: &(M::S, M::X)) -> bool {
         false
     }
     fn take(_course: &mut Course<'_, M>) -> bool {

@@ -4,13 +4,14 @@ use super::ahead::Ahead;
 use super::collocation::Polynomial;
 use super::equations::{Equations, Evaluated};
 use super::leap::{Refused, leap};
+use super::poor::{is_doubtful, is_poor, is_regular};
 use super::{Fine, Rescue};
-use crate::absolute::{Absolute, beside, smallest_pivot, split};
+use crate::absolute::{Absolute, split};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Drift, Health};
+use crate::system::Drift;
 use crate::vector::Vector;
 
 /// Relative tolerance of the steps around a pose ...
@@ -22,13 +23,12 @@ const TOLERANCE_SINGLE: f64 = 1e-6;
 const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
 /// Distances, rad, that a step away from a singular pose may span.
 const AWAY: [f64; 4] = [0.1, 0.05, 0.02, 0.005];
-/// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
-const ELSEWHERE: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
-/// Pivots below this part of those at other poses are near a singular one.
-const POOR: f64 = 1e-2;
 /// A pose over which no step leads is tried again where it is nearer by this factor.
 const NEARER: f64 = 0.2;
 
+/// Where rounding would decide, a step over the pose is tried so often from nearer to it: a kink within a longer one, or too
+/// few nodes, open the joints too.
+const TRIALS: u32 = 4;
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +40,10 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     passed: Option<&'static str>,
     /// Distance below which a step over the pose ahead is tried.
     tried: M::S,
+    /// How often rounding would have decided.
+    undecided: u32,
+    /// By how much joints would have opened in the last step over the pose ahead that was tried.
+    opens: M::S,
 }
 
 /// What is known before a step.
@@ -75,7 +79,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         let (time, mut full) = (inner.time, inner.x);
         match equations.evaluate(time, &course.held, &full) {
             Some(evaluated) if equations.is_beside(&full, &evaluated) => full = evaluated.x,
-            _ => return Err(fault(course, here, Refused::NotFound)),
+            _ => return Err(self.fault(course, here, Refused::NotFound)),
         }
         self.over = None;
         Self::arrive(course, time, &full);
@@ -102,6 +106,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
                         .filter(|flat| from + *flat <= time)
                         .map(|_| course.system.flat_part(from, &here.full));
                     self.over = Some((from, polynomial));
+                    self.undecided = 0;
                     self.around.restart();
                     course.stats.steps += 1;
                     *course.longest_step = course.longest_step.max(time - from);
@@ -109,10 +114,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
                     return Ok(());
                 }
                 Err(Refused::NotFound) => {}
-                Err(told) => {
-                    refused = told;
-                    break;
-                }
+                Err(told) => refused = told,
             }
         }
         Err(refused)
@@ -133,58 +135,22 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         });
         let times = AWAY.into_iter().map(|distance| M::S::lit(distance) / speed);
         let times = times.filter(|h| h.is_finite());
-        self.step_over(course, here, (times, None)).map_err(|refused| fault(course, here, refused))
+        self.step_over(course, here, (times, None)).map_err(|refused| self.fault(course, here, refused))
     }
-}
 
-/// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
-fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    system: &M,
-    t: M::S,
-    full: &[M::S; NX],
-) -> M::S {
-    let (q, _) = split::<_, NX, NQ>(full);
-    let pivot = |turns: &f64| {
-        let far = beside(&q, &[M::S::lit(*turns); NQ], system.length());
-        smallest_pivot(system, t, &far)
-    };
-    ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
-}
-
-/// Has the last step come to poses that are far more singular than others? Where rows always depend on each other, none is.
-#[cold]
-fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    course: &Course<'_, M>,
-) -> bool {
-    let full = course.system.full(course.time, &course.held, &course.x);
-    let usual = usual(course.system, course.time, &full);
-    Health(usual).is_good() && course.health < M::S::lit(POOR) * usual
-}
-
-/// Is a state away from singular poses?
-fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    system: &M,
-    t: M::S,
-    full: &[M::S; NX],
-) -> bool {
-    let (q, _) = split::<_, NX, NQ>(full);
-    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, full)
-}
-
-/// What ends a run at a singular pose.
-fn fault<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    course: &Course<'_, M>,
-    here: &Here<M, NQ, NC, NX>,
-    refused: Refused<M::S>,
-) -> Fault {
-    let moves =
-        (NQ..2 * NQ).any(|i| here.full.at(i).abs() > M::S::EPSILON * here.equations.typical_of(i - NQ));
-    let cause = match refused {
-        Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
-        Refused::NotFound if moves => Cause::Undecided { gap: here.gap(course.time).to_f64() },
-        Refused::NotFound => Cause::Flat,
-    };
-    Fault::of_part(course.time.to_f64(), course.system.flat_part(course.time, &here.full), cause)
+    /// What ends a run at a singular pose.
+    fn fault(&self, course: &Course<'_, M>, here: &Here<M, NQ, NC, NX>, refused: Refused<M::S>) -> Fault {
+        let rest = |i: usize| M::S::EPSILON * here.equations.typical_of(i - NQ);
+        let moves = (NQ..2 * NQ).any(|i| here.full.at(i).abs() > rest(i));
+        let cause = match refused {
+            Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
+            Refused::NotFound if moves => {
+                Cause::Undecided { gap: self.opens.max(here.gap(course.time)).to_f64() }
+            }
+            Refused::NotFound => Cause::Flat,
+        };
+        Fault::of_part(course.time.to_f64(), course.system.flat_part(course.time, &here.full), cause)
+    }
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
@@ -207,7 +173,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             return self.leave(course, &here);
         };
         if !equations.is_beside(&full, evaluated) {
-            return Err(fault(course, &here, Refused::NotFound));
+            return Err(self.fault(course, &here, Refused::NotFound));
         }
         let here = Here { full: evaluated.x, ..here };
         let Some(evaluated) = &here.evaluated else {
@@ -223,14 +189,22 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
                 let flat = Some(time(M::S::lit(1.0)));
                 match self.step_over(course, &here, (times, flat)) {
                     Ok(()) => return Ok(()),
-                    Err(refused @ Refused::Undecided(_)) => return Err(fault(course, &here, refused)),
-                    Err(_) => self.tried = distance,
+                    Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
+                        return Err(self.fault(course, &here, refused));
+                    }
+                    Err(refused) => {
+                        if let Refused::Opens(gap) = refused {
+                            self.opens = gap;
+                        }
+                        self.tried = distance;
+                        self.undecided += u32::from(matches!(refused, Refused::Undecided(_)));
+                    }
                 }
             }
             Some(_) => {}
         }
         self.step_around(course, &here, longest).map_err(|failed| match failed.cause {
-            Cause::StepTooSmall { .. } | Cause::NotFinite => fault(course, &here, Refused::NotFound),
+            Cause::StepTooSmall { .. } | Cause::NotFinite => self.fault(course, &here, Refused::NotFound),
             _ => failed,
         })
     }
@@ -285,7 +259,14 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
 {
     fn new() -> Self {
         let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
-        Self { around: Embedded::new(M::S::lit(tolerance)), over: None, passed: None, tried: M::S::INFINITY }
+        Self {
+            around: Embedded::new(M::S::lit(tolerance)),
+            over: None,
+            passed: None,
+            tried: M::S::INFINITY,
+            undecided: 0,
+            opens: M::S::ZERO,
+        }
     }
 
     #[inline]
@@ -294,13 +275,14 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     }
 
     #[inline]
-    fn doubts(health: M::S) -> bool {
-        !M::CHARTED && health < M::S::lit(POOR)
+    fn doubts(system: &M, health: M::S, before: &(M::S, M::X), after: &(M::S, M::X)) -> bool {
+        !M::CHARTED && is_doubtful(system, health, before, after)
     }
 
     #[inline]
-    fn is_due(course: &Course<'_, M>) -> bool {
-        Self::doubts(course.health) && is_poor(course)
+    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X)) -> bool {
+        let after = (course.time, course.x);
+        Self::doubts(course.system, course.health, before, &after) && is_poor(course, before)
     }
 
     fn take(course: &mut Course<'_, M>) -> bool {

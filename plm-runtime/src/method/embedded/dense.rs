@@ -59,11 +59,11 @@ impl<S: Real, X: Vector<S>> Span<S, X> {
 
 /// A polynomial, of degree 6 at most, times theta.
 fn by_theta<S: Real>(c: [S; 8]) -> [S; 8] {
-    core::array::from_fn(|k| if k == 0 { S::ZERO } else { c[k - 1] })
+    Vector::from_fn(|k| if k == 0 { S::ZERO } else { c[k - 1] })
 }
 
 /// A polynomial, of degree 6 at most, times 1 - theta.
 fn by_rest<S: Real>(c: [S; 8]) -> [S; 8] {
     let shifted = by_theta(c);
-    core::array::from_fn(|k| c[k] - shifted[k])
+    Vector::from_fn(|k| c[k] - shifted[k])
 }

@@ -1,0 +1,125 @@
+//! Poses that are far more singular than others, and whether a step in absolute coordinates has led over one.
+
+use super::Fine;
+use crate::absolute::{beside, smallest_pivot, split};
+use crate::mechanism::Mechanism;
+use crate::method::{Course, Path};
+use crate::scalar::{Real, Scalar};
+use crate::system::Health;
+use crate::vector::Vector;
+
+/// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
+const ELSEWHERE: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
+/// Pivots below this part of those at other poses are near a singular one.
+const POOR: f64 = 1e-2;
+/// A step is looked at more closely if a stage has a smaller pivot ratio than this, ...
+const LOW: f64 = 0.1;
+/// ... or if it is so long, in radians, that no stage may lie near a pose that is nearly singular.
+const LONG: f64 = 0.4;
+/// Its poses are then compared in so many places, and at least so often, in radians.
+const LOOKS: usize = 4;
+const APART: f64 = 0.05;
+const MOST_LOOKS: usize = 64;
+/// A low place between them is followed down so often, by parabolas.
+const DESCENTS: usize = 8;
+
+/// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
+fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    full: &[M::S; NX],
+) -> M::S {
+    let (q, _) = split::<_, NX, NQ>(full);
+    let pivot = |turns: &f64| {
+        let far = beside(&q, &[M::S::lit(*turns); NQ], system.length());
+        smallest_pivot(system, t, &far)
+    };
+    ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
+}
+
+/// Has the last step come to poses that are far more singular than others? Where rows always depend on each other, none is.
+#[cold]
+pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    course: &Course<'_, M>,
+    before: &(M::S, M::X),
+) -> bool {
+    let full = course.system.full(course.time, &course.held, &course.x);
+    let usual = usual(course.system, course.time, &full);
+    let poor = M::S::lit(POOR) * usual;
+    Health(usual).is_good() && (course.health < poor || lowest(course, before, M::S::lit(LOW) * usual) < poor)
+}
+
+/// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
+fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    course: &Course<'_, M>,
+    before: &(M::S, M::X),
+    low: M::S,
+) -> M::S {
+    let after = (course.time, course.x);
+    let path = Path::between((before.0, &before.1), (after.0, &after.1), M::NQ);
+    let pivot = |part: M::S| {
+        let full = course.system.full(path.time(part), &course.held, &path.at(part));
+        smallest_pivot(course.system, path.time(part), &split::<_, NX, NQ>(&full).0)
+    };
+    let looks = (travel(course.system, before, &after) / M::S::lit(APART)).to_f64() as usize;
+    let looks = looks.clamp(LOOKS, MOST_LOOKS);
+    let (mut place, mut least) = (M::S::ZERO, M::S::INFINITY);
+    for k in 0..=looks {
+        let part = M::S::lit(k as f64 / looks as f64);
+        let here = pivot(part);
+        if here < least {
+            (place, least) = (part, here);
+        }
+    }
+    if least >= low {
+        return least;
+    }
+    // Near a singular pose it is a parabola: three places give its lowest.
+    let mut apart = M::S::lit(0.25 / looks as f64);
+    for _ in 0..DESCENTS {
+        let [behind, ahead] = [place - apart, place + apart].map(pivot);
+        let bend = ahead + behind - (least + least);
+        let way = if bend > M::S::ZERO { M::S::lit(0.5) * (behind - ahead) / bend } else { M::S::ZERO };
+        let next = (place + apart * way.max(M::S::lit(-4.0)).min(M::S::lit(4.0)))
+            .max(M::S::ZERO)
+            .min(M::S::lit(1.0));
+        let here = pivot(next);
+        if here < least {
+            (place, least) = (next, here);
+        }
+        apart = M::S::lit(0.5) * apart;
+    }
+    least
+}
+
+/// How far a step leads, rad.
+#[inline]
+fn travel<M: Mechanism>(system: &M, before: &(M::S, M::X), after: &(M::S, M::X)) -> M::S {
+    let typical = system.typical();
+    let speed = (0..M::NQ).fold(M::S::ZERO, |most: M::S, i| {
+        let of = |x: &M::X| x.at(M::NQ + i).abs();
+        most.max(of(&before.1).max(of(&after.1)) / typical.at(i))
+    });
+    (after.0 - before.0) * speed
+}
+
+/// Is a state away from singular poses?
+pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    full: &[M::S; NX],
+) -> bool {
+    let (q, _) = split::<_, NX, NQ>(full);
+    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, full)
+}
+
+/// May a step have led over poses that are nearly singular?
+#[inline]
+pub(super) fn is_doubtful<M: Mechanism>(
+    system: &M,
+    health: M::S,
+    before: &(M::S, M::X),
+    after: &(M::S, M::X),
+) -> bool {
+    health < M::S::lit(LOW) || travel(system, before, after) > M::S::lit(LONG)
+}
