@@ -1,9 +1,8 @@
 //! Accelerations and multipliers by rank.
 
-use super::independent::{Independent, moving_tolerance};
-use super::newton::scale_columns;
+use super::independent::{Independent, moving_tolerance, scale_columns};
 use crate::fault::{Cause, Fault};
-use crate::linalg::dot;
+use crate::linalg::{diagonal, dot};
 use crate::scalar::Real;
 
 /// Accelerations and multipliers of M a + phi_q^T lambda = Q, phi_q a = gamma.
@@ -25,21 +24,27 @@ pub struct Acceleration<S, const NQ: usize, const NC: usize> {
 /// It works on A itself: digits are lost to its condition number, not to the square of it as with A A^T. Directions that
 /// are lost at a singular position do not constrain the accelerations there.
 ///
+/// `phi_q` puts its entries into a matrix of zeros.
+///
 /// # Errors
 /// [`Cause::Singular`] if the matrix is not finite.
+#[cold]
+#[inline(never)]
 pub fn accelerate<S: Real, const NQ: usize, const NC: usize>(
     t: S,
     inverse_mass: &[S; NQ],
     force: &[S; NQ],
     gamma: &[S; NC],
-    phi_q: &[[S; NQ]; NC],
+    phi_q: impl FnOnce(&mut [[S; NQ]; NC]),
 ) -> Result<Acceleration<S, NQ, NC>, Fault> {
+    let (mut rows, mut combinations) = ([[S::lit(0.0); NQ]; NC], [[S::lit(0.0); NC]; NC]);
+    phi_q(&mut rows);
+    diagonal(&mut combinations);
     let mut a: [S; NQ] = core::array::from_fn(|i| inverse_mass[i] * force[i]);
-    let b: [S; NC] = core::array::from_fn(|j| dot(&phi_q[j], &a) - gamma[j]);
+    let b: [S; NC] = core::array::from_fn(|j| dot(&rows[j], &a) - gamma[j]);
     let roots = inverse_mass.map(S::sqrt);
-    let mut scaled = *phi_q;
-    scale_columns(&mut scaled, &roots);
-    let Some(independent) = Independent::rows(scaled, moving_tolerance()) else {
+    scale_columns(&mut rows, &roots);
+    let Some(independent) = Independent::of(&mut rows, &mut combinations, moving_tolerance()) else {
         return Err(Fault::new(t.to_f64(), Cause::Singular { rows: NC }));
     };
     let (y, lambda) = independent.solve(&b);

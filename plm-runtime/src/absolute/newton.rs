@@ -1,7 +1,7 @@
 //! The linear solves of assembly and projection.
 
-use super::Absolute;
 use super::independent::{Independent, moving_tolerance};
+use super::{Absolute, fill};
 use crate::scalar::Real;
 
 /// A step of assembly: the shortest dq with phi_q dq = r in which the coordinates with `free` = 0 stay, those with
@@ -37,13 +37,25 @@ fn least_norm<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
     r: &[S; NC],
     tolerance: S,
 ) -> Option<[S; NQ]> {
-    without_pivoting(m, t, q, w, r).or_else(|| {
-        let (roots, mut jacobian) = (w.map(S::sqrt), [[S::lit(0.0); NQ]; NC]);
-        m.phi_q(t, q, &mut jacobian);
-        scale_columns(&mut jacobian, &roots);
-        let (y, _) = Independent::rows(jacobian, tolerance)?.solve(r);
-        finite(core::array::from_fn(|i| roots[i] * y[i]))
-    })
+    without_pivoting(m, t, q, w, r).or_else(|| by_rank(m, (t, q), w, r, tolerance))
+}
+
+/// The same with as many independent rows as there are. It holds the one matrix of phi_q, which steps that are healthy
+/// must not pay for.
+#[cold]
+#[inline(never)]
+fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    at: (S, &[S; NQ]),
+    w: &[S; NQ],
+    r: &[S; NC],
+    tolerance: S,
+) -> Option<[S; NQ]> {
+    let (mut rows, mut sides) = ([[S::lit(0.0); NQ]; NC], r.map(|r| [r]));
+    let roots = w.map(S::sqrt);
+    fill(m, at, &roots, &mut rows);
+    let y = Independent::of(&mut rows, &mut sides, tolerance)?.nearest();
+    finite(core::array::from_fn(|i| roots[i] * y[i]))
 }
 
 /// The straight-line solution, if it is healthy.
@@ -61,16 +73,4 @@ pub(super) fn without_pivoting<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize,
 
 fn finite<S: Real, const N: usize>(v: [S; N]) -> Option<[S; N]> {
     v.iter().all(|s| s.is_finite()).then_some(v)
-}
-
-/// Multiplies the columns of a matrix by `weights`.
-pub(super) fn scale_columns<S: Real, const NQ: usize, const NC: usize>(
-    a: &mut [[S; NQ]; NC],
-    weights: &[S; NQ],
-) {
-    for row in a {
-        for (entry, weight) in row.iter_mut().zip(weights) {
-            *entry = *entry * *weight;
-        }
-    }
 }

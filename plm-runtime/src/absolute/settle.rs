@@ -3,9 +3,10 @@
 use super::newton::projection_step;
 use super::{Absolute, join, split};
 use crate::fault::{Cause, Fault};
-use crate::linalg::{add, largest};
+use crate::linalg::largest;
 use crate::scalar::Real;
 use crate::system::Drift;
+use crate::vector::Vector;
 
 /// Newton steps and velocity corrections that are enough from any drift worth projecting.
 const ITERATIONS: usize = 12;
@@ -94,12 +95,10 @@ pub fn balance<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
     lambda: &[S; NC],
     force: &[S; NQ],
 ) -> [S; NQ] {
-    let mut phi_q = [[S::lit(0.0); NQ]; NC];
-    m.phi_q(t, q, &mut phi_q);
     let mut left = force.map(|force| -force);
-    for (row, lambda) in phi_q.iter().zip(lambda) {
-        add(&mut left, *lambda, row);
-    }
+    m.phi_q(t, q, &mut |row, column, entry| {
+        left.set(column, lambda.at(row).mul_add(entry, left.at(column)));
+    });
     left
 }
 
