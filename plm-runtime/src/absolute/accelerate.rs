@@ -4,6 +4,7 @@ use super::independent::{Independent, moving_tolerance, scale_columns};
 use crate::fault::{Cause, Fault};
 use crate::linalg::{diagonal, dot};
 use crate::scalar::Real;
+use crate::workspace;
 
 /// Accelerations and multipliers of M a + phi_q^T lambda = Q, phi_q a = gamma.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,10 +28,24 @@ pub struct Acceleration<S, const NQ: usize, const NC: usize> {
 /// `phi_q` puts its entries into a matrix of zeros.
 ///
 /// # Errors
-/// [`Cause::Singular`] if the matrix is not finite.
+/// [`Cause::Singular`] if the matrix is not finite, [`Cause::Workspace`] if it takes more of the stack than is allowed.
 #[cold]
-#[inline(never)]
 pub fn accelerate<S: Real, const NQ: usize, const NC: usize>(
+    t: S,
+    inverse_mass: &[S; NQ],
+    force: &[S; NQ],
+    gamma: &[S; NC],
+    phi_q: impl FnOnce(&mut [[S; NQ]; NC]),
+) -> Result<Acceleration<S, NQ, NC>, Fault> {
+    match workspace::refusal::<S, NQ, NC>() {
+        Some(cause) => Err(Fault::new(t.to_f64(), cause)),
+        None => by_rank(t, inverse_mass, force, gamma, phi_q),
+    }
+}
+
+/// Holds the matrices, which nothing before it must pay for.
+#[inline(never)]
+fn by_rank<S: Real, const NQ: usize, const NC: usize>(
     t: S,
     inverse_mass: &[S; NQ],
     force: &[S; NQ],

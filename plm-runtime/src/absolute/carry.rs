@@ -5,6 +5,7 @@ use super::{Absolute, fill};
 use crate::fault::Fault;
 use crate::limits::{Limit, refused};
 use crate::scalar::Real;
+use crate::workspace;
 
 /// Looks at the coordinates without mass or inertia at the assembled position: those must move with others.
 ///
@@ -12,7 +13,8 @@ use crate::scalar::Real;
 /// combination of their columns of phi_q vanishes. `limits` has mass and inertia of every body.
 ///
 /// # Errors
-/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) for the first coordinate that could move alone.
+/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) for the first coordinate that could move alone;
+/// [`Cause::Workspace`](crate::Cause::Workspace).
 #[cold]
 pub fn check_carried<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -23,6 +25,9 @@ pub fn check_carried<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     let without = m.inverse_mass().map(|inverse| !inverse.is_finite());
     if !without.contains(&true) {
         return Ok(());
+    }
+    if let Some(cause) = workspace::refusal::<S, NQ, NC>() {
+        return Err(Fault::new(t.to_f64(), cause));
     }
     let mut taken = [S::lit(0.0); NQ];
     for (k, _) in without.iter().enumerate().filter(|(_, without)| **without) {

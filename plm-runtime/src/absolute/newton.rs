@@ -2,7 +2,9 @@
 
 use super::independent::{Independent, moving_tolerance};
 use super::{Absolute, fill};
+use crate::fault::Fault;
 use crate::scalar::Real;
+use crate::workspace;
 
 /// A step of assembly: the shortest dq with phi_q dq = r in which the coordinates with `free` = 0 stay, those with
 /// `free` = 1 move; phi_q^+ r where the rank is not full. `None` if nothing finite comes out.
@@ -37,7 +39,23 @@ fn least_norm<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
     r: &[S; NC],
     tolerance: S,
 ) -> Option<[S; NQ]> {
-    without_pivoting(m, t, q, w, r).or_else(|| by_rank(m, (t, q), w, r, tolerance))
+    without_pivoting(m, t, q, w, r).or_else(|| match workspace::refusal::<S, NQ, NC>() {
+        Some(_) => None,
+        None => by_rank(m, (t, q), w, r, tolerance),
+    })
+}
+
+/// The fault of a pose at which there was no step because a solution by rank is refused; none if it is not, or if nothing
+/// asks for one.
+#[cold]
+pub(super) fn refused<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    (t, q): (S, &[S; NQ]),
+    w: &[S; NQ],
+) -> Option<Fault> {
+    let cause = workspace::refusal::<S, NQ, NC>()?;
+    let healthy = without_pivoting(m, t, q, w, &[S::lit(0.0); NC]).is_some();
+    (!healthy).then_some(Fault::new(t.to_f64(), cause))
 }
 
 /// The same with as many independent rows as there are. It holds the one matrix of phi_q, which steps that are healthy

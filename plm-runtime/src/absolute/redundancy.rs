@@ -6,6 +6,7 @@ use super::{Absolute, fill};
 use crate::linalg::{diagonal, rotate};
 use crate::scalar::Real;
 use crate::vector::Vector;
+use crate::workspace;
 
 /// Dependencies among the rows of [phi_q; E], where E holds a unit row for every locked coordinate.
 ///
@@ -38,7 +39,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
     };
 
     /// At the position `q`, where a coordinate with `free` = 0 is locked and one with `free` = 1 is not.
-    /// `None` if the Jacobian is not finite.
+    /// `None` if the Jacobian is not finite, or if a solution by rank is refused.
     pub(super) fn at<S: Real, M: Absolute<S, NQ, NC>>(
         m: &M,
         t: S,
@@ -49,7 +50,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         if without_pivoting(m, t, q, free, &[S::lit(0.0); NC]).is_some() {
             return Some(Self::NONE);
         }
-        Self::by_rank(m, (t, q), free)
+        if workspace::refusal::<S, NQ, NC>().is_some() { None } else { Self::by_rank(m, (t, q), free) }
     }
 
     /// The same by orthogonalisation. It holds two matrices, which starts of healthy mechanisms must not pay for.

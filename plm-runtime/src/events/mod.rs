@@ -331,7 +331,8 @@ pub(crate) fn at_a_jump<M: System<S: Real>>(course: &Course<'_, M>, fault: Fault
         Cause::StepTooSmall { .. }
         | Cause::Drift { .. }
         | Cause::TooManySteps { .. }
-        | Cause::Singular { .. } => {
+        | Cause::Singular { .. }
+        | Cause::Workspace { .. } => {
             course.system.jump(course.time, &course.held, &course.x, None).unwrap_or(fault)
         }
         _ => fault,
