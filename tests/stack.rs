@@ -93,8 +93,9 @@ fn what_a_solution_by_rank_takes_is_known_and_refused() {
     let bytes = 8 * 64 * (96 + 64);
     assert_eq!(fault.cause, Cause::Workspace { bytes, allowed: WORKSPACE - 1 });
 
+    // So much, beside what every start takes, is enough for it.
     workspace::allow(bytes);
-    let fault = locked.start().err().unwrap();
+    let fault = with_stack(32 * BAR + bytes, || locked.start().err()).unwrap();
     assert!(matches!(fault.cause, Cause::Redundant { count: 1, .. }), "{fault}");
     workspace::allow(workspace::USUAL);
 }

@@ -52,7 +52,9 @@ fn by_rank<S: Real, const NQ: usize, const NC: usize>(
     gamma: &[S; NC],
     phi_q: impl FnOnce(&mut [[S; NQ]; NC]),
 ) -> Result<Acceleration<S, NQ, NC>, Fault> {
-    let (mut rows, mut combinations) = ([[S::lit(0.0); NQ]; NC], [[S::lit(0.0); NC]; NC]);
+    // One by one: a build without optimisation copies what is made as a pair.
+    let mut rows = [[S::lit(0.0); NQ]; NC];
+    let mut combinations = [[S::lit(0.0); NC]; NC];
     phi_q(&mut rows);
     diagonal(&mut combinations);
     let mut a: [S; NQ] = core::array::from_fn(|i| inverse_mass[i] * force[i]);

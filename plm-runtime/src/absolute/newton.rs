@@ -69,7 +69,8 @@ fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     r: &[S; NC],
     tolerance: S,
 ) -> Option<[S; NQ]> {
-    let (mut rows, mut sides) = ([[S::lit(0.0); NQ]; NC], r.map(|r| [r]));
+    let mut rows = [[S::lit(0.0); NQ]; NC];
+    let mut sides = r.map(|r| [r]);
     let roots = w.map(S::sqrt);
     fill(m, at, &roots, &mut rows);
     let y = Independent::of(&mut rows, &mut sides, tolerance)?.nearest();

@@ -57,7 +57,9 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
     #[cold]
     #[inline(never)]
     fn by_rank<S: Real, M: Absolute<S, NQ, NC>>(m: &M, at: (S, &[S; NQ]), free: &[S; NQ]) -> Option<Self> {
-        let (mut rows, mut y) = ([[S::lit(0.0); NQ]; NC], [[S::lit(0.0); NC]; NC]);
+        // One by one: a build without optimisation copies what is made as a pair.
+        let mut rows = [[S::lit(0.0); NQ]; NC];
+        let mut y = [[S::lit(0.0); NC]; NC];
         // Columns scaled to 1, so that units have no say.
         fill(m, at, &[S::lit(1.0); NQ], &mut rows);
         let scale = column_sizes(&rows).map(|size| S::lit(1.0) / size);

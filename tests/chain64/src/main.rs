@@ -16,9 +16,8 @@ use plm::{Fault, Moment, Rk4};
 
 chain::chain!(Chain64, 64);
 
-/// A quarter of what a spawned thread has, as 64 bars are a quarter of 256, and ten four-bars of 40; with a little for all
-/// that does not depend on the mechanism.
-const STACK: usize = (512 + 64) << 10;
+/// A quarter of what a spawned thread has, as 64 bars are a quarter of 256, and ten four-bars of 40.
+const STACK: usize = 512 << 10;
 /// The same with optimisation.
 const OPTIMISED: usize = STACK / 2;
 
