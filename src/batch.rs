@@ -21,12 +21,16 @@ use rayon::prelude::*;
 pub struct Points<P> {
     list: Vec<P>,
     threads: usize,
+    stack: usize,
     shows_progress: bool,
 }
 
+/// Bytes of stack that each thread has where nothing else is said: what programs give their main thread.
+const STACK: usize = 8 << 20;
+
 /// One run for each element.
 pub fn points<P>(list: impl IntoIterator<Item = P>) -> Points<P> {
-    Points { list: list.into_iter().collect(), threads: 0, shows_progress: true }
+    Points { list: list.into_iter().collect(), threads: 0, stack: STACK, shows_progress: true }
 }
 
 /// One run for each pair; the second varies fastest.
@@ -46,6 +50,14 @@ impl<P: Clone + Send> Points<P> {
         Self { threads, ..self }
     }
 
+    /// With so many bytes of stack for each thread, 8 MiB where this is not said. Very large mechanisms need more, above all in
+    /// builds without optimisation, and those that run by rank [`Mechanism::WORKSPACE`](plm_runtime::Mechanism::WORKSPACE)
+    /// besides: a stack that overflows ends the program, with all runs.
+    #[must_use]
+    pub fn stack(self, bytes: usize) -> Self {
+        Self { stack: bytes, ..self }
+    }
+
     /// Without a progress bar. There is none either where standard error is no terminal.
     #[must_use]
     pub fn quiet(self) -> Self {
@@ -54,7 +66,7 @@ impl<P: Clone + Send> Points<P> {
 
     /// Runs all points; `run` builds, starts and steps a mechanism, and gives what is worth keeping.
     pub fn run<T: Send>(self, run: impl Fn(P) -> Result<T, Fault> + Sync) -> Runs<P, T> {
-        let Points { list, threads, shows_progress } = self;
+        let Points { list, threads, stack, shows_progress } = self;
         let bar = if shows_progress { progress_bar(list.len()) } else { ProgressBar::hidden() };
         let one = |(index, parameters): (usize, P)| {
             let point = parameters.clone();
@@ -67,7 +79,7 @@ impl<P: Clone + Send> Points<P> {
         };
         // A run can take a second: threads take them one by one.
         let all = || list.into_par_iter().enumerate().with_max_len(1).map(one).collect();
-        let runs = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        let runs = match rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(stack).build() {
             Ok(pool) => pool.install(all),
             Err(_) => all(),
         };

@@ -19,6 +19,7 @@ pages! {
     Integrators = "running/integrators.md";
     Methods = "running/methods.md";
     Scalars = "running/scalars.md";
+    Stack = "running/stack.md";
     Equations = "theory/equations.md";
 }
 

@@ -35,6 +35,14 @@ pub enum Cause {
         /// Number of constraint rows.
         rows: usize,
     },
+    /// They had to be decomposed by rank, which would take more of the stack than is allowed
+    /// ([`workspace`](crate::workspace)).
+    Workspace {
+        /// What it would take, bytes.
+        bytes: usize,
+        /// What is allowed, bytes.
+        allowed: usize,
+    },
     /// The error stayed above the tolerance down to the smallest step.
     StepTooSmall {
         /// The last step tried, s.
@@ -184,6 +192,10 @@ impl fmt::Display for Cause {
             Self::Singular { rows } => {
                 write!(f, "the {rows} constraint rows could not be decomposed")
             }
+            Self::Workspace { bytes, allowed } => write!(
+                f,
+                "a solution by rank takes {bytes} bytes of stack, and {allowed} are allowed (plm::runtime::workspace)"
+            ),
             Self::StepTooSmall { step } => {
                 write!(f, "the error stays above the tolerance down to a step of {step:e} s")
             }

@@ -22,6 +22,7 @@
 //! | [`tube`] | numbers over an interval of time |
 //! | [`twofold`] | numbers of twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
+//! | [`workspace`] | how much of the stack a solution by rank takes, and may take |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
 //! Symbols: q coordinates, v = q', a = v', phi(t, q) = 0 constraints, phi_q their Jacobian, phi_q v = nu,
@@ -53,6 +54,7 @@ pub mod system;
 pub mod tube;
 pub mod twofold;
 pub mod vector;
+pub mod workspace;
 
 pub use absolute::{Absolute, Assembly};
 pub use axes::{to_absolute, to_relative};

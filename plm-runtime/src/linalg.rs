@@ -74,10 +74,15 @@ impl<S: Real, const ROWS: usize> Singular<S, ROWS> {
 /// The identity.
 pub fn identity<S: Real, const N: usize>() -> [[S; N]; N] {
     let mut one = [[S::lit(0.0); N]; N];
-    for i in 0..N {
-        one[i][i] = S::lit(1.0);
-    }
+    diagonal(&mut one);
     one
+}
+
+/// Makes a matrix of zeros the identity.
+pub fn diagonal<S: Real, const N: usize>(zeros: &mut [[S; N]; N]) {
+    for i in 0..N {
+        zeros[i][i] = S::lit(1.0);
+    }
 }
 
 /// `to + factor * from`, in place.

@@ -43,6 +43,9 @@ pub trait Mechanism: System<S: Real> + Copy {
     /// How it goes on near singular poses.
     type Rescue: Rescue<Self>;
 
+    /// Bytes of stack that a solution by rank takes, if the mechanism comes to need one ([`workspace`](crate::workspace)).
+    const WORKSPACE: usize = 0;
+
     /// The assembled state at the time `t`, with the inputs as declared.
     ///
     /// # Errors

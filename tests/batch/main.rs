@@ -90,3 +90,19 @@ fn nothing_to_run_is_no_mistake() {
     assert!(runs.is_empty());
     assert_eq!(runs.to_string(), "0 of 0 runs failed");
 }
+
+/// Takes so many KiB of the stack.
+fn takes<const KIB: usize>(point: usize) -> usize {
+    let room = [[point; 1024 / size_of::<usize>()]; KIB];
+    std::hint::black_box(&room)[KIB - 1][0]
+}
+
+#[test]
+fn threads_have_the_stack_that_large_mechanisms_need() {
+    // A stack that overflows ends this program. Threads have 2 MiB where nothing is said.
+    assert_eq!(batch::points([3, 4]).quiet().run(|point| Ok(takes::<6144>(point))).all(), Ok(vec![3, 4]));
+    assert_eq!(
+        batch::points([5]).quiet().stack(24 << 20).run(|point| Ok(takes::<20480>(point))).all(),
+        Ok(vec![5])
+    );
+}

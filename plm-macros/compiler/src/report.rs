@@ -152,6 +152,11 @@ impl Report {
         )];
         lines.extend(self.formulation.iter().cloned());
         lines.push(format!("State: {} numbers, {} bytes in f64.", self.state, 8 * self.state));
+        if self.constraints > 0 {
+            let workspace = 8 * self.constraints * (self.coordinates + self.constraints);
+            lines
+                .push(format!("A solution by rank, where one is needed: {workspace} bytes of stack in f64."));
+        }
         lines.push(format!("One right-hand side: {}.", self.rate));
         lines
     }

@@ -6,7 +6,7 @@
 
 use super::Absolute;
 use super::assembly::{Assembly, Status};
-use super::newton::assembly_step;
+use super::newton::{assembly_step, refused};
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
 use super::scale::Scale;
@@ -32,7 +32,7 @@ const ITERATIONS: u32 = 100;
 ///
 /// # Errors
 /// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::VelocityRedundant`],
-/// [`Cause::VelocityOpen`]; the part is the joint that stays open widest.
+/// [`Cause::VelocityOpen`]; the part is the joint that stays open widest. [`Cause::Workspace`].
 pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
@@ -41,7 +41,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let free = start.map(freedom_of);
     let pose = close(m, t, &start, &free)?;
     let q = pose.q;
-    let here = Dependencies::at(m, t, &q, &free).ok_or(singular(t, NC))?;
+    let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
     reject_locks(m, t, &q, &free, &here, POSITION)?;
     let v = start_velocity(m, t, &q)?;
     let neighbour = neighbour(m, t, &q, &here);
@@ -101,7 +101,8 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
         reject_locks(m, t, &q0, free, &at_start, POSITION)?;
     }
-    Err(open(t, &pose.residual, &M::PARTS, |gap| Cause::Open { gap }))
+    let open = || open(t, &pose.residual, &M::PARTS, |gap| Cause::Open { gap });
+    Err(refused(m, (t, &pose.q), free).unwrap_or_else(open))
 }
 
 /// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.
@@ -142,7 +143,7 @@ fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: us
     let free = start.map(freedom_of);
     let mut v = start.map(|s| s.value);
     check_finite::<S, M, NQ, NC>(t, &v)?;
-    let here = Dependencies::at(m, t, q, &free).ok_or(singular(t, NC))?;
+    let here = Dependencies::at(m, t, q, &free).ok_or_else(|| undecided(m, (t, q), &free))?;
     reject_locks(m, t, q, &free, &here, VELOCITY)?;
     let scale = Scale::of_velocity(m, q, &v);
     let measure = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
@@ -150,7 +151,8 @@ fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: us
     if Scale::of_velocity(m, q, &v).is_closed::<M, NQ, NC>(&r) {
         return Ok(v);
     }
-    Err(open(t, &r, &M::PARTS, |gap| Cause::VelocityOpen { gap }))
+    let open = || open(t, &r, &M::PARTS, |gap| Cause::VelocityOpen { gap });
+    Err(refused(m, (t, q), &free).unwrap_or_else(open))
 }
 
 /// An error if locks are redundant here and beside this position (at a dead point they only seem to be).
@@ -165,7 +167,9 @@ fn reject_locks<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     if here.of_locks == 0 {
         return Ok(());
     }
-    let beside = Dependencies::at(m, t, &beside(q, free, m.length()), free).ok_or(singular(t, NC))?;
+    let neighbour = beside(q, free, m.length());
+    let beside =
+        Dependencies::at(m, t, &neighbour, free).ok_or_else(|| undecided(m, (t, &neighbour), free))?;
     let count = here.of_locks.min(beside.of_locks);
     if count == 0 {
         return Ok(());
@@ -209,6 +213,11 @@ fn freedom_of<S: Real>(start: Start<S>) -> S {
     S::lit(if start.locked { 0.0 } else { 1.0 })
 }
 
-fn singular<S: Real>(t: S, rows: usize) -> Fault {
-    Fault::new(t.to_f64(), Cause::Singular { rows })
+/// Why dependencies are not known at a pose.
+fn undecided<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    at: (S, &[S; NQ]),
+    free: &[S; NQ],
+) -> Fault {
+    refused(m, at, free).unwrap_or(Fault::new(at.0.to_f64(), Cause::Singular { rows: NC }))
 }

@@ -1,11 +1,11 @@
 //! Bodies without mass or inertia.
 
-use super::Absolute;
 use super::independent::Independent;
-use super::newton::scale_columns;
+use super::{Absolute, fill};
 use crate::fault::Fault;
 use crate::limits::{Limit, refused};
 use crate::scalar::Real;
+use crate::workspace;
 
 /// Looks at the coordinates without mass or inertia at the assembled position: those must move with others.
 ///
@@ -13,7 +13,8 @@ use crate::scalar::Real;
 /// combination of their columns of phi_q vanishes. `limits` has mass and inertia of every body.
 ///
 /// # Errors
-/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) for the first coordinate that could move alone.
+/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) for the first coordinate that could move alone;
+/// [`Cause::Workspace`](crate::Cause::Workspace).
 #[cold]
 pub fn check_carried<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -25,14 +26,13 @@ pub fn check_carried<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     if !without.contains(&true) {
         return Ok(());
     }
-    let mut jacobian = [[S::lit(0.0); NQ]; NC];
-    m.phi_q(t, q, &mut jacobian);
+    if let Some(cause) = workspace::refusal::<S, NQ, NC>() {
+        return Err(Fault::new(t.to_f64(), cause));
+    }
     let mut taken = [S::lit(0.0); NQ];
     for (k, _) in without.iter().enumerate().filter(|(_, without)| **without) {
         taken[k] = S::lit(1.0);
-        let mut columns = jacobian;
-        scale_columns(&mut columns, &taken);
-        let rank = Independent::rows(columns, S::RANK_TOLERANCE).map(|rows| rows.rank());
+        let rank = rank_of(m, (t, q), &taken);
         let count = taken.iter().filter(|taken| **taken > S::lit(0.0)).count();
         let limit = limits.get(k / 3).map(|of_body| of_body[usize::from(k % 3 == 2)]);
         if let (true, Some(limit)) = (rank != Some(count), limit) {
@@ -40,4 +40,16 @@ pub fn check_carried<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
         }
     }
     Ok(())
+}
+
+/// The rank of phi_q in the columns with weight 1. `None` if it is not finite.
+#[inline(never)]
+fn rank_of<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    at: (S, &[S; NQ]),
+    taken: &[S; NQ],
+) -> Option<usize> {
+    let mut columns = [[S::lit(0.0); NQ]; NC];
+    fill(m, at, taken, &mut columns);
+    Independent::of(&mut columns, &mut [[]; NC], S::RANK_TOLERANCE).map(|rows| rows.rank())
 }

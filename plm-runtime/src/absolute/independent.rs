@@ -1,6 +1,6 @@
 //! Solutions by rank: which combinations of constraint rows are independent, and the least-norm solution from these.
 
-use crate::linalg::{add, dot, identity, largest, rotate};
+use crate::linalg::{add, dot, largest, rotate};
 use crate::scalar::Real;
 
 /// Below this fraction of the largest a singular value counts as zero while the mechanism moves.
@@ -12,32 +12,39 @@ pub(super) fn moving_tolerance<S: Real>() -> S {
     S::lit(1e-4).max(S::RANK_TOLERANCE)
 }
 
-/// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, and how they are made.
+/// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, with the same combinations of
+/// what stands beside them: right-hand sides, or the identity, which becomes W with W A in the place of A.
 ///
 /// Whether rows are independent is a matter of geometry: it is decided with every column scaled to 1, so that neither
 /// units nor the metric W have a say (a light link may carry a heavy body, a mechanism may be small).
-pub(super) struct Independent<S, const NQ: usize, const NC: usize> {
-    /// W A: orthogonal rows, zero where the row of W is in the left null space.
-    rows: [[S; NQ]; NC],
+///
+/// It works in the place of A: large mechanisms have no room on a stack for a second matrix.
+pub(super) struct Independent<'a, S, const NQ: usize, const NC: usize, const BESIDE: usize> {
+    /// Orthogonal rows, zero where a combination of rows vanishes.
+    rows: &'a mut [[S; NQ]; NC],
     /// Squares of their norms.
     squares: [S; NC],
-    /// W.
-    combinations: [[S; NC]; NC],
+    /// What stands beside them.
+    beside: &'a mut [[S; BESIDE]; NC],
 }
 
-impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
+impl<'a, S: Real, const NQ: usize, const NC: usize, const BESIDE: usize> Independent<'a, S, NQ, NC, BESIDE> {
     /// Of A, where singular values up to `tolerance` times the largest count as zero. `None` if A is not finite.
-    pub(super) fn rows(a: [[S; NQ]; NC], tolerance: S) -> Option<Self> {
-        let mut found = Self { rows: a, squares: [S::lit(0.0); NC], combinations: identity() };
+    pub(super) fn of(
+        a: &'a mut [[S; NQ]; NC],
+        beside: &'a mut [[S; BESIDE]; NC],
+        tolerance: S,
+    ) -> Option<Self> {
+        let mut found = Self { rows: a, squares: [S::lit(0.0); NC], beside };
         found.find(tolerance).then_some(found)
     }
 
     fn find(&mut self, tolerance: S) -> bool {
-        let sizes = column_sizes(&self.rows);
-        for row in &mut self.rows {
+        let sizes = column_sizes(self.rows);
+        for row in &mut *self.rows {
             each(row, &sizes, |a, size| a / size);
         }
-        let Some(geometry) = rotate(&mut self.rows, &mut self.combinations) else { return false };
+        let Some(geometry) = rotate(self.rows, self.beside) else { return false };
         let cut = geometry.cut(tolerance);
         for (row, sigma) in self.rows.iter_mut().zip(&geometry.values) {
             each(row, &sizes, |a, size| if *sigma > cut { a * size } else { S::lit(0.0) });
@@ -52,18 +59,18 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
     /// Gram-Schmidt orthogonalization process, Comput. Math. Appl. 50, 2005).
     fn orthogonalise(&mut self) {
         for k in 0..NC {
-            let (mut row, mut combination) = (self.rows[k], self.combinations[k]);
+            let (mut row, mut combination) = (self.rows[k], self.beside[k]);
             for _ in 0..2 {
                 for j in 0..k {
                     if self.squares[j] > S::lit(0.0) {
                         let factor = -(dot(&self.rows[j], &row) / self.squares[j]);
                         add(&mut row, factor, &self.rows[j]);
-                        add(&mut combination, factor, &self.combinations[j]);
+                        add(&mut combination, factor, &self.beside[j]);
                     }
                 }
             }
             self.squares[k] = dot(&row, &row);
-            (self.rows[k], self.combinations[k]) = (row, combination);
+            (self.rows[k], self.beside[k]) = (row, combination);
         }
     }
 
@@ -71,11 +78,26 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
     pub(super) fn rank(&self) -> usize {
         self.squares.iter().filter(|square| **square > S::lit(0.0)).count()
     }
+}
 
+impl<S: Real, const NQ: usize, const NC: usize> Independent<'_, S, NQ, NC, 1> {
+    /// y = A^+ b, where b is what stands beside A: A y = b in the independent directions, of least norm.
+    pub(super) fn nearest(&self) -> [S; NQ] {
+        let mut y = [S::lit(0.0); NQ];
+        for ((row, square), [b]) in self.rows.iter().zip(&self.squares).zip(&*self.beside) {
+            if *square > S::lit(0.0) {
+                add(&mut y, *b / *square, row);
+            }
+        }
+        y
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> Independent<'_, S, NQ, NC, NC> {
     /// y = A^+ b and lambda = (A^T)^+ y: A y = b in the independent directions, A^T lambda = y, both of least norm.
     pub(super) fn solve(&self, b: &[S; NC]) -> ([S; NQ], [S; NC]) {
         let (mut y, mut lambda) = ([S::lit(0.0); NQ], [S::lit(0.0); NC]);
-        for ((row, square), w) in self.rows.iter().zip(&self.squares).zip(&self.combinations) {
+        for ((row, square), w) in self.rows.iter().zip(&self.squares).zip(&*self.beside) {
             if *square > S::lit(0.0) {
                 let factor = dot(w, b) / *square;
                 add(&mut y, factor, row);
@@ -88,7 +110,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Independent<S, NQ, NC> {
     /// Rows that take part in a dependency: their multipliers are not determined.
     pub(super) fn dependent(&self) -> [bool; NC] {
         let mut dependent = [false; NC];
-        for (combination, square) in self.combinations.iter().zip(&self.squares) {
+        for (combination, square) in self.beside.iter().zip(&self.squares) {
             for (mark, entry) in dependent.iter_mut().zip(combination) {
                 *mark |= *square <= S::lit(0.0) && entry.abs() > moving_tolerance();
             }
@@ -112,5 +134,15 @@ pub(super) fn column_sizes<S: Real, const NQ: usize, const NC: usize>(a: &[[S; N
 pub(super) fn each<S: Real, const N: usize>(a: &mut [S; N], b: &[S; N], f: impl Fn(S, S) -> S) {
     for (a, b) in a.iter_mut().zip(b) {
         *a = f(*a, *b);
+    }
+}
+
+/// Multiplies the columns of a matrix by `weights`.
+pub(super) fn scale_columns<S: Real, const NQ: usize, const NC: usize>(
+    a: &mut [[S; NQ]; NC],
+    weights: &[S; NQ],
+) {
+    for row in a {
+        each(row, weights, |entry, weight| entry * weight);
     }
 }

@@ -36,6 +36,7 @@ pub use settle::{balance, drift, opening, residuals, settle, settle_state};
 use crate::scalar::Real;
 use crate::start::Start;
 use crate::system::Health;
+use crate::vector::Vector;
 
 /// The constraints of a mechanism in absolute coordinates; implemented by generated code.
 pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
@@ -55,8 +56,8 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
     /// Residuals of velocity, phi_q v - nu, m/s or rad/s.
     fn phi_dot(&self, t: S, q: &[S; NQ], v: &[S; NQ]) -> [S; NC];
 
-    /// The Jacobian of `phi`, zeros included.
-    fn phi_q(&self, t: S, q: &[S; NQ], out: &mut [[S; NQ]; NC]);
+    /// The Jacobian of `phi`: gives `each` the entries that are not zero by structure, with row and column, row by row.
+    fn phi_q(&self, t: S, q: &[S; NQ], each: &mut impl FnMut(usize, usize, S));
 
     /// dq = W phi_q^T (phi_q W phi_q^T)^-1 r with W = diag(w), w >= 0: of all dq with phi_q dq = r the one that is
     /// smallest in the metric W^-1. Straight-line code without pivoting; it says how healthy that was.
@@ -75,15 +76,37 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
     fn length(&self) -> S;
 }
 
+/// Puts the entries of phi_q into a matrix of zeros.
+pub fn jacobian<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    matrix: &mut [[S; NQ]; NC],
+) {
+    fill(m, (t, q), &[S::lit(1.0); NQ], matrix);
+}
+
+/// Puts the entries of phi_q, times the weight of their column, into a matrix of zeros.
+fn fill<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    (t, q): (S, &[S; NQ]),
+    weights: &[S; NQ],
+    matrix: &mut [[S; NQ]; NC],
+) {
+    m.phi_q(t, q, &mut |row, column, entry| {
+        if let Some(row) = matrix.get_mut(row) {
+            row.set(column, entry * weights.at(column));
+        }
+    });
+}
+
 /// Position and velocity of a state [q, v, first-order states].
 pub fn split<S: Real, const NX: usize, const NQ: usize>(x: &[S; NX]) -> ([S; NQ], [S; NQ]) {
-    use crate::vector::Vector;
     (Vector::from_fn(|i| x.at(i)), Vector::from_fn(|i| x.at(NQ + i)))
 }
 
 /// Puts position and velocity into a state [q, v, first-order states].
 pub fn join<S: Real, const NX: usize, const NQ: usize>(q: &[S; NQ], v: &[S; NQ], x: &mut [S; NX]) {
-    use crate::vector::Vector;
     for i in 0..NQ {
         x.set(i, q[i]);
         x.set(NQ + i, v[i]);

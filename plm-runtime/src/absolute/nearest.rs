@@ -1,6 +1,6 @@
 //! The state on the constraints that is nearest to one beside them, as exactly as the numbers can tell.
 
-use super::newton::assembly_step;
+use super::newton::without_pivoting;
 use super::{Absolute, join, split};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -15,6 +15,9 @@ const DISAGREE: f64 = 1e-9;
 
 /// Leads a state [q, v, first-order states] onto phi = 0 and phi_q v = nu by the shortest way in the metric of the masses;
 /// false where no way is found.
+///
+/// It is for numbers of twice the precision: their elimination leaves out by itself what depends on other rows
+/// ([`Scalar::MOST_GROWTH`](crate::Scalar::MOST_GROWTH)), so that nothing is left to be solved by rank.
 pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
     m: &M,
     t: S,
@@ -30,12 +33,12 @@ pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
         let gap = largest(&r);
         if gap <= closed || (gap <= disagree && S::lit(2.0) * gap > before) {
             let r = m.phi_dot(t, &q, &v);
-            let Some(dv) = assembly_step(m, t, &q, &w, &r) else { return false };
+            let Some(dv) = without_pivoting(m, t, &q, &w, &r) else { return false };
             v = Vector::from_fn(|i| v[i] - dv[i]);
             join(&q, &v, x);
             return true;
         }
-        let Some(dq) = assembly_step(m, t, &q, &w, &r) else { return false };
+        let Some(dq) = without_pivoting(m, t, &q, &w, &r) else { return false };
         q = Vector::from_fn(|i| q[i] - dq[i]);
         before = gap;
     }

@@ -1,9 +1,11 @@
 //! The linear solves of assembly and projection.
 
-use super::Absolute;
 use super::independent::{Independent, moving_tolerance};
+use super::{Absolute, fill};
+use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::vector::Vector;
+use crate::workspace;
 
 /// A step of assembly: the shortest dq with phi_q dq = r in which the coordinates with `free` = 0 stay, those with
 /// `free` = 1 move; phi_q^+ r where the rank is not full. `None` if nothing finite comes out.
@@ -38,13 +40,42 @@ fn least_norm<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
     r: &[S; NC],
     tolerance: S,
 ) -> Option<[S; NQ]> {
-    without_pivoting(m, t, q, w, r).or_else(|| {
-        let (roots, mut jacobian) = (w.map(S::sqrt), [[S::lit(0.0); NQ]; NC]);
-        m.phi_q(t, q, &mut jacobian);
-        scale_columns(&mut jacobian, &roots);
-        let (y, _) = Independent::rows(jacobian, tolerance)?.solve(r);
-        finite(Vector::from_fn(|i| roots[i] * y[i]))
+    without_pivoting(m, t, q, w, r).or_else(|| match workspace::refusal::<S, NQ, NC>() {
+        Some(_) => None,
+        None => by_rank(m, (t, q), w, r, tolerance),
     })
+}
+
+/// The fault of a pose at which there was no step because a solution by rank is refused; none if it is not, or if nothing
+/// asks for one.
+#[cold]
+pub(super) fn refused<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    (t, q): (S, &[S; NQ]),
+    w: &[S; NQ],
+) -> Option<Fault> {
+    let cause = workspace::refusal::<S, NQ, NC>()?;
+    let healthy = without_pivoting(m, t, q, w, &[S::lit(0.0); NC]).is_some();
+    (!healthy).then_some(Fault::new(t.to_f64(), cause))
+}
+
+/// The same with as many independent rows as there are. It holds the one matrix of phi_q, which steps that are healthy
+/// must not pay for.
+#[cold]
+#[inline(never)]
+fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    at: (S, &[S; NQ]),
+    w: &[S; NQ],
+    r: &[S; NC],
+    tolerance: S,
+) -> Option<[S; NQ]> {
+    let mut rows = [[S::lit(0.0); NQ]; NC];
+    let mut sides = (*r).map(|r| [r]);
+    let roots = w.map(S::sqrt);
+    fill(m, at, &roots, &mut rows);
+    let y = Independent::of(&mut rows, &mut sides, tolerance)?.nearest();
+    finite(Vector::from_fn(|i| roots[i] * y[i]))
 }
 
 /// The straight-line solution, if it is healthy.
@@ -62,16 +93,4 @@ pub(super) fn without_pivoting<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize,
 
 fn finite<S: Real, const N: usize>(v: [S; N]) -> Option<[S; N]> {
     v.iter().all(|s| s.is_finite()).then_some(v)
-}
-
-/// Multiplies the columns of a matrix by `weights`.
-pub(super) fn scale_columns<S: Real, const NQ: usize, const NC: usize>(
-    a: &mut [[S; NQ]; NC],
-    weights: &[S; NQ],
-) {
-    for row in a {
-        for (entry, weight) in row.iter_mut().zip(weights) {
-            *entry = *entry * *weight;
-        }
-    }
 }

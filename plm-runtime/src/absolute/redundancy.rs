@@ -1,11 +1,12 @@
 //! Which constraints and locks depend on each other.
 
-use super::Absolute;
-use super::independent::column_sizes;
-use super::newton::{scale_columns, without_pivoting};
-use crate::linalg::{add, identity, rotate};
+use super::independent::{column_sizes, scale_columns};
+use super::newton::without_pivoting;
+use super::{Absolute, fill};
+use crate::linalg::{diagonal, rotate};
 use crate::scalar::Real;
 use crate::vector::Vector;
+use crate::workspace;
 
 /// Dependencies among the rows of [phi_q; E], where E holds a unit row for every locked coordinate.
 ///
@@ -38,7 +39,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
     };
 
     /// At the position `q`, where a coordinate with `free` = 0 is locked and one with `free` = 1 is not.
-    /// `None` if the Jacobian is not finite.
+    /// `None` if the Jacobian is not finite, or if a solution by rank is refused.
     pub(super) fn at<S: Real, M: Absolute<S, NQ, NC>>(
         m: &M,
         t: S,
@@ -49,17 +50,25 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         if without_pivoting(m, t, q, free, &[S::lit(0.0); NC]).is_some() {
             return Some(Self::NONE);
         }
+        if workspace::refusal::<S, NQ, NC>().is_some() { None } else { Self::by_rank(m, (t, q), free) }
+    }
+
+    /// The same by orthogonalisation. It holds two matrices, which starts of healthy mechanisms must not pay for.
+    #[cold]
+    #[inline(never)]
+    fn by_rank<S: Real, M: Absolute<S, NQ, NC>>(m: &M, at: (S, &[S; NQ]), free: &[S; NQ]) -> Option<Self> {
+        // One by one: a build without optimisation copies what is made as a pair.
+        let mut rows = [[S::lit(0.0); NQ]; NC];
+        let mut y = [[S::lit(0.0); NC]; NC];
         // Columns scaled to 1, so that units have no say.
-        let mut jacobian = [[S::lit(0.0); NQ]; NC];
-        m.phi_q(t, q, &mut jacobian);
-        let scale = column_sizes(&jacobian).map(|size| S::lit(1.0) / size);
-        scale_columns(&mut jacobian, &scale);
-        let (mut rows, mut y) = (jacobian, identity());
+        fill(m, at, &[S::lit(1.0); NQ], &mut rows);
+        let scale = column_sizes(&rows).map(|size| S::lit(1.0) / size);
+        scale_columns(&mut rows, &scale);
         scale_columns(&mut rows, free);
+        diagonal(&mut y);
         let singular = rotate(&mut rows, &mut y)?;
         let cut = singular.cut(S::RANK_TOLERANCE);
 
-        scale_columns(&mut jacobian, &free.map(|free| S::lit(1.0) - free));
         let mut found = Self { free_rank: singular.rank(cut), ..Self::NONE };
         // Rows without a combination become zero and mark nothing.
         for (k, sigma) in singular.values.iter().enumerate() {
@@ -67,10 +76,14 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
             if *sigma > cut {
                 y[k] = [S::lit(0.0); NC];
             }
-            for j in 0..NC {
-                add(&mut rows[k], y[k][j], &jacobian[j]);
-            }
         }
+        let locked: [S; NQ] = Vector::from_fn(|i| scale[i] * (S::lit(1.0) - free[i]));
+        m.phi_q(at.0, at.1, &mut |row, column, entry| {
+            let entry = entry * locked.at(column);
+            for (z, y) in rows.iter_mut().zip(&y) {
+                z.set(column, y.at(row).mul_add(entry, z.at(column)));
+            }
+        });
         found.sort(&mut rows, &mut y)?;
         Some(found)
     }

@@ -2,7 +2,7 @@
 
 use super::Absolute;
 use super::assemble::newton;
-use super::newton::assembly_step;
+use super::newton::{assembly_step, refused};
 use super::scale::Scale;
 use super::settle::{descend, widest};
 use crate::fault::{Cause, Fault};
@@ -14,6 +14,7 @@ use crate::scalar::Real;
 ///
 /// # Errors
 /// [`Cause::NotFinite`], [`Cause::Open`], [`Cause::VelocityOpen`]; the part is the joint that stays open widest.
+/// [`Cause::Workspace`].
 pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
@@ -26,7 +27,8 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if !is_closed(q, &residual) {
         let pose = newton(m, t, q, &free);
         if !is_closed(&pose.q, &pose.residual) {
-            return Err(open(t, &residual, &M::PARTS, |gap| Cause::Open { gap }));
+            let open = || open(t, &residual, &M::PARTS, |gap| Cause::Open { gap });
+            return Err(refused(m, (t, &pose.q), &free).unwrap_or_else(open));
         }
         *q = pose.q;
     }
@@ -37,7 +39,8 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         let left =
             descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
         if !scale.is_closed::<M, NQ, NC>(&left) {
-            return Err(open(t, &left, &M::PARTS, |gap| Cause::VelocityOpen { gap }));
+            let open = || open(t, &left, &M::PARTS, |gap| Cause::VelocityOpen { gap });
+            return Err(refused(m, (t, q), &free).unwrap_or_else(open));
         }
     }
     Ok(())

@@ -1,11 +1,12 @@
 //! Projection of a state onto position and velocity constraints.
 
-use super::newton::projection_step;
+use super::newton::{projection_step, refused};
 use super::{Absolute, join, split};
 use crate::fault::{Cause, Fault};
-use crate::linalg::{add, largest};
+use crate::linalg::largest;
 use crate::scalar::Real;
 use crate::system::Drift;
+use crate::vector::Vector;
 
 /// Newton steps and velocity corrections that are enough from any drift worth projecting.
 const ITERATIONS: usize = 12;
@@ -16,7 +17,7 @@ const ITERATIONS: usize = 12;
 /// Both residuals are brought down to rounding.
 ///
 /// # Errors
-/// [`Cause::Drift`] if they stay above 1e-10 of the mechanism's size (and speed).
+/// [`Cause::Drift`] if they stay above 1e-10 of the mechanism's size (and speed), [`Cause::Workspace`].
 pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
@@ -32,7 +33,8 @@ pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
         if !is_closed(residual, size) {
             let part = widest(residual, &M::PARTS);
             let (phi, phi_dot) = (largest(&phi).to_f64(), largest(&phi_dot).to_f64());
-            return Err(Fault::of_part(t.to_f64(), part, Cause::Drift { phi, phi_dot }));
+            let drift = Fault::of_part(t.to_f64(), part, Cause::Drift { phi, phi_dot });
+            return Err(refused(m, (t, q), &w).unwrap_or(drift));
         }
     }
     Ok(())
@@ -94,12 +96,10 @@ pub fn balance<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
     lambda: &[S; NC],
     force: &[S; NQ],
 ) -> [S; NQ] {
-    let mut phi_q = [[S::lit(0.0); NQ]; NC];
-    m.phi_q(t, q, &mut phi_q);
     let mut left = force.map(|force| -force);
-    for (row, lambda) in phi_q.iter().zip(lambda) {
-        add(&mut left, *lambda, row);
-    }
+    m.phi_q(t, q, &mut |row, column, entry| {
+        left.set(column, lambda.at(row).mul_add(entry, left.at(column)));
+    });
     left
 }
 

@@ -108,6 +108,17 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             method.advance(course)?;
             return Ok(None);
         }
+        self.watched(method, course)
+    }
+
+    /// The same where there are guards. In a function of its own a build without optimisation holds the method as it was
+    /// before the step for those alone.
+    #[inline]
+    fn watched<M: System<S = S, G = G>, I: Method<M>>(
+        &mut self,
+        method: &mut I,
+        course: &mut Course<'_, M>,
+    ) -> Result<Option<usize>, Fault> {
         let (before, start) = (*method, Start { time: course.time, held: course.held, x: course.x });
         method.advance(course)?;
         let end = guards_here(course)?;
@@ -331,7 +342,8 @@ pub(crate) fn at_a_jump<M: System<S: Real>>(course: &Course<'_, M>, fault: Fault
         Cause::StepTooSmall { .. }
         | Cause::Drift { .. }
         | Cause::TooManySteps { .. }
-        | Cause::Singular { .. } => {
+        | Cause::Singular { .. }
+        | Cause::Workspace { .. } => {
             course.system.jump(course.time, &course.held, &course.x, None).unwrap_or(fault)
         }
         _ => fault,

@@ -126,7 +126,7 @@ fn rescue<M: Mechanism, I: Method<M>>(
 
 /// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
 fn is_singular(fault: &Fault) -> bool {
-    use Cause::{Locked, NotConverged, NotFinite, Singular, StepTooSmall, TurnedTooFar};
+    use Cause::{Locked, NotConverged, NotFinite, Singular, StepTooSmall, TurnedTooFar, Workspace};
     let cause = &fault.cause;
     matches!(
         cause,
@@ -136,6 +136,7 @@ fn is_singular(fault: &Fault) -> bool {
             | NotConverged { .. }
             | NotFinite
             | Singular { .. }
+            | Workspace { .. }
     )
 }
 

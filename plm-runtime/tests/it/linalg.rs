@@ -65,7 +65,7 @@ fn check<const M: usize, const N: usize>(u: &DMatrix<f64>, v: &DMatrix<f64>, b: 
         return 0;
     }
     // With unit masses and no force they are A^+ gamma.
-    let solved = accelerate(0.0, &[1.0; N], &[0.0; N], &b, &a).unwrap();
+    let solved = accelerate(0.0, &[1.0; N], &[0.0; N], &b, |rows| *rows = a).unwrap();
     assert_eq!(solved.rank, rank, "seed {seed}");
     let reference = expected_solution(u, v, &DVector::from_row_slice(&b));
     // P.-A. Wedin, Perturbation theory for pseudo-inverses, BIT 13 (1973), theorem 5.1, with |b| for the residual.
@@ -126,5 +126,5 @@ fn graded_rows_keep_their_rank() {
 fn no_rows_no_columns_and_no_entries_are_fine() {
     assert_eq!(rank([[0.0; 3]; 3]), Some(0));
     assert_eq!(rotate::<f64, 0, 3, 0>(&mut [], &mut []).unwrap().rank(0.0), 0);
-    assert_eq!(accelerate::<f64, 0, 2>(0.0, &[], &[], &[1.0, 2.0], &[[], []]).unwrap().rank, 0);
+    assert_eq!(accelerate::<f64, 0, 2>(0.0, &[], &[], &[1.0, 2.0], |_| ()).unwrap().rank, 0);
 }

@@ -127,7 +127,8 @@ impl<S: Real, const NQ: usize, const NC: usize> Linkage<S, NQ, NC> {
     /// Accelerations by rank.
     pub fn acceleration_by_rank(&self, t: S, q: &[S; NQ], v: &[S; NQ]) -> Result<[S; NQ], Fault> {
         let force = self.force.map(S::lit);
-        Ok(accelerate(t, &self.inverse_mass(), &force, &self.gamma(q, v), &self.phi_q(q))?.a)
+        let phi_q = |rows: &mut _| *rows = self.phi_q(q);
+        Ok(accelerate(t, &self.inverse_mass(), &force, &self.gamma(q, v), phi_q)?.a)
     }
 
     pub fn start_position(&self) -> [Start<S>; NQ] {
@@ -247,8 +248,12 @@ macro_rules! linkage {
             fn phi_dot(&self, _t: S, q: &[S; $nq], v: &[S; $nq]) -> [S; $nc] {
                 self.0.phi_dot(q, v)
             }
-            fn phi_q(&self, _t: S, q: &[S; $nq], out: &mut [[S; $nq]; $nc]) {
-                *out = self.0.phi_q(q);
+            fn phi_q(&self, _t: S, q: &[S; $nq], each: &mut impl FnMut(usize, usize, S)) {
+                for (i, row) in self.0.phi_q(q).into_iter().enumerate() {
+                    for (j, entry) in row.into_iter().enumerate() {
+                        each(i, j, entry);
+                    }
+                }
             }
             fn min_norm(
                 &self,

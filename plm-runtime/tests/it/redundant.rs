@@ -89,9 +89,8 @@ fn multipliers_are_the_shortest_and_their_doubt_is_said() {
     let m = parallelogram(0.8);
     let found = assemble(&m, 0.0).unwrap();
     let force = m.0.force;
-    let mut phi_q = [[0.0; 12]; 12];
-    m.phi_q(0.0, &found.q, &mut phi_q);
-    let solved = accelerate(0.0, &m.inverse_mass(), &force, &[0.0; 12], &phi_q).unwrap();
+    let phi_q = m.0.phi_q(&found.q);
+    let solved = accelerate(0.0, &m.inverse_mass(), &force, &[0.0; 12], |rows| *rows = phi_q).unwrap();
     assert_eq!(solved.rank, 11);
     assert_eq!(solved.undetermined, found.redundant);
     let jacobian = nalgebra::SMatrix::<f64, 12, 12>::from_fn(|i, j| phi_q[i][j]);

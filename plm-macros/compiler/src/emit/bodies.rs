@@ -82,7 +82,7 @@ fn first_order(text: &mut String, emission: &Emission) {
 /// The constraints as functions of the pose, which assembly and projection call.
 fn constraints(text: &mut String, emission: &Emission) {
     let Emission { name, equations, program, .. } = emission;
-    let (nq, nc) = (equations.q.len(), equations.phi.len());
+    let (nq, nc, entries) = (equations.q.len(), equations.phi.len(), program.phi_q.results.len());
     push(text, format_args!("    impl<S: Scalar> {name}<S> {{\n"));
     write(
         text,
@@ -116,9 +116,9 @@ fn constraints(text: &mut String, emission: &Emission) {
         &program.phi_q,
         Origin::Pose,
         &Shape {
-            docs: &["The Jacobian of the constraints; `phi_q` comes in as zeros."],
+            docs: &["The Jacobian of the constraints: its entries that are not zero, row by row."],
             attribute: "#[cold]",
-            signature: &format!("fn jacobian(&self, t: S, q: &[S; {nq}], phi_q: &mut [[S; {nq}]; {nc}])"),
+            signature: &format!("fn jacobian(&self, t: S, q: &[S; {nq}], phi_q: &mut [S; {entries}])"),
             arguments: &["t", "q", "phi_q"],
         },
     );

@@ -304,7 +304,6 @@ impl<'a> Lowering<'a> {
                 return;
             }
             Place::Element(array, i) => format!("{array}[{i}]"),
-            Place::Entry(array, i, j) => format!("{array}[{i}][{j}]"),
         };
         self.lines.statements.push(Statement::Store { place, value: piece.text, reads: piece.reads });
     }

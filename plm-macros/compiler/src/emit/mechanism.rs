@@ -49,6 +49,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
     impl<S: Real> rt::Mechanism for {name}<S> {{
         type State = State<S>;
         type Rescue = {rescue};
+        const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
 
         fn start_state(&self, t: S) -> Result<({held_type}, [S; {length}]), Fault> {{
 {check}            let assembly = absolute::assemble(self, t)?;

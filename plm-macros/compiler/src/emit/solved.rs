@@ -57,10 +57,9 @@ fn of_absolute(emission: &Emission) -> String {
 {refusal}            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
             let (mut force, mut gamma) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
             self.free(t, u, x, &mut force, &mut gamma);
-            let (mut inverse_mass, mut phi_q) = ([S::lit(0.0); {nq}], [[S::lit(0.0); {nq}]; {nc}]);
+            let mut inverse_mass = [S::lit(0.0); {nq}];
             self.reciprocal_mass(&mut inverse_mass);
-            self.jacobian(t, &q, &mut phi_q);
-            absolute::accelerate(t, &inverse_mass, &force, &gamma, &phi_q)
+            absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| absolute::jacobian(self, t, &q, rows))
         }}
     }}
 

@@ -223,6 +223,9 @@ fn constraints(text: &mut String, emission: &Emission) {
     let rows = quoted(model.rows.iter().map(|row| row.name.clone()).collect());
     let parts = quoted(model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect());
     let coordinates = quoted((0..nq).map(|k| coordinate_name(model, k)).collect());
+    let places = equations.phi_q.iter().enumerate();
+    let places = places.flat_map(|(i, row)| row.iter().map(move |(j, _)| format!("[{i}, {j}]")));
+    let places: Vec<String> = places.collect();
     let angular: Vec<&str> =
         model.rows.iter().map(|row| if row.is_angular() { "true" } else { "false" }).collect();
     push(text, format_args!(
@@ -242,8 +245,13 @@ fn constraints(text: &mut String, emission: &Emission) {
             self.residual_rate(t, q, v, &mut phi_dot);
             phi_dot
         }}
-        fn phi_q(&self, t: S, q: &[S; {nq}], out: &mut [[S; {nq}]; {nc}]) {{
-            self.jacobian(t, q, out);
+        fn phi_q(&self, t: S, q: &[S; {nq}], each: &mut impl FnMut(usize, usize, S)) {{
+            const PLACES: &[[u32; 2]] = &[{places}];
+            let mut entries = [S::lit(0.0); {entries}];
+            self.jacobian(t, q, &mut entries);
+            for (&[row, column], entry) in PLACES.iter().zip(entries) {{
+                each(row as usize, column as usize, entry);
+            }}
         }}
         fn min_norm(&self, t: S, q: &[S; {nq}], w: &[S; {nq}], r: &[S; {nc}], dq: &mut [S; {nq}]) -> rt::Health<S> {{
             rt::Health(self.closing_step(t, q, w, r, dq))
@@ -258,6 +266,8 @@ fn constraints(text: &mut String, emission: &Emission) {
         }}
 ",
         angular = angular.join(", "),
+        entries = places.len(),
+        places = places.join(", "),
         length = report.length
     ));
     starts(text, emission);

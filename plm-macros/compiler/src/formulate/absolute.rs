@@ -24,7 +24,7 @@ pub(crate) struct Absolute {
     pub(crate) phi: Function,
     /// `phi_dot`.
     pub(crate) phi_dot: Function,
-    /// Non-zero entries of `phi_q`.
+    /// Non-zero entries of `phi_q`, row by row.
     pub(crate) phi_q: Function,
     /// `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`, returning Health.
     pub(crate) min_norm: Function,
@@ -58,10 +58,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
     let stored = |array: &'static str, values: &[Expr]| -> Vec<(Place, Expr)> {
         values.iter().enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
     };
-    let entries = equations.phi_q.iter().enumerate();
-    let entries =
-        entries.flat_map(|(i, row)| row.iter().map(move |&(j, e)| (Place::Entry("phi_q", i, j), e)));
-    let phi_q = Function::of_results(entries.collect());
+    let entries: Vec<Expr> = equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
+    let phi_q = Function::of_results(stored("phi_q", &entries));
     let one = graph.one();
     let inverse_mass: Vec<Expr> = equations.mass.iter().map(|&mass| graph.div(one, mass)).collect();
     let motion = motion(model, equations, &inverse_mass, graph);

@@ -7,8 +7,6 @@ use plm_cas::{Expr, Graph, Tape, share};
 pub(crate) enum Place {
     /// An element of an array, `dx[3]`.
     Element(&'static str, usize),
-    /// An entry of a matrix, `phi_q[0][2]`.
-    Entry(&'static str, usize, usize),
     /// The value that the function returns.
     Value,
 }
