@@ -52,6 +52,7 @@ catalogue! {
     Cycle = "E0211", "a definition needs itself";
     UnknownOption = "E0212", "unknown option of a choice";
     UnknownRow = "E0213", "unknown constraint row";
+    TypeName = "E0214", "the name of a mechanism is not that of a type";
 
     // E03: units and dimensions.
     WrongDimension = "E0301", "wrong dimension";

@@ -2,7 +2,7 @@
 
 use plm_cas::Count;
 
-use super::{Emission, names, push};
+use super::{Emission, push};
 use crate::units::DisplayUnit;
 
 /// Constraint rows that a table shows; a long chain repeats itself.
@@ -26,7 +26,11 @@ pub(crate) fn field(text: &mut String, docs: &[String], what: &str, unit: &Displ
     }
 }
 
-/// Documentation, attributes, visibility and name of the module.
+/// The user's lints are not for code that no user writes.
+pub(crate) const ALLOWED: &str =
+    "#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]";
+
+/// Documentation of the module.
 pub(crate) fn module(emission: &Emission) -> String {
     let Emission { model, report, .. } = emission;
     let mut text = String::new();
@@ -38,10 +42,6 @@ pub(crate) fn module(emission: &Emission) -> String {
         push(&mut text, format_args!("/// {line}\n"));
     }
     text.push_str(&rows(emission));
-    // The user's lints are not for code that no user writes.
-    text.push_str("#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused)]\n");
-    let module = names::snake_case(&model.name.text);
-    push(&mut text, format_args!("{} mod {module}", model.visibility));
     text
 }
 

@@ -60,7 +60,7 @@ fn system(text: &mut String, emission: &Emission) {
         ),
     );
     push(text, format_args!(
-        "        fn rate_by_rank(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
+        "        fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
             let solution = self.accelerate(t, u, x)?;
             let (_, v): ([S; {nq}], [S; {nq}]) = absolute::split(x);
             absolute::join(&v, &solution.a, dx);
