@@ -93,6 +93,9 @@ catalogue! {
     Unreached = "W0002", "a body that nothing holds or reaches";
     UnknownCode = "W0003", "an allowed code that does not exist";
     Strained = "W0004", "a joint with a compliance is open at the start";
+    Upwards = "W0005", "gravity pulls upwards";
+    Idle = "W0006", "a part does nothing";
+    Unread = "W0007", "nothing reads a name";
 }
 
 impl core::fmt::Display for Code {

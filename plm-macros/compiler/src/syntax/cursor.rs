@@ -6,7 +6,7 @@
 use super::ast::Ident;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::span::Span;
-use crate::token::{Delimiter, Source, Token, TokenKind};
+use crate::token::{Delimiter, Source, Token, TokenKind, written};
 
 /// An error was reported; what could not be read is left out.
 #[derive(Clone, Copy, Debug)]
@@ -115,6 +115,11 @@ impl<'a> Cursor<'a> {
     /// From a position to the last token that was taken.
     pub(crate) fn span_from(&self, first: usize) -> Span {
         Span { source: self.source, first: first as u32, last: self.at.saturating_sub(1).max(first) as u32 }
+    }
+
+    /// What was written there, in one line.
+    pub(crate) fn text_of(&self, span: Span) -> String {
+        written(self.tokens.get(span.first as usize..=span.last as usize).unwrap_or_default())
     }
 
     pub(crate) fn is_word(&self, word: &str) -> bool {

@@ -154,8 +154,9 @@ impl Cursor<'_> {
 
     /// `word: expr;`, the word being known.
     pub(super) fn field_value(&mut self) -> Parse<Expr> {
+        let word = self.peek().map_or("", |token| token.text.as_str());
         self.advance();
-        self.punct(':', "`:`")?;
+        self.colon_of(word)?;
         let value = self.value_expr();
         self.end_of(&value)?;
         Ok(value)
@@ -241,8 +242,11 @@ impl Cursor<'_> {
     }
 
     fn definition_of_name(&mut self, make: impl FnOnce(IndexedName, Expr) -> ItemKind) -> Parse<ItemKind> {
+        let word = self.peek().map_or("", |token| token.text.as_str());
         self.advance();
+        self.skip_mut();
         let name = self.indexed_name("a name")?;
+        self.skip_unit_of(word)?;
         self.punct('=', "`=`")?;
         let value = self.value_expr();
         self.end_of(&value)?;
@@ -288,6 +292,7 @@ impl Cursor<'_> {
             None
         };
         let value = self.expr()?;
+        let name = name.or_else(|| self.name_behind(&value));
         let unit = if self.eat_word("in") {
             let start = self.position();
             let unit = self.unit()?;

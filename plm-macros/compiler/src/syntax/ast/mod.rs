@@ -206,8 +206,8 @@ pub struct Choice {
 /// `port name: (x, y) m, angle: expr;`
 #[derive(Clone, Debug)]
 pub struct Port {
-    /// Its name.
-    pub name: Ident,
+    /// Its name; on the ground it may have indices.
+    pub name: IndexedName,
     /// Where it is.
     pub at: Expr,
     /// Direction of its x axis.
