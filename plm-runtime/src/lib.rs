@@ -56,7 +56,7 @@ pub mod vector;
 
 pub use absolute::{Absolute, Assembly};
 pub use axes::{to_absolute, to_relative};
-pub use body::BodyState;
+pub use body::{BodyMotion, BodyState};
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
 pub use limits::{Least, Limit};

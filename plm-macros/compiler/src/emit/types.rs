@@ -20,7 +20,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 /// The mechanism itself; its name is the only one beside it that it must not meet.
 pub(crate) fn mechanism(emission: &Emission) -> String {
-    let Emission { model, fields, shown, .. } = emission;
+    let Emission { model, fields, shown, graph, .. } = emission;
     let scalar = if shown == "S" { "T" } else { "S" };
     let mut text = String::new();
     docs::lines(&mut text, 4, &model.docs);
@@ -34,7 +34,13 @@ pub(crate) fn mechanism(emission: &Emission) -> String {
         ),
     );
     for (param, field) in model.params.iter().zip(&fields.params) {
-        docs::field(&mut text, &param.docs, &format!("Parameter `{}`", param.name.text), &param.unit);
+        let default = if param.required {
+            "; it has no default".to_owned()
+        } else {
+            docs::by_default(graph, param.default, &param.unit)
+        };
+        let what = format!("Parameter `{}`", param.name.text);
+        docs::field(&mut text, &param.docs, &what, &param.unit, &default);
         push(&mut text, format_args!("        pub {field}: {scalar},\n"));
     }
     push(
@@ -58,7 +64,7 @@ fn starts(text: &mut String, emission: &Emission) {
         push(text, format_args!("        pub {field}: BodyStart<S>,\n"));
     }
     for (state, field) in model.states.iter().zip(&fields.states) {
-        docs::field(text, &[], &format!("State `{}`", state.name.text), &state.unit);
+        docs::field(text, &[], &format!("State `{}`", state.name.text), &state.unit, "");
         push(text, format_args!("        pub {field}: Start<S>,\n"));
     }
     text.push_str("    }\n\n");
@@ -71,7 +77,8 @@ fn inputs(text: &mut String, emission: &Emission) {
     );
     text.push_str("    pub struct Input<S = f64> {\n");
     for (input, field) in model.inputs.iter().zip(&fields.inputs) {
-        docs::field(text, &input.docs, &format!("Input `{}`", input.name.text), &input.unit);
+        let default = docs::by_default(emission.graph, input.default, &input.unit);
+        docs::field(text, &input.docs, &format!("Input `{}`", input.name.text), &input.unit, &default);
         push(text, format_args!("        pub {field}: S,\n"));
     }
     if model.inputs.is_empty() {
