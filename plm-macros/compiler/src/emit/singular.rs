@@ -34,7 +34,8 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
     push(
         text,
         format_args!(
-            "    impl<S: Real> rt::singular::Fine<{nq}, {nc}, {length}> for {name}<S> {{
+            "    #[doc(hidden)] // As `Absolute`.
+    impl<S: Real> rt::singular::Fine<{nq}, {nc}, {length}> for {name}<S> {{
         type Twofold = {name}<rt::Twofold<S>>;
         type Inputs = {held};
 

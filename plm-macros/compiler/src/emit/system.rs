@@ -226,7 +226,8 @@ fn constraints(text: &mut String, emission: &Emission) {
     let angular: Vec<&str> =
         model.rows.iter().map(|row| if row.is_angular() { "true" } else { "false" }).collect();
     push(text, format_args!(
-        "    impl<S: Real> absolute::Absolute<S, NQ, NC> for {name}<S> {{
+        "    #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+    impl<S: Real> absolute::Absolute<S, NQ, NC> for {name}<S> {{
         const ROWS: [&'static str; {nc}] = [{rows}];
         const PARTS: [&'static str; {nc}] = [{parts}];
         const COORDINATES: [&'static str; {nq}] = [{coordinates}];
