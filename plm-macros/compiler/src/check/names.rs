@@ -47,15 +47,15 @@ fn check_type_name(name: &Name, diagnostics: &mut Diagnostics) {
     if is_type_name(&name.text) {
         return;
     }
-    let message = format!(
-        "`{}` cannot be a mechanism's name: it becomes a type, which begins with a capital",
-        name.text
-    );
-    let better = match camel_case(&name.text) {
-        better if is_type_name(&better) => better,
-        _ => "Arm".to_owned(),
+    let text = &name.text;
+    let better = camel_case(text);
+    let (why, help) = if better != *text && is_type_name(&better) {
+        ("it becomes a type, which begins with a capital", format!("write `{better}`"))
+    } else {
+        ("the word belongs to Rust", "choose another name, like `Arm`".to_owned())
     };
-    diagnostics.error(Code::TypeName, name.span, message).help(format!("write `{better}`"));
+    let message = format!("`{text}` cannot be a mechanism's name: {why}");
+    diagnostics.error(Code::TypeName, name.span, message).help(help);
 }
 
 impl Scope<'_> {

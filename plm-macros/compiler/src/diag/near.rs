@@ -11,7 +11,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     let (mut best, mut begun) = (None, None);
     for candidate in candidates {
         let distance = distance(name, candidate);
-        let is_another_letter = distance > 0 && name.chars().count().max(candidate.chars().count()) == 1;
+        let is_another_letter = distance > 0 && name.chars().count().min(candidate.chars().count()) == 1;
         if distance <= limit && !is_another_letter && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
@@ -81,6 +81,7 @@ mod tests {
         assert_eq!(nearest("amr", ["arm"]), Some("arm"));
         assert_eq!(nearest("x", ["y", "z", "X"]), Some("X"));
         assert_eq!(nearest("x", ["y", "z"]), None);
+        assert_eq!(nearest("mN", ["m", "N"]), None);
         assert_eq!(nearest("sinus", ["sign", "sin"]), Some("sin"));
         assert_eq!(nearest("stiff", ["damping", "stiffness"]), Some("stiffness"));
         assert_eq!(nearest("stiffness", ["damping", "rest"]), None);

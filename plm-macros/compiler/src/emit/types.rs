@@ -30,7 +30,8 @@ pub(crate) fn mechanism(emission: &Emission) -> String {
     push(
         &mut text,
         format_args!(
-            "    #[derive(Clone, Copy, Debug, PartialEq)]\n    pub struct {shown}<{scalar} = f64> {{\n"
+            "    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct {shown}<{scalar} = ::core::primitive::f64> {{\n"
         ),
     );
     for (param, field) in model.params.iter().zip(&fields.params) {

@@ -1,6 +1,7 @@
 //! What is said of a name that there is not.
 
 use super::Resolver;
+use super::expect::text_of;
 use super::scope::ScopeId;
 use super::value::Failed;
 use crate::diag::{Code, help_similar, nearest};
@@ -23,6 +24,7 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
     (&["gear", "gears", "rack", "belt"], "a gear is a row: `constraint name: b.angle = ratio*a.angle;`"),
     (&["load", "wrench", "thruster"], "a force at a port is `force`"),
     (&["mass", "link", "bar", "rod", "rigid_body"], "what has a mass is a `body`"),
+    (&["fn", "def", "function"], "a formula is a `let`, and what acts on bodies a `part`"),
     (&["plmbod"], "the manual's bodies are `body name { … }`"),
     (&["plmemb"], "the manual's embedding is a port of `ground { … }`"),
     (&["plmzer"], "a port that no part uses is free: leave this out"),
@@ -122,6 +124,21 @@ impl Resolver<'_> {
             _ => diagnostic.note(format!("parts: {}", names.join(", "))),
         };
     }
+}
+
+/// What functions of other languages are here.
+pub(super) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<String> {
+    Some(match (name, arguments) {
+        ("pow" | "powi" | "powf", [base, exponent]) => match (text_of(base), text_of(exponent)) {
+            (Some(base), Some(exponent)) => format!("write `{base}^{exponent}`"),
+            _ => "a power is written `x^2`".to_string(),
+        },
+        ("atan" | "arctan", _) => "write `atan2(y, x)`".to_string(),
+        ("der" | "derivative" | "diff" | "ddt", _) => "the derivative with time is `rate(x)`".to_string(),
+        ("deg" | "degrees" | "radians" | "rad", _) => "an angle has a unit: `30 deg`".to_string(),
+        ("log", _) => "the natural logarithm is `ln(x)`".to_string(),
+        _ => return None,
+    })
 }
 
 /// In the manner of Rust's constants.

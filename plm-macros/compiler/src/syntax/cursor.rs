@@ -167,15 +167,25 @@ impl<'a> Cursor<'a> {
         if self.eat_word(word) { Ok(()) } else { Err(self.expected(&format!("`{word}`"))) }
     }
 
+    /// Reports that something else was expected here, and what to write.
+    pub(crate) fn expected_but(&mut self, what: &str, help: &str) -> Reported {
+        self.report_expected(what).help(help);
+        Reported
+    }
+
     /// Reports that something else was expected here.
     pub(crate) fn expected(&mut self, what: &str) -> Reported {
+        self.report_expected(what);
+        Reported
+    }
+
+    fn report_expected(&mut self, what: &str) -> &mut Diagnostic {
         let found = match self.tokens.get(self.at) {
             Some(token) => format!("`{}`", token.text),
             None => "the end".to_string(),
         };
         let message = format!("expected {what}, found {found}");
-        self.error(Code::UnexpectedToken, self.here(), message);
-        Reported
+        self.error(Code::UnexpectedToken, self.here(), message)
     }
 
     pub(crate) fn error(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {

@@ -43,6 +43,9 @@ impl Cursor<'_> {
         let start = self.position();
         self.word("if")?;
         let condition = self.expr()?;
+        if self.is_open(Delimiter::Brace) {
+            return Err(self.expected_but("`then`", "write `if a < b then c else d`"));
+        }
         self.word("then")?;
         let yes = self.expr()?;
         self.word("else")?;
@@ -186,6 +189,9 @@ impl Cursor<'_> {
             while cursor.peek().is_some() {
                 list.push(cursor.expr()?);
                 if !cursor.eat_punct(',') {
+                    if cursor.peek().is_some() {
+                        return Err(cursor.expected("`,` or `)`"));
+                    }
                     break;
                 }
             }
@@ -243,6 +249,11 @@ impl Cursor<'_> {
         }
         let whole = self.with_unit(number, span.first as usize)?;
         let text = text.trim_end_matches('_');
+        if text == "0" && suffix.starts_with(['x', 'b', 'o']) {
+            self.error(Code::BadNumber, span, format!("`{text}{suffix}` is not a decimal number"))
+                .help("numbers are decimal");
+            return Ok(whole);
+        }
         let meant = match &whole.kind {
             ExprKind::Quantity(_, unit) => format!("{text} {}", unit.text),
             _ => text.to_string(),

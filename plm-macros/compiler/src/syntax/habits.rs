@@ -246,3 +246,35 @@ impl Cursor<'_> {
 /// Where a number of the user's program is wanted.
 pub(crate) const CONSTANTS: &str =
     "a declaration cannot see Rust's constants: declare a `param`, and set it in the value of the mechanism";
+
+/// What a word that begins no item is here.
+pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "const" | "static" | "final" => {
+            "a number that can be set is a `param`, a name for an expression a `let`"
+        }
+        "var" | "val" | "mut" => {
+            "a name for an expression is a `let`; what changes as it runs is a `state` or an `input`"
+        }
+        "for" | "while" | "loop" => "repetitions are `repeat i in 0..8 { … }`",
+        "fn" | "def" | "function" => "a formula is a `let`, and what acts on bodies a `part`",
+        "use" | "import" | "include" => "`use path;` is the first word of a declaration",
+        "struct" | "class" | "enum" | "type" => "a part of your own is `part name(a: frame) { … }`",
+        "port" => "a port stands in `body name { … }` or in `ground { … }`",
+        "start" => "a start stands in `body name { … }`",
+        "g" | "gravitation" => "write `gravity: 9.81 m/s^2;`",
+        "print" | "println" | "plot" | "show" | "log" => "what is to be looked at is an `output`",
+        _ => return None,
+    })
+}
+
+/// What a mark behind a value is here.
+pub(super) fn behind_value(text: &str) -> Option<&'static str> {
+    Some(match text {
+        "?" => "a choice is written `if a < b then c else d`",
+        "%" => "there is no remainder",
+        "°" => "write `deg`",
+        "as" => "there is one kind of number: leave `as` out",
+        _ => return None,
+    })
+}

@@ -111,7 +111,9 @@ impl Cursor<'_> {
     }
 
     fn unknown_unit(&mut self, name: &str, span: crate::span::Span) -> Reported {
-        let help = unit_help(name).or_else(|| Some(format!("write `{}`", nearest(name, names())?)));
+        // Units of two letters are all alike: what differs in one is another.
+        let near = nearest(name, names()).filter(|near| name.len() > 2 || near.eq_ignore_ascii_case(name));
+        let help = unit_help(name).or_else(|| Some(format!("write `{}`", near?)));
         let diagnostic = self.error(Code::UnknownUnit, span, format!("unknown unit `{name}`"));
         match help {
             Some(help) => diagnostic.help(help),
@@ -153,7 +155,8 @@ impl Cursor<'_> {
 
 /// What is written for a unit that goes by another name elsewhere.
 pub(crate) fn unit_help(name: &str) -> Option<String> {
-    let known = match name {
+    let word = if name.len() > 2 { name.to_lowercase() } else { name.to_string() };
+    let known = match word.as_str() {
         "Nm" => "N*m",
         "meter" | "meters" | "metre" | "metres" => "m",
         "kilogram" | "kilograms" => "kg",
@@ -167,6 +170,10 @@ pub(crate) fn unit_help(name: &str) -> Option<String> {
         "radian" | "radians" => "rad",
         "g" | "gram" | "grams" => {
             return Some("grams and g are no units here: write `1e-3 kg` or `9.81 m/s^2`".to_string());
+        }
+        "f64" | "f32" | "float" | "double" | "i32" | "int" | "usize" => {
+            let help = "a number has a unit and no type: write `m`, `N/m`, or `1` where it has none";
+            return Some(help.to_string());
         }
         // `m2`
         _ => {
