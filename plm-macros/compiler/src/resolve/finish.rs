@@ -33,7 +33,7 @@ impl<'a> Resolver<'a> {
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
         let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
-        self.warn_of_silence(mechanism);
+        self.warn_of_silence(declaration, mechanism);
         if self.sink.has_errors() {
             return None;
         }

@@ -25,13 +25,13 @@ impl<'a> Resolver<'a> {
     }
 
     /// Warns of what is silent, when all has been evaluated. After errors much has not been.
-    pub(super) fn warn_of_silence(&mut self, mechanism: &'a Mechanism) {
+    pub(super) fn warn_of_silence(&mut self, declaration: &ast::Declaration, mechanism: &'a Mechanism) {
         if self.sink.has_errors() {
             return;
         }
         self.warn_of_gravity(mechanism);
         self.warn_of_idle_parts();
-        self.warn_of_unread_names();
+        self.warn_of_unread_names(&declaration.carried);
         self.sink.allow(&self.allowed);
     }
 
@@ -90,14 +90,19 @@ impl<'a> Resolver<'a> {
         Some(instance)
     }
 
-    /// In a part that is used several times, and in a repetition, one reader is enough.
-    fn warn_of_unread_names(&mut self) {
+    /// In a part that is used several times, and in a repetition, one reader is enough. Parts that were carried here are not
+    /// for who uses them to mend.
+    fn warn_of_unread_names(&mut self, carried: &[Span]) {
         let mut read: BTreeMap<Span, (String, &'static str, bool)> = BTreeMap::new();
         for (name, Readable { what, slot }) in std::mem::take(&mut self.readable) {
             let slot = &self.slots[slot];
             read.entry(slot.span).or_insert((name, what, false)).2 |= slot.is_read;
         }
+        let is_carried = |span: Span| carried.iter().any(|of| (of.first..=of.last).contains(&span.first));
         for (span, (name, what, _)) in read.into_iter().filter(|(_, (.., is_read))| !is_read) {
+            if is_carried(span) {
+                continue;
+            }
             self.sink
                 .warning(Code::Unread, span, format!("nothing reads the {what} `{name}`"))
                 .help(format!("leave it out, or call it `_{name}`"));

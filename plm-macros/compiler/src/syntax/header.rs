@@ -48,11 +48,14 @@ impl Cursor<'_> {
         if self.is_word("crate") && self.peek_at(1).is_some_and(next('=')) {
             declaration.crate_path = Some(self.crate_path()?);
         } else if self.is_word("parts") {
+            let start = self.position();
             self.advance();
-            self.group(Delimiter::Brace, "`{`", |cursor| {
+            let read = self.group(Delimiter::Brace, "`{`", |cursor| {
                 cursor.definitions(&mut declaration.shared);
                 Ok(())
-            })?;
+            });
+            declaration.carried.push(self.span_from(start));
+            read?;
         } else if self.is_word("use") {
             let span = self.here();
             self.error(Code::MisplacedItem, span, "`use` must be the first word of the declaration");

@@ -25,6 +25,8 @@ pub struct Declaration {
     pub shared: Shared,
     /// The mechanism; `None` if its head could not be read.
     pub mechanism: Option<Mechanism>,
+    /// Where parts stand that `parts!` has carried here, from another crate perhaps.
+    pub carried: Vec<Span>,
 }
 
 /// Definitions: parts and domains.
