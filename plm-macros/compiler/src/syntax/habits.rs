@@ -165,6 +165,17 @@ impl Cursor<'_> {
         Ok(())
     }
 
+    /// `force(arm.a);`, `force hook arm.a;`: a part in use has a name, and joins what stands in brackets.
+    pub(super) fn part_without_brackets(&mut self, kind: &str) -> Reported {
+        let name = self.peek_at(1).filter(|token| token.kind == TokenKind::Ident);
+        let (message, name) = match name {
+            Some(name) => (format!("what the part `{kind}` joins stands in brackets"), name.text.as_str()),
+            None => (format!("the part `{kind}` has no name here"), "name"),
+        };
+        self.error(Code::UnknownItem, self.here(), message).help(format!("write `{kind} {name}(…);`"));
+        Reported
+    }
+
     /// `mut` behind `let`.
     pub(super) fn skip_mut(&mut self) {
         if self.is_word("mut") && self.peek_at(1).is_some_and(|token| token.kind == TokenKind::Ident) {

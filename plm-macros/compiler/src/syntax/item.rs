@@ -123,9 +123,7 @@ impl Cursor<'_> {
         let words = WORDS.iter().map(|(word, _)| *word);
         let near = nearest(word, words);
         if PARTS.iter().any(|(part, _)| *part == word) {
-            self.error(Code::UnknownItem, self.here(), format!("`{word}` is a part, and has no name here"))
-                .help(format!("write `{word} name(…);` with what it joins in brackets"));
-            return Err(Reported);
+            return Err(self.part_without_brackets(word));
         }
         let diagnostic = self.error(Code::UnknownItem, self.here(), format!("`{word}` begins no item"));
         if let Some(help) = instead_of_item(word) {
