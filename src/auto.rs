@@ -142,6 +142,12 @@ pub struct Auto<M: Linear> {
     choice: Choice,
 }
 
+impl<M: Linear> fmt::Debug for Auto<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Auto").field("choice", &self.choice).finish_non_exhaustive()
+    }
+}
+
 #[derive(Clone, Copy)]
 enum Chosen<M: Linear> {
     Explicit(Dop853<M>),

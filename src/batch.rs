@@ -114,7 +114,9 @@ pub struct Run<P, T> {
 }
 
 /// Why a run gave nothing.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
+#[derive(Clone, PartialEq)]
 pub enum Failure {
     /// The simulation stopped.
     Fault(Fault),
@@ -132,6 +134,12 @@ impl fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+impl fmt::Debug for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
 
 /// All runs, in the order of the points. `Display` tells those that failed, a line each.
 #[derive(Clone, Debug, PartialEq)]

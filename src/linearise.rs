@@ -1,5 +1,6 @@
 //! A mechanism near a state as a linear system: matrices, eigenvalues, damping, frequencies.
 
+use std::fmt;
 use std::vec::Vec;
 
 use nalgebra::{Complex, DMatrix};
@@ -59,6 +60,39 @@ impl Linearisation {
             f.total_cmp(&g).then(p.total_cmp(&q))
         });
         modes
+    }
+}
+
+/// Sizes, modes, and what goes in and comes out with its unit; the matrices are fields, and have a `Display` of their own.
+impl fmt::Display for Linearisation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = self.a.nrows();
+        writeln!(f, "{count} state{}", if count == 1 { "" } else { "s" })?;
+        for (what, list) in [("input", self.inputs), ("output", self.outputs)] {
+            for (name, unit) in list {
+                writeln!(f, "{what} {name}, {unit}")?;
+            }
+        }
+        for mode in self.modes().iter().filter(|mode| mode.eigenvalue.im >= 0.0) {
+            writeln!(f, "{mode}")?;
+        }
+        Ok(())
+    }
+}
+
+/// `-0.12 +- 3.4i 1/s: 3.402 rad/s, damping 0.0353`.
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { eigenvalue, frequency, damping } = self;
+        match eigenvalue.im {
+            0.0 => write!(f, "{:.4e} 1/s", eigenvalue.re),
+            im => write!(
+                f,
+                "{:.4e} +- {:.4e}i 1/s: {frequency:.4e} rad/s, damping {damping:.4}",
+                eigenvalue.re,
+                im.abs()
+            ),
+        }
     }
 }
 

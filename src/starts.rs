@@ -7,7 +7,9 @@ use std::vec::Vec;
 use plm_runtime::{Scalar, Start, StartValues};
 
 /// What is wrong with a text of start values.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
+#[derive(Clone, PartialEq, Eq)]
 pub struct BadStarts {
     /// Everything that is wrong, in the order of the text; then what it lacks.
     pub problems: Vec<StartProblem>,
@@ -46,6 +48,12 @@ pub enum StartProblem {
 }
 
 impl std::error::Error for BadStarts {}
+
+impl fmt::Debug for BadStarts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
 
 impl fmt::Display for BadStarts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

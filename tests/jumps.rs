@@ -9,6 +9,7 @@ macro_rules! cart {
         mod $module {
             plm::mechanism! {
                 pub Cart {
+                    allow(W0007);
                     param from: s = 1 s;
                     param speed: m/s = 0;
                     param place: m = 0;
@@ -26,6 +27,7 @@ macro_rules! cart {
             plm::mechanism! {
                 pub Cart {
                     rung: absolute;
+                    allow(W0007);
                     param from: s = 1 s;
                     param speed: m/s = 0;
                     param place: m = 0;
@@ -185,6 +187,7 @@ macro_rules! geneva {
             plm::mechanism! {
                 pub Geneva {
                     $($rung)*
+                    allow(W0007);
                     param c: m = 0.1 m;
                     let r = c*sin(45 deg);
                     ground { port o: (0, 0) m; port w: (c, 0 m); }

@@ -148,7 +148,7 @@ fn pace<M: Build, I: Method<M>>(
 fn look<M: Build>(index: usize, state: &M::State) -> Seen {
     let mut bodies = Vec::new();
     M::bodies(state, |body| {
-        let plm::BodyState { x, y, angle, vx, vy, omega } = body;
+        let plm::BodyMotion { x, y, angle, vx, vy, omega } = *body;
         bodies.push([x, y, angle, vx, vy, omega].map(Scalar::to_f64));
     });
     Seen { index, bodies, energy: M::energies(state).map(Scalar::to_f64) }

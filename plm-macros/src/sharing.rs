@@ -34,39 +34,64 @@ pub(crate) fn carried(input: &TokenStream) -> Option<TokenStream> {
 /// `pub name { definitions }` as a `macro_rules!` by that name; `Err` says what was expected and where.
 pub(crate) fn shared(input: TokenStream) -> Result<TokenStream, (Span, &'static str)> {
     let trees: Vec<TokenTree> = input.into_iter().collect();
-    let start = trees.first().map_or_else(Span::call_site, TokenTree::span);
-    let (head, definitions) = match trees.split_last() {
-        Some((TokenTree::Group(group), head)) if group.delimiter() == Delimiter::Brace => {
-            (head, group.stream())
-        }
-        _ => return Err((start, "expected `pub name { joint … part … }`")),
-    };
-    let Some((TokenTree::Ident(name), before)) = head.split_last() else {
-        return Err((start, "expected a name for the parts: `pub name { … }`"));
-    };
-    let is_public = before.iter().any(|tree| is_word(Some(tree), "pub"))
-        && !before.iter().any(|tree| matches!(tree, TokenTree::Group(_)));
+    let Head { attributes, visibility, name, definitions } = Head::of(&trees)?;
+    let is_public = matches!(visibility, [_]);
     // A macro that leaves the crate must be exported from its root; one that stays must not.
     let export = if is_public { "#[macro_export]" } else { "" };
-    let hidden = format!("__plm_parts_{name}");
+    let word = name.to_string();
+    let hidden = format!("__plm_parts_{}", word.strip_prefix("r#").unwrap_or(&word));
     let item = format!(
         "#[doc(hidden)] {export} macro_rules! {hidden} {{ ($($rest:tt)*) => {{ ::plm::mechanism! {{ parts DEFINITIONS $($rest)* }} }}; }}"
     );
     let item: TokenStream = item.parse().map_err(|_| (name.span(), "expected a name"))?;
-    let group = Group::new(Delimiter::Brace, definitions);
-    let mut output = with_definitions(item, &group);
-    let visibility: TokenStream = match (before.is_empty(), is_public) {
-        (true, _) => "pub(self)".parse().unwrap_or_default(),
-        (false, _) => before.iter().cloned().collect(),
-    };
+    // What is said of the parts (documentation, `cfg`) is said of the macro and of its name.
+    let mut output: TokenStream = attributes.iter().cloned().collect();
+    output.extend(with_definitions(item, definitions));
+    output.extend(attributes.iter().cloned());
     output.extend("#[doc(hidden)] #[allow(unused_imports)]".parse::<TokenStream>().unwrap_or_default());
-    output.extend(visibility);
+    output.extend::<TokenStream>(match visibility {
+        [] => "pub(self)".parse().unwrap_or_default(),
+        some => some.iter().cloned().collect(),
+    });
     output.extend(format!("use {hidden} as").parse::<TokenStream>().unwrap_or_default());
-    output.extend([
-        TokenTree::Ident(Ident::new(&name.to_string(), name.span())),
-        TokenTree::Punct(Punct::new(';', Spacing::Alone)),
-    ]);
+    output.extend([TokenTree::Ident(name.clone()), TokenTree::Punct(Punct::new(';', Spacing::Alone))]);
     Ok(output)
+}
+
+/// `#[…] pub(…) name { definitions }`, taken apart.
+struct Head<'a> {
+    attributes: &'a [TokenTree],
+    visibility: &'a [TokenTree],
+    name: &'a Ident,
+    definitions: &'a Group,
+}
+
+impl<'a> Head<'a> {
+    fn of(trees: &'a [TokenTree]) -> Result<Head<'a>, (Span, &'static str)> {
+        let is_attribute = |two: &[TokenTree]| is_mark(&two[0], '#') && is_group(&two[1], Delimiter::Bracket);
+        let count = 2 * trees.chunks_exact(2).take_while(|two| is_attribute(two)).count();
+        let (attributes, trees) = trees.split_at(count);
+        let visible = match trees {
+            [pub_, group, ..] if is_word(Some(pub_), "pub") && is_group(group, Delimiter::Parenthesis) => 2,
+            [pub_, ..] if is_word(Some(pub_), "pub") => 1,
+            _ => 0,
+        };
+        let (visibility, rest) = trees.split_at(visible);
+        let place = |at: usize| rest.get(at).or(trees.last()).map_or_else(Span::call_site, TokenTree::span);
+        let unnamed = Err((place(0), "expected a name for the parts: `pub name { joint … part … }`"));
+        let Some(TokenTree::Ident(name)) = rest.first() else { return unnamed };
+        match &rest[1..] {
+            [TokenTree::Ident(_), ..] => unnamed,
+            [TokenTree::Group(definitions)] if definitions.delimiter() == Delimiter::Brace => {
+                Ok(Head { attributes, visibility, name, definitions })
+            }
+            [TokenTree::Group(_), behind, ..] => Err((
+                behind.span(),
+                "something stands behind the parts: each `parts!` holds one list of them",
+            )),
+            _ => Err((place(1), "expected `{` and definitions: `pub name { joint … part … }`")),
+        }
+    }
 }
 
 /// Puts the definitions where their place was kept.
@@ -83,6 +108,10 @@ fn with_definitions(item: TokenStream, definitions: &Group) -> TokenStream {
 
 fn is_word(tree: Option<&TokenTree>, word: &str) -> bool {
     matches!(tree, Some(TokenTree::Ident(ident)) if ident.to_string() == word)
+}
+
+fn is_group(tree: &TokenTree, delimiter: Delimiter) -> bool {
+    matches!(tree, TokenTree::Group(group) if group.delimiter() == delimiter)
 }
 
 fn is_mark(tree: &TokenTree, mark: char) -> bool {

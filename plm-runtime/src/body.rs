@@ -1,12 +1,45 @@
 //! What is read of a body, and how the start of its origin becomes that of its centre of gravity.
 
+use core::fmt;
+use core::ops::Deref;
+
 use crate::axes::{to_absolute, turned};
 use crate::scalar::{Real, Scalar};
 use crate::start::{BodyStart, Start};
 
-/// Pose and velocity of the centre of gravity of a body, in absolute axes.
+/// Pose and velocity of a body at a moment, to be read: `sim.arm().angle`.
+///
+/// It is a copy. Its numbers cannot be set, since that would move no body: where a mechanism starts is said by `start`.
+#[derive(Clone, Copy, PartialEq)]
+#[must_use = "it is a copy of what the mechanism does"]
+pub struct BodyState<S>(BodyMotion<S>);
+
+impl<S> BodyState<S> {
+    /// Of (x, y, angle) and (vx, vy, omega).
+    #[inline]
+    pub fn of([x, y, angle]: [S; 3], [vx, vy, omega]: [S; 3]) -> Self {
+        Self(BodyMotion { x, y, angle, vx, vy, omega })
+    }
+}
+
+impl<S> Deref for BodyState<S> {
+    type Target = BodyMotion<S>;
+
+    #[inline]
+    fn deref(&self) -> &BodyMotion<S> {
+        &self.0
+    }
+}
+
+impl<S: fmt::Debug> fmt::Debug for BodyState<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// The numbers of a [`BodyState`]: pose and velocity of the centre of gravity, in absolute axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyState<S> {
+pub struct BodyMotion<S> {
     /// Position, m.
     pub x: S,
     /// Position, m.
@@ -21,7 +54,7 @@ pub struct BodyState<S> {
     pub omega: S,
 }
 
-impl<S: Scalar> BodyState<S> {
+impl<S: Scalar> BodyMotion<S> {
     /// Absolute position of a point of the body that stands at (`x`, `y`) from G in the body's axes, m.
     pub fn point(&self, x: S, y: S) -> [S; 2] {
         to_absolute([x, y], [self.x, self.y], self.angle)

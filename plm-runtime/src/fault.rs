@@ -3,7 +3,9 @@
 use core::fmt;
 
 /// Why a run or an assembly stopped, at which time, in which part.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it, and `unwrap`, show that one.
+#[derive(Clone, Copy, PartialEq)]
 pub struct Fault {
     /// The time, s.
     pub time: f64,
@@ -170,6 +172,12 @@ impl Fault {
 }
 
 impl core::error::Error for Fault {}
+
+impl fmt::Debug for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -58,7 +58,7 @@ pub mod workspace;
 
 pub use absolute::{Absolute, Assembly};
 pub use axes::{to_absolute, to_relative};
-pub use body::BodyState;
+pub use body::{BodyMotion, BodyState};
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
 pub use limits::{Least, Limit};

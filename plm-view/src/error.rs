@@ -6,7 +6,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// A file that could not be written: which one, and why.
-#[derive(Debug)]
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
 pub struct Error {
     path: PathBuf,
     source: io::Error,
@@ -16,6 +17,12 @@ impl Error {
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

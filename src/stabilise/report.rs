@@ -63,13 +63,21 @@ pub struct Change {
 }
 
 /// There is no equilibrium: what is not at rest.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
+#[derive(Clone, PartialEq)]
 pub struct Unbalanced {
     /// Everything that is not at rest.
     pub residuals: Vec<Residual>,
 }
 
 impl std::error::Error for Unbalanced {}
+
+impl fmt::Debug for Unbalanced {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
 
 impl fmt::Display for Unbalanced {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -172,3 +172,14 @@ fn a_parallelogram_swings_like_a_pendulum() {
         assert_oscillates(&system, f64::sqrt(9.81 * weight / (mass * r)), 0.0);
     }
 }
+
+#[test]
+fn a_linear_system_can_be_shown() {
+    let [least, _] = at_start!(pendulum);
+    let text = least.to_string();
+    let mode = least.modes()[0];
+    assert!(text.starts_with("2 states\noutput bob.angle, deg\n"), "{text}");
+    // The pair of the swinging pendulum is one line.
+    assert_eq!(text.matches("rad/s, damping").count(), 1, "{text}");
+    assert!(text.contains(&format!("damping {:.4}", mode.damping)), "{text}");
+}

@@ -8,6 +8,7 @@ macro_rules! parallelogram {
         mod $module {
             plm::mechanism! {
                 pub Parallelogram {
+                    allow(W0007);
                     gravity: 9.81 m/s^2;
                     param error: m = 0 m;
                     param give: m/N = 1e-9 m/N;

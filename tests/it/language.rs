@@ -186,6 +186,7 @@ mod shared {
         use crate::language::springs;
         /// A wheel that a shared damper slows down.
         pub Wheel {
+            allow(W0006);
             ground { port o: (0, 0) m; }
             body wheel { mass: 1 kg; inertia: 2 kg*m^2; port o: (0, 0) m; start angle: 0, locked; start omega: 3 rad/s, locked; }
             revolute bearing(ground.o, wheel.o);

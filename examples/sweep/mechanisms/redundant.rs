@@ -22,7 +22,7 @@ pub mod third_crank {
                 plm::mechanism! {
                     pub Linkage {
                         rung: $rung;
-                        allow(W0001);
+                        allow(W0001, W0007);
                         param weight: m/s^2 = 9.81 m/s^2;
                         gravity: weight;
                         param push: N*m = 0 N*m;

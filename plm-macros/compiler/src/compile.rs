@@ -45,6 +45,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
         None => Expansion::default(),
     };
     if sink.has_errors() {
+        sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
         let code = expansion.code.or_else(|| fallback::model(&reading).map(unchecked));
         expansion = Expansion { code, ..Expansion::default() };

@@ -57,6 +57,17 @@ pub(crate) const DOMAINS: &[(&str, &str)] = &[
     ("slider", include_str!("../parts/slider.plm")),
 ];
 
+/// The parts of the library that have this name in the manual, `PLMPIV00` or `MAS002`, as their documentation says.
+pub(crate) fn of_manual(name: &str) -> Vec<&'static str> {
+    let is_code = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit();
+    if name.len() < 4 || !name.chars().all(is_code) || !name.contains(|c: char| c.is_ascii_digit()) {
+        return Vec::new();
+    }
+    let has_name = |text: &str| text.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == name);
+    let documents = |text: &str| text.lines().take_while(|line| line.starts_with("///")).any(has_name);
+    PARTS.iter().filter(|(_, text)| documents(text)).map(|(part, _)| *part).collect()
+}
+
 /// The definitions that a declaration can use: its own, and those of the library that it names.
 #[derive(Debug)]
 pub(crate) struct Library {

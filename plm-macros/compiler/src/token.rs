@@ -114,6 +114,25 @@ impl Token {
     }
 }
 
+/// Tokens as a person would write them in one line.
+pub(crate) fn written(tokens: &[Token]) -> String {
+    let is_word = |token: &Token| matches!(token.kind, TokenKind::Ident | TokenKind::Number);
+    let ends_operand = |token: &Token| is_word(token) || matches!(token.kind, TokenKind::Close(_));
+    let mut text = String::new();
+    let mut is_joined = true;
+    for (k, token) in tokens.iter().enumerate() {
+        let previous = k.checked_sub(1).and_then(|k| tokens.get(k));
+        let is_binary = (token.is_punct('+') || token.is_punct('-')) && previous.is_some_and(ends_operand);
+        let is_apart = previous.is_some_and(|previous| {
+            previous.is_punct(',') || is_binary || (is_word(previous) && is_word(token))
+        });
+        text.push_str(if is_apart || !is_joined { " " } else { "" });
+        text.push_str(&token.text);
+        is_joined = !is_binary;
+    }
+    text
+}
+
 /// A list of tokens with a name, and its text where there is one.
 #[derive(Clone, Debug)]
 pub struct Source {

@@ -1,6 +1,7 @@
 //! Eight simulations side by side, with steps of equal length.
 
 use core::array;
+use core::fmt;
 use core::marker::PhantomData;
 use core::ops::{Deref, DerefMut};
 
@@ -26,6 +27,12 @@ use crate::vector::Vector;
 pub struct Batch<M: Mechanism<S = f64>, L, F = Rk4Formula> {
     sims: [Sim<M, FixedStep<f64, F>>; LANES],
     lanes: PhantomData<L>,
+}
+
+impl<M: Mechanism<S = f64, State: fmt::Debug>, L, F> fmt::Debug for Batch<M, L, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(&self.sims).finish()
+    }
 }
 
 impl<M, L, F> Batch<M, L, F>

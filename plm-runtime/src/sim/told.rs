@@ -1,5 +1,24 @@
 //! What a simulation tells of itself.
 
+use core::fmt;
+
+use super::{Sim, Snapshot};
+use crate::mechanism::Mechanism;
+
+/// The state and what was done; a method has hundreds of numbers of its own.
+impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Sim<M, I> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut sim = f.debug_struct("Sim");
+        sim.field("state", &self.state).field("stats", &self.stats).finish_non_exhaustive()
+    }
+}
+
+impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Snapshot<M, I> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Snapshot").field(&self.0).finish()
+    }
+}
+
 /// What a simulation has done since it began.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stats {
@@ -49,4 +68,21 @@ pub enum Notice {
         /// How often.
         conditions: u64,
     },
+}
+
+impl fmt::Display for Notice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StiffStabilisation { h_alpha } => write!(
+                f,
+                "the longest step times the decay rate of Baumgarte's stabilisation is {h_alpha:.2}: it costs accuracy; \
+                 shorter steps, or a longer time constant"
+            ),
+            Self::PassedOver { conditions } => write!(
+                f,
+                "conditions came and went within steps of equal length, {conditions} times: shorter steps, or a method \
+                 with dense output"
+            ),
+        }
+    }
 }

@@ -1,7 +1,9 @@
 //! Errors are values that say when, where and why.
 
 use plm_runtime::method::{Gauss, Method};
-use plm_runtime::{Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, SemiImplicitEuler, System};
+use plm_runtime::{
+    Cause, Dop853, Dopri5, Fault, Health, Mechanism, Notice, Operations, Rk4, SemiImplicitEuler, System,
+};
 
 use crate::linkage::At;
 use crate::oscillator::oscillator;
@@ -45,6 +47,29 @@ fn a_pole_makes_the_step_too_small() {
     // The state of the last accepted step is kept, and it is on the solution 1 / (1 - t).
     assert!(sim.time < 1.0 && sim.x[0].is_finite());
     assert!((sim.time + 1.0 / sim.x[0] - 1.0).abs() < 1e-7);
+}
+
+/// `fn main() -> Result<(), Fault>` shows `Debug`, and so does `unwrap`.
+#[test]
+fn a_fault_reads_as_words_wherever_it_is_shown() {
+    let fault = Fault::of_part(1.5, "elbow", Cause::Locked);
+    let words = "t = 1.5 s: elbow: its loop cannot be closed beyond this pose: the mechanism locks up";
+    assert_eq!([fault.to_string(), format!("{fault:?}"), format!("{fault:#?}")], [words; 3]);
+}
+
+#[test]
+fn what_people_look_at_can_be_shown() {
+    let mut sim = BlowUp.start_with(Dopri5::new(1e-9)).unwrap();
+    sim.step(0.5).unwrap();
+    let shown = format!("{sim:?} {:?}", sim.save());
+    assert!(shown.starts_with("Sim { state: At") && shown.contains("Snapshot(Sim {"), "{shown}");
+    assert!(shown.contains(&format!("steps: {}", sim.stats().steps)), "{shown}");
+    let count = Operations { add: 14, mul: 12, sin_cos: 4, ..Operations::default() };
+    assert_eq!(count.to_string(), "30 operations: 14 add, 12 mul, 4 sin_cos");
+    assert_eq!(Operations { div: 1, ..Operations::default() }.to_string(), "1 operation: 1 div");
+    assert_eq!(Operations::default().to_string(), "0 operations");
+    let notice = Notice::PassedOver { conditions: 3 }.to_string();
+    assert!(notice.contains("3 times") && notice.contains("shorter steps"), "{notice}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::diag::{Code, Diagnostics};
 use crate::emit::METHODS;
-use crate::emit::names::ident;
+use crate::emit::names::{camel_case, ident, is_type_name};
 use crate::model::{Model, Name};
 
 /// Where names must differ.
@@ -22,6 +22,7 @@ struct Scope<'a> {
 
 /// Reports names of the declaration that are one in Rust, at the later one.
 pub(crate) fn check_names(model: &Model, diagnostics: &mut Diagnostics) {
+    check_type_name(&model.name, diagnostics);
     let bodies = || model.bodies.iter().map(|body| ("body", &body.name));
     let states = model.states.iter().map(|state| ("state", &state.name));
     let outputs = model
@@ -41,6 +42,22 @@ pub(crate) fn check_names(model: &Model, diagnostics: &mut Diagnostics) {
     held.check(inputs, diagnostics);
 }
 
+/// A mechanism is a type in a module: without a capital both would have one name, and that may be of a type of Rust.
+fn check_type_name(name: &Name, diagnostics: &mut Diagnostics) {
+    if is_type_name(&name.text) {
+        return;
+    }
+    let text = &name.text;
+    let better = camel_case(text);
+    let (why, help) = if better != *text && is_type_name(&better) {
+        ("it becomes a type, which begins with a capital", format!("write `{better}`"))
+    } else {
+        ("the word belongs to Rust", "choose another name, like `Arm`".to_owned())
+    };
+    let message = format!("`{text}` cannot be a mechanism's name: {why}");
+    diagnostics.error(Code::TypeName, name.span, message).help(help);
+}
+
 impl Scope<'_> {
     fn check<'n>(
         &self,
@@ -52,7 +69,7 @@ impl Scope<'_> {
         let mut sorted: Vec<(&'static str, &Name)> = names.collect();
         sorted.sort_by_key(|(_, name)| (name.span.source == 0, name.span));
         for (kind, name) in sorted {
-            let ident = ident(&name.text).to_lowercase();
+            let ident = ident(&name.text.to_lowercase());
             let text = &name.text;
             if self.taken.contains(&ident.as_str()) {
                 let message = format!("the {kind} `{text}` cannot be named so: {} `{ident}`", self.by);

@@ -52,6 +52,7 @@ catalogue! {
     Cycle = "E0211", "a definition needs itself";
     UnknownOption = "E0212", "unknown option of a choice";
     UnknownRow = "E0213", "unknown constraint row";
+    TypeName = "E0214", "the name of a mechanism is not that of a type";
 
     // E03: units and dimensions.
     WrongDimension = "E0301", "wrong dimension";
@@ -92,6 +93,9 @@ catalogue! {
     Unreached = "W0002", "a body that nothing holds or reaches";
     UnknownCode = "W0003", "an allowed code that does not exist";
     Strained = "W0004", "a joint with a compliance is open at the start";
+    Upwards = "W0005", "gravity pulls upwards";
+    Idle = "W0006", "a part does nothing";
+    Unread = "W0007", "nothing reads a name";
 }
 
 impl core::fmt::Display for Code {

@@ -157,6 +157,11 @@ impl Diagnostics {
         });
     }
 
+    /// Drops the warnings that say what is hardly meant: they wait until there is no error.
+    pub fn drop_hints(&mut self) {
+        self.list.retain(|diagnostic| !matches!(diagnostic.code, Code::Upwards | Code::Idle | Code::Unread));
+    }
+
     /// All of them, by source and place: the order in which people read.
     pub fn sorted(&self) -> Vec<&Diagnostic> {
         let mut list: Vec<_> = self.list.iter().collect();

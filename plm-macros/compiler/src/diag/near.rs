@@ -5,13 +5,14 @@ use std::fmt::Write;
 use super::Diagnostic;
 
 /// The candidate nearest to a name, if one is near enough: at most a third of its letters differ (one at least), or one
-/// of the two begins the other (three letters at least). The first of equals wins.
+/// of the two begins the other (three letters at least). One letter is not like another. The first of equals wins.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let limit = (name.chars().count() / 3).max(1);
     let (mut best, mut begun) = (None, None);
     for candidate in candidates {
         let distance = distance(name, candidate);
-        if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
+        let is_another_letter = distance > 0 && name.chars().count().min(candidate.chars().count()) == 1;
+        if distance <= limit && !is_another_letter && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }
         let shorter = name.len().min(candidate.len());
@@ -78,7 +79,9 @@ mod tests {
         assert_eq!(nearest("revolut", ["prismatic", "revolute"]), Some("revolute"));
         assert_eq!(nearest("p13", ["o0", "p12"]), Some("p12"));
         assert_eq!(nearest("amr", ["arm"]), Some("arm"));
-        assert_eq!(nearest("x", ["y", "z"]), Some("y"));
+        assert_eq!(nearest("x", ["y", "z", "X"]), Some("X"));
+        assert_eq!(nearest("x", ["y", "z"]), None);
+        assert_eq!(nearest("mN", ["m", "N"]), None);
         assert_eq!(nearest("sinus", ["sign", "sin"]), Some("sin"));
         assert_eq!(nearest("stiff", ["damping", "stiffness"]), Some("stiffness"));
         assert_eq!(nearest("stiffness", ["damping", "rest"]), None);

@@ -45,6 +45,7 @@ fn augmented<'a>(emission: &Emission<'a>) -> Option<&'a Augmented> {
 
 /// The coefficients and the pattern.
 pub(super) fn emit(text: &mut String, emission: &Emission) {
+    let inputs = emission.inputs("S");
     let Some(augmented) = augmented(emission) else { return };
     let (length, _) = emission.state_length();
     let count = augmented.coefficients.results.len();
@@ -60,7 +61,7 @@ pub(super) fn emit(text: &mut String, emission: &Emission) {
             ],
             attribute: "",
             signature: &format!(
-                "fn linearised(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &[S; {length}], c: &mut [S; {count}])"
+                "fn linearised(&self, t: S, u: &{inputs}, x: &[S; {length}], dx: &[S; {length}], c: &mut [S; {count}])"
             ),
             arguments: &["t", "u", "x", "dx", "c"],
         },

@@ -15,11 +15,12 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 /// `dynamics`, and what the rank-revealing fallback needs.
 fn equations_of_motion(text: &mut String, emission: &Emission) {
+    let inputs = emission.inputs("S");
     let Emission { name, equations, program, .. } = emission;
     let (nq, nc, nx) = (equations.q.len(), equations.phi.len(), equations.x.len());
     let length = 2 * nq + nx;
     push(text, format_args!("    impl<S: Scalar> {name}<S> {{\n"));
-    let state = format!("t: S, u: &Input<S>, x: &[S; {length}]");
+    let state = format!("t: S, u: &{inputs}, x: &[S; {length}]");
     write(
         text,
         emission,
@@ -61,6 +62,7 @@ fn equations_of_motion(text: &mut String, emission: &Emission) {
 
 /// `x_dot`.
 fn first_order(text: &mut String, emission: &Emission) {
+    let inputs = emission.inputs("S");
     let Emission { equations, program, .. } = emission;
     let (length, nx) = (2 * equations.q.len() + equations.x.len(), equations.x.len());
     write(
@@ -72,7 +74,7 @@ fn first_order(text: &mut String, emission: &Emission) {
             docs: &["Rates of the first-order states."],
             attribute: "#[cold]",
             signature: &format!(
-                "fn x_dot(&self, t: S, u: &Input<S>, x: &[S; {length}], x_dot: &mut [S; {nx}])"
+                "fn x_dot(&self, t: S, u: &{inputs}, x: &[S; {length}], x_dot: &mut [S; {nx}])"
             ),
             arguments: &["t", "u", "x", "x_dot"],
         },

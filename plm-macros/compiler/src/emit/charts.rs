@@ -12,9 +12,10 @@ pub(crate) fn emit(text: &mut String, emission: &Emission, reduced: &Reduced) {
 }
 
 fn functions(text: &mut String, emission: &Emission, reduced: &Reduced, index: usize, chart: &Chart) {
+    let inputs = emission.inputs("S");
     let (length, _) = emission.state_length();
     let (nq, memory) = (emission.equations.q.len(), reduced.memory_length);
-    let state = format!("t: S, u: &Input<S>, m: &[S; {memory}], x: &[S; {length}]");
+    let state = format!("t: S, u: &{inputs}, m: &[S; {memory}], x: &[S; {length}]");
     let named = chart.names.join(", ");
     // The first chart is the one that runs, the others hardly ever do.
     let attribute = if index == 0 { "#[inline(always)]" } else { "#[inline(never)]" };
@@ -126,6 +127,7 @@ pub(crate) fn system(text: &mut String, emission: &Emission) {
 
 /// The runtime's view of the charts.
 pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced) {
+    let inputs = emission.inputs("S");
     let (length, _) = emission.state_length();
     let (nq, memory) = (emission.equations.q.len(), reduced.memory_length);
     let turning: Vec<String> = reduced.turning.iter().map(|name| format!("{name:?}")).collect();
@@ -148,7 +150,7 @@ pub(crate) fn charted(text: &mut String, emission: &Emission, reduced: &Reduced)
         text,
         format_args!(
             "    impl<S: Real> rt::charts::Charted for {name}<S> {{
-        type Input = Input<S>;
+        type Input = {inputs};
         type Memory = [S; {memory}];
         type Q = [S; {nq}];
         const CHARTS: usize = {charts};

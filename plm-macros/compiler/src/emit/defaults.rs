@@ -15,7 +15,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 }
 
 fn constructors(text: &mut String, emission: &Emission) {
-    let name = &emission.name;
+    let Emission { name, shown, .. } = emission;
     let required = Required::of(emission);
     let [of_f64, of_any] = ["f64", "S"].map(|scalar| required.signature(scalar));
     let (docs, names) = (&required.docs, required.fields.join(", "));
@@ -23,7 +23,7 @@ fn constructors(text: &mut String, emission: &Emission) {
         text,
         format_args!(
             "    impl {name}<f64> {{
-        /// The mechanism as declared, in `f64`; `{name} {{ field: value, ..{name}::new({names}) }}` changes some.
+        /// The mechanism as declared, in `f64`; `{shown} {{ field: value, ..{shown}::new({names}) }}` changes some.
 {docs}        pub fn new({of_f64}) -> Self {{
             Self::of({names})
         }}
@@ -74,7 +74,7 @@ fn constructors(text: &mut String, emission: &Emission) {
         /// Assembles, and gives a run by Dormand and Prince's method.
         ///
         /// # Errors
-        /// As [`{name}::assemble`].
+        /// As [`Self::assemble`].
         pub fn start(self) -> Result<Sim<Self>, Fault> {{
             rt::Mechanism::start(self)
         }}
@@ -82,7 +82,7 @@ fn constructors(text: &mut String, emission: &Emission) {
         /// Assembles, and gives a run by a method of choice.
         ///
         /// # Errors
-        /// As [`{name}::assemble`].
+        /// As [`Self::assemble`].
         pub fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {{
             rt::Mechanism::start_with(self, method)
         }}
@@ -183,12 +183,13 @@ pub(crate) fn inline(emission: &Emission, expr: Expr, bindings: &Bindings) -> St
 
 fn start_input(text: &mut String, emission: &Emission) {
     let Emission { model, fields, name, .. } = emission;
+    let inputs = emission.inputs("S");
     push(
         text,
         format_args!(
             "    impl<S: Scalar> {name}<S> {{
         /// The inputs as declared.
-        fn declared_input(&self) -> Input<S> {{
+        fn declared_input(&self) -> {inputs} {{
             let lit = S::lit;
 "
         ),
@@ -201,8 +202,9 @@ fn start_input(text: &mut String, emission: &Emission) {
     if entries.is_empty() {
         entries.push("none: core::marker::PhantomData".to_owned());
     }
-    if !model.sides.is_empty() {
-        entries.push(format!("side_: [S::lit(1.0); {}]", model.sides.len()));
+    let mut value = format!("Input {{ {} }}", entries.join(", "));
+    if emission.has_sides() {
+        value = format!("Held {{ input: {value}, sides: [S::lit(1.0); {}] }}", model.sides.len());
     }
-    push(text, format_args!("            Input {{ {} }}\n        }}\n    }}\n\n", entries.join(", ")));
+    push(text, format_args!("            {value}\n        }}\n    }}\n\n"));
 }

@@ -1,8 +1,8 @@
 //! Documentation of the emitted items: equations, shapes, units, counts.
 
-use plm_cas::Count;
+use plm_cas::{Count, Expr, Graph, Number};
 
-use super::{Emission, names, push};
+use super::{Emission, push};
 use crate::units::DisplayUnit;
 
 /// Constraint rows that a table shows; a long chain repeats itself.
@@ -15,18 +15,35 @@ pub(crate) fn lines(text: &mut String, indent: usize, docs: &[String]) {
     }
 }
 
-/// Documentation of a field: the user's own words, or what it is; then the unit.
-pub(crate) fn field(text: &mut String, docs: &[String], what: &str, unit: &DisplayUnit) {
+/// Documentation of a field: the user's own words, or what it is; then the unit, and what else there is to say.
+pub(crate) fn field(text: &mut String, docs: &[String], what: &str, unit: &DisplayUnit, more: &str) {
     let unit = si(unit);
     if docs.is_empty() {
-        push(text, format_args!("        /// {what}, {unit}.\n"));
+        push(text, format_args!("        /// {what}, {unit}{more}.\n"));
     } else {
         lines(text, 8, docs);
-        push(text, format_args!("        ///\n        /// In {unit}.\n"));
+        push(text, format_args!("        ///\n        /// In {unit}{more}.\n"));
     }
 }
 
-/// Documentation, attributes, visibility and name of the module.
+/// What a value is unless it is set: a number in the unit that it was declared in, else its expression.
+pub(crate) fn by_default(graph: &Graph, value: Expr, unit: &DisplayUnit) -> String {
+    let in_unit = graph.as_number(value).and_then(|number| number.div(unit.factor));
+    let Some(number) = in_unit.map(Number::to_f64) else {
+        return format!("; `{}` by default", graph.display(value));
+    };
+    let size = number.abs();
+    let number =
+        if number == 0.0 || (1e-4..1e9).contains(&size) { number.to_string() } else { format!("{number:e}") };
+    let space = if unit.text.is_empty() { "" } else { " " };
+    format!("; {number}{space}{} by default", unit.text)
+}
+
+/// The user's lints are not for code that no user writes.
+pub(crate) const ALLOWED: &str =
+    "#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]";
+
+/// Documentation of the module.
 pub(crate) fn module(emission: &Emission) -> String {
     let Emission { model, report, .. } = emission;
     let mut text = String::new();
@@ -38,10 +55,6 @@ pub(crate) fn module(emission: &Emission) -> String {
         push(&mut text, format_args!("/// {line}\n"));
     }
     text.push_str(&rows(emission));
-    // The user's lints are not for code that no user writes.
-    text.push_str("#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused)]\n");
-    let module = names::snake_case(&model.name.text);
-    push(&mut text, format_args!("{} mod {module}", model.visibility));
     text
 }
 

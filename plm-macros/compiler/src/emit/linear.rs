@@ -26,19 +26,21 @@ fn pack(text: &mut String, emission: &Emission) {
         format!("                {field}: number(all.map(|one| one.{field})),\n")
     });
     let from = if emission.loops().is_some() { "held.input" } else { "held" };
+    let to_fields = emission.to_fields();
     let inputs = if fields.inputs.is_empty() {
         "                none: core::marker::PhantomData,\n".to_owned()
     } else {
         each(&fields.inputs, |_, field| {
-            format!("                {field}: number(all.map(|held| {from}.{field})),\n")
+            format!("                {field}: number(all.map(|held| {from}{to_fields}.{field})),\n")
         })
     };
-    let inputs = if emission.model.sides.is_empty() {
-        inputs
-    } else {
+    let sides = if emission.has_sides() {
         format!(
-            "{inputs}                side_: core::array::from_fn(|k| number(all.map(|held| {from}.side_[k]))),\n"
+            "            let sides = core::array::from_fn(|k| number(all.map(|held| {from}.sides[k])));
+            let input = Held {{ input, sides }};\n"
         )
+    } else {
+        String::new()
     };
     let (first, wrapped, calm) = if emission.loops().is_some() {
         (
@@ -73,7 +75,7 @@ fn pack(text: &mut String, emission: &Emission) {
         fn pack_held<T: Scalar, const N: usize>({first}: &{held}, all: [&{held}; N], number: impl Fn([S; N]) -> T) -> {packed} {{
             let input = Input {{
 {inputs}            }};
-            {wrapped}
+{sides}            {wrapped}
         }}
 
         #[inline]
@@ -132,8 +134,10 @@ fn ports(text: &mut String, emission: &Emission) {
     let names: Vec<String> = names.collect();
     let input = if emission.loops().is_some() { "held.input" } else { "held" };
     let held = emission.held("S");
-    let arms =
-        each(&fields.inputs, |k, field| format!("                {k} => Some(&mut {input}.{field}),\n"));
+    let to_fields = emission.to_fields();
+    let arms = each(&fields.inputs, |k, field| {
+        format!("                {k} => Some(&mut {input}{to_fields}.{field}),\n")
+    });
     push(
         text,
         format_args!(

@@ -7,15 +7,26 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
     let Emission { name, fields, .. } = emission;
     let (length, second_order) = emission.state_length();
     let loops = emission.loops().is_some();
-    let (new, held, set) = if loops {
-        (
-            "State { mechanism, input: held.input, time, x, chart: held.chart, memory: held.memory }",
-            "rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }",
-            "(self.input, self.chart, self.memory) = (held.input, held.chart, held.memory)",
-        )
+    let inputs = emission.inputs_of_state();
+    let held = if loops {
+        format!("rt::charts::Held {{ input: {inputs}, chart: self.chart, memory: self.memory }}")
     } else {
-        ("State { mechanism, input: held, time, x }", "self.input", "self.input = *held")
+        inputs.to_owned()
     };
+    // What the state keeps of what is held, field by field.
+    let mut kept = match (emission.has_sides(), loops) {
+        (false, false) => vec![("input", "held")],
+        (false, true) => vec![("input", "held.input")],
+        (true, false) => vec![("input", "held.input"), ("sides", "held.sides")],
+        (true, true) => vec![("input", "held.input.input"), ("sides", "held.input.sides")],
+    };
+    if loops {
+        kept.extend([("chart", "held.chart"), ("memory", "held.memory")]);
+    }
+    let named: Vec<String> = kept.iter().map(|(field, value)| format!("{field}: {value}")).collect();
+    let set: Vec<String> =
+        kept.iter().map(|(field, value)| format!("            self.{field} = {value};\n")).collect();
+    let (fields_kept, set) = (named.join(", "), set.concat());
     let held_type = emission.held("S");
     let rescue = singular::rescue(emission);
     push(
@@ -25,7 +36,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
         type M = {name}<S>;
 
         fn new(mechanism: {name}<S>, held: {held_type}, time: S, x: [S; {length}]) -> Self {{
-            {new}
+            State {{ mechanism, time, x, {fields_kept} }}
         }}
         fn mechanism(&self) -> &{name}<S> {{
             &self.mechanism
@@ -40,9 +51,9 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
             &self.x
         }}
         fn set(&mut self, time: S, held: &{held_type}, x: &[S; {length}]) {{
+            let held = *held;
             self.time = time;
-            {set};
-            self.x = *x;
+{set}            self.x = *x;
         }}
     }}
 

@@ -36,13 +36,22 @@ use crate::report::Report;
 use crate::span::Span;
 
 /// Emitted source.
+///
+/// The one name of the user's own that is a type is that of the mechanism, and it may be any: `Option`, `State`, `S`. So the
+/// type is defined in a module by itself, and the code has it under a name that nothing else in it has.
+/// The outer module has a name that no crate has, so that the `use` in front of it means the same at module level and within
+/// a function.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Code {
-    /// Items in front of the module: the re-export of the type.
+    /// Items beside the outer module: the names that the user sees.
     pub before: String,
-    /// The module's documentation, attributes, visibility and name, without its braces.
+    /// Attributes and name of the outer module, without its braces.
     pub module: String,
-    /// Types and signatures that users see.
+    /// First in it: the module that the user sees, and the one that defines the mechanism's type.
+    pub face: String,
+    /// Name of the module of the code, without its braces.
+    pub inner: String,
+    /// First in that: types and signatures that users see.
     pub public: String,
     /// What stands behind them.
     pub implementation: String,
@@ -53,8 +62,8 @@ pub struct Code {
 impl Code {
     /// The whole source as one text.
     pub fn text(&self) -> String {
-        let Code { before, module, public, implementation, .. } = self;
-        format!("{before}{module} {{\n{public}\n{implementation}}}\n")
+        let Code { before, module, face, inner, public, implementation, .. } = self;
+        format!("{before}{module} {{\n{face}{inner} {{\n{public}\n{implementation}}}\n}}\n")
     }
 }
 
@@ -67,8 +76,10 @@ pub(crate) struct Emission<'a> {
     /// The rung above 5 that was taken.
     pub(crate) reduced: Option<&'a Reduced>,
     pub(crate) report: &'a Report,
-    /// Name of the type.
+    /// What stands for the name of the type until all is written.
     pub(crate) name: String,
+    /// The name of the type as users see it.
+    pub(crate) shown: String,
     /// Fields of `params`, `inputs`, starts of bodies and states: identifiers in the order of the model.
     pub(crate) fields: Fields,
 }
@@ -151,7 +162,8 @@ pub(crate) fn emit(
         program,
         reduced,
         report,
-        name: names::ident(&model.name.text),
+        name: names::STAND_IN.to_owned(),
+        shown: names::type_name(&model.name.text),
         fields: Fields::new(model),
     };
     let mut public = types::emit(&emission);
@@ -165,27 +177,68 @@ pub(crate) fn emit(
     implementation.push_str(&reduced::emit(&emission));
     augmented::emit(&mut implementation, &emission);
     sides::instants(&mut implementation, &emission);
+    let known_as = names::free_in(&emission.shown, &[&public, &implementation]);
+    let import = if known_as == emission.shown {
+        known_as.to_owned()
+    } else {
+        format!("{} as {known_as}", emission.shown)
+    };
+    public.insert_str(0, &format!("    use super::type_::{import};\n"));
+    let [public, implementation] =
+        [public, implementation].map(|text| text.replace(names::STAND_IN, known_as));
+    let module = names::module_name(&model.name.text);
     Code {
-        before: before(model),
-        module: docs::module(&emission),
+        before: before(model, &emission.shown, &module),
+        module: format!("{} mod plm_{module}_", docs::ALLOWED),
+        face: face(&emission, &module),
+        inner: "mod code_".to_owned(),
         public,
         implementation,
         names: respanned(&emission),
     }
 }
 
-/// `pub use self::double_pendulum::DoublePendulum;`
-pub(crate) fn before(model: &Model) -> String {
-    let name = names::ident(&model.name.text);
-    let module = names::snake_case(&model.name.text);
+/// `pub use plm_double_pendulum_::double_pendulum::DoublePendulum;`, and the module.
+fn before(model: &Model, name: &str, module: &str) -> String {
     let visibility = &model.visibility;
-    format!("#[doc(inline)]\n{visibility} use self::{module}::{name};\n")
+    format!(
+        "#[doc(inline)]
+#[allow(unreachable_pub)]
+{visibility} use plm_{module}_::{module}::{name};
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+{visibility} use plm_{module}_::{module};
+"
+    )
+}
+
+/// The module that users see, with its documentation, and the definition of the type.
+fn face(emission: &Emission, module: &str) -> String {
+    let name = &emission.shown;
+    let mut text = docs::module(emission);
+    // A name that is imported by itself goes before one of the same kind that comes with all others.
+    push(
+        &mut text,
+        format_args!(
+            "pub mod {module} {{
+    pub use super::code_::*;
+    pub use super::type_::{name};
+}}
+
+mod type_ {{
+{}}}
+
+",
+            types::mechanism(emission)
+        ),
+    );
+    text
 }
 
 /// Names of the public part whose declarations an editor should find.
 fn respanned(emission: &Emission) -> Vec<(String, Span)> {
     let Emission { model, fields, .. } = emission;
-    let mut names = vec![(emission.name.clone(), model.name.span)];
+    let mut names = vec![(emission.shown.clone(), model.name.span)];
     names.extend(fields.params.iter().cloned().zip(model.params.iter().map(|param| param.name.span)));
     names.extend(fields.inputs.iter().cloned().zip(model.inputs.iter().map(|input| input.name.span)));
     names.extend(fields.bodies.iter().cloned().zip(model.bodies.iter().map(|body| body.name.span)));
@@ -229,18 +282,37 @@ impl Emission<'_> {
         self.program.outputs.user.iter().any(|output| output.solves)
     }
 
-    /// The inputs, where `u` is what is held over a step.
+    /// The inputs with the sides of conditions, where `u` is what is held over a step.
     pub(crate) fn input(&self) -> &'static str {
         if self.loops().is_some() { "u.input" } else { "u" }
     }
 
+    /// Are there sides of conditions beside the inputs? Users make and set values of `Input`, so that they stand apart.
+    pub(crate) fn has_sides(&self) -> bool {
+        !self.model.sides.is_empty()
+    }
+
+    /// The type of the inputs with the sides of conditions, of numbers `scalar`.
+    pub(crate) fn inputs(&self, scalar: &str) -> String {
+        if self.has_sides() { format!("Held<{scalar}>") } else { format!("Input<{scalar}>") }
+    }
+
+    /// Their value, where `self` is a `State`.
+    pub(crate) fn inputs_of_state(&self) -> &'static str {
+        if self.has_sides() { "Held { input: self.input, sides: self.sides }" } else { "self.input" }
+    }
+
+    /// From them to the fields of the inputs.
+    pub(crate) fn to_fields(&self) -> &'static str {
+        if self.has_sides() { ".input" } else { "" }
+    }
+
     /// The type of what is held over a step, of numbers `scalar`.
     pub(crate) fn held(&self, scalar: &str) -> String {
+        let inputs = self.inputs(scalar);
         match self.loops() {
-            Some(reduced) => {
-                format!("rt::charts::Held<Input<{scalar}>, [{scalar}; {}]>", reduced.memory_length)
-            }
-            None => format!("Input<{scalar}>"),
+            Some(reduced) => format!("rt::charts::Held<{inputs}, [{scalar}; {}]>", reduced.memory_length),
+            None => inputs,
         }
     }
 
@@ -259,18 +331,19 @@ impl Emission<'_> {
     pub(crate) fn bindings(&self, origin: Origin) -> lines::Bindings {
         let mut bindings = lines::Bindings::new();
         let Emission { model, equations, fields, .. } = self;
-        let (mechanism, input, state, time) = match origin {
+        let (mechanism, held, state, time) = match origin {
             Origin::Arguments | Origin::Pose | Origin::Chart(_) => ("self", "u", "x", "t"),
-            Origin::State => ("self.mechanism", "self.input", "self.x", "self.time"),
+            Origin::State => ("self.mechanism", "self", "self.x", "self.time"),
         };
+        let input = if held == "u" { self.to_fields() } else { ".input" };
         for (param, field) in model.params.iter().zip(&fields.params) {
             bindings.insert(param.symbol, format!("{mechanism}.{field}"));
         }
         for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
-            bindings.insert(declared.symbol, format!("{input}.{field}"));
+            bindings.insert(declared.symbol, format!("{held}{input}.{field}"));
         }
         for (k, side) in model.sides.iter().enumerate() {
-            bindings.insert(side.symbol, format!("{input}.side_[{k}]"));
+            bindings.insert(side.symbol, format!("{held}.sides[{k}]"));
         }
         bindings.insert(model.time, time.to_owned());
         bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());

@@ -12,8 +12,94 @@ const KEYWORDS: &[&str] = &[
 /// Words that not even `r#` makes an identifier.
 const PATHS: &[&str] = &["crate", "self", "super", "Self", "_"];
 
+/// Names of crates and of primitive types: a module by such a name would stand before them where the user names them.
+const TAKEN: &[&str] = &[
+    "plm",
+    "core",
+    "std",
+    "alloc",
+    "proc_macro",
+    "test",
+    "bool",
+    "char",
+    "str",
+    "f16",
+    "f32",
+    "f64",
+    "f128",
+    "i8",
+    "i16",
+    "i32",
+    "i64",
+    "i128",
+    "isize",
+    "u8",
+    "u16",
+    "u32",
+    "u64",
+    "u128",
+    "usize",
+];
+
+/// Stands for the name of the mechanism's type until all is written.
+pub(crate) const STAND_IN: &str = "Mechanism_Type_";
+
+/// The name by which emitted code has the mechanism's type: the user's, unless the code has another thing of that name.
+pub(crate) fn free_in<'a>(name: &'a str, code: &[&str]) -> &'a str {
+    if code.iter().any(|text| has_word(text, name)) { "Mechanism_" } else { name }
+}
+
+/// Does a word stand in source text, comments and strings apart?
+fn has_word(text: &str, word: &str) -> bool {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(word).any(|(at, _)| {
+        let (before, behind) = (&text[..at], &text[at + word.len()..]);
+        let line = &before[before.rfind('\n').map_or(0, |end| end + 1)..];
+        let is_code = !line.contains("//") && line.matches('"').count() % 2 == 0;
+        is_code && !before.ends_with(is_part) && !behind.starts_with(is_part)
+    })
+}
+
+/// The name of the mechanism as that of a type; one that cannot be has been reported.
+pub(crate) fn type_name(name: &str) -> String {
+    let is_name = !KEYWORDS.contains(&name) && !PATHS.contains(&name);
+    if is_name { name.to_owned() } else { ident(name) }
+}
+
+/// Letters of a type: is there a capital, or none that could be one?
+pub(crate) fn is_type_name(name: &str) -> bool {
+    let has_case = name.chars().any(char::is_lowercase);
+    !PATHS.contains(&name) && (name.chars().any(char::is_uppercase) || !has_case)
+}
+
+/// `double_pendulum` becomes `DoublePendulum`.
+pub(crate) fn camel_case(name: &str) -> String {
+    let word = |word: &str| {
+        let mut letters = word.chars();
+        let first = letters.next().map(char::to_uppercase);
+        first.into_iter().flatten().chain(letters).collect::<String>()
+    };
+    name.split('_').map(word).collect()
+}
+
 /// A path of the language as an identifier: `bar[3].angle` becomes `bar_3_angle`.
 pub(crate) fn ident(path: &str) -> String {
+    raw(&plain(path))
+}
+
+/// A word that Rust has taken with `r#`, or with `_` where that does not help.
+fn raw(text: &str) -> String {
+    if KEYWORDS.contains(&text) {
+        format!("r#{text}")
+    } else if PATHS.contains(&text) {
+        format!("{text}_")
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Letters, digits and `_`, with a letter or `_` in front.
+fn plain(path: &str) -> String {
     let mut text = String::with_capacity(path.len());
     for character in path.chars() {
         if character.is_alphanumeric() || character == '_' {
@@ -23,19 +109,15 @@ pub(crate) fn ident(path: &str) -> String {
         }
     }
     let text = text.trim_end_matches('_');
-    if KEYWORDS.contains(&text) {
-        format!("r#{text}")
-    } else if PATHS.contains(&text) {
-        format!("{text}_")
-    } else if text.is_empty() || text.starts_with(|c: char| c.is_ascii_digit()) {
+    if text.is_empty() || text.starts_with(|c: char| c.is_ascii_digit()) {
         format!("n{text}")
     } else {
         text.to_owned()
     }
 }
 
-/// `DoublePendulum` becomes `double_pendulum`; digits stay with the word before them.
-pub(crate) fn snake_case(name: &str) -> String {
+/// The module of a mechanism: `DoublePendulum` becomes `double_pendulum`; digits stay with the word before them.
+pub(crate) fn module_name(name: &str) -> String {
     let mut text = String::with_capacity(name.len() + 4);
     let mut previous = '_';
     for character in name.chars() {
@@ -45,11 +127,8 @@ pub(crate) fn snake_case(name: &str) -> String {
         text.extend(character.to_lowercase());
         previous = character;
     }
-    if KEYWORDS.contains(&text.as_str()) || PATHS.contains(&text.as_str()) {
-        text + "_mechanism"
-    } else {
-        text
-    }
+    let is_taken = [KEYWORDS, PATHS, TAKEN].iter().any(|list| list.contains(&text.as_str()));
+    if is_taken || text == name { text + "_mechanism" } else { text }
 }
 
 /// Names of one scope, none twice.
@@ -67,11 +146,11 @@ impl Names {
 
     /// The identifier of a path, with a number behind it if it is taken.
     pub(crate) fn unique(&mut self, path: &str) -> String {
-        let base = ident(path).to_lowercase();
-        let mut name = base.clone();
+        let base = plain(path).to_lowercase();
+        let mut name = raw(&base);
         let mut number = 2;
         while !self.taken.insert(name.clone()) {
-            name = format!("{}_{number}", base.trim_start_matches("r#"));
+            name = format!("{base}_{number}");
             number += 1;
         }
         name
@@ -103,10 +182,26 @@ mod tests {
 
     #[test]
     fn type_names_become_module_names() {
-        assert_eq!(snake_case("DoublePendulum"), "double_pendulum");
-        assert_eq!(snake_case("S5"), "s5");
-        assert_eq!(snake_case("FourBarABC"), "four_bar_abc");
-        assert_eq!(snake_case("Loop"), "loop_mechanism");
+        assert_eq!(module_name("DoublePendulum"), "double_pendulum");
+        assert_eq!(module_name("S5"), "s5");
+        assert_eq!(module_name("FourBarABC"), "four_bar_abc");
+        assert_eq!(module_name("Loop"), "loop_mechanism");
+        assert_eq!(module_name("Plm"), "plm_mechanism");
+        assert_eq!(module_name("日本"), "日本_mechanism");
+    }
+
+    #[test]
+    fn types_have_capitals_where_letters_have_two_forms() {
+        assert!(["Arm", "S5", "_Arm", "iRobot", "日本"].iter().all(|name| is_type_name(name)));
+        assert!(!["arm", "f64", "r2_d2", "Self", "self"].iter().any(|name| is_type_name(name)));
+        assert_eq!(camel_case("double_pendulum"), "DoublePendulum");
+    }
+
+    #[test]
+    fn words_are_found_in_code_alone() {
+        let code = "    /// An Arm.\n    let x: Arms = f(\"Arm\"); // Arm\n    fn arm() -> S {}\n";
+        assert!(!has_word(code, "Arm") && has_word(code, "S") && has_word(code, "Arms"));
+        assert_eq!((free_in("Arm", &[code]), free_in("S", &["", code])), ("Arm", "Mechanism_"));
     }
 
     #[test]
@@ -115,6 +210,8 @@ mod tests {
         assert_eq!(names.unique("x"), "x_2");
         assert_eq!(names.unique("arm.x"), "arm_x");
         assert_eq!(names.unique("arm_x"), "arm_x_2");
+        assert_eq!(names.unique("Type"), "r#type");
+        assert_eq!(names.unique("type"), "type_2");
         assert_eq!(names.numbered("t"), "t1");
     }
 }

@@ -50,7 +50,7 @@ fn poses(text: &mut String, emission: &Emission) {
             format_args!(
                 "        /// Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.
         pub fn {field}(&self) -> BodyState<S> {{
-{}            BodyState {{ x: {q}[{i}], y: {q}[{}], angle: {q}[{}], vx: {v}[{j}], vy: {v}[{}], omega: {v}[{}] }}
+{}            BodyState::of([{q}[{i}], {q}[{}], {q}[{}]], [{v}[{j}], {v}[{}], {v}[{}]])
         }}
 
 ",

@@ -18,6 +18,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 }
 
 fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
+    let inputs = emission.inputs("S");
     let ((length, _), nq) = (emission.state_length(), emission.equations.q.len());
     write(
         text,
@@ -28,7 +29,7 @@ fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
             docs: &["The right-hand side in joint coordinates."],
             attribute: "#[inline(always)]",
             signature: &format!(
-                "fn motion(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}])"
+                "fn motion(&self, t: S, u: &{inputs}, x: &[S; {length}], dx: &mut [S; {length}])"
             ),
             arguments: &["t", "u", "x", "dx"],
         },
@@ -42,7 +43,7 @@ fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
             docs: &["Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s."],
             attribute: "#[inline]",
             signature: &format!(
-                "fn place(&self, t: S, u: &Input<S>, x: &[S; {length}], q: &mut [S; {nq}], v: &mut [S; {nq}])"
+                "fn place(&self, t: S, u: &{inputs}, x: &[S; {length}], q: &mut [S; {nq}], v: &mut [S; {nq}])"
             ),
             arguments: &["t", "u", "x", "q", "v"],
         },
@@ -58,14 +59,14 @@ fn tree(text: &mut String, emission: &Emission, chart: &Chart) {
                 docs: &["Accelerations of every body, and the multipliers: `M a + phi_q^T lambda = Q`."],
                 attribute: "#[inline]",
                 signature: &format!(
-                    "fn reactions(&self, t: S, u: &Input<S>, x: &[S; {length}], a: &mut [S; {nq}], lambda: &mut [S; {nc}])"
+                    "fn reactions(&self, t: S, u: &{inputs}, x: &[S; {length}], a: &mut [S; {nq}], lambda: &mut [S; {nc}])"
                 ),
                 arguments: &["t", "u", "x", "a", "lambda"],
             },
         );
     }
     projection(text, emission, chart, "project");
-    let state = format!("t: S, u: &Input<S>, x: &[S; {length}]");
+    let state = format!("t: S, u: &{inputs}, x: &[S; {length}]");
     guards(
         text,
         emission,
@@ -124,6 +125,7 @@ pub(crate) fn projection(text: &mut String, emission: &Emission, chart: &Chart, 
 
 /// `System` for the joint coordinates, and the pose of a state.
 pub(crate) fn contract(text: &mut String, emission: &Emission) {
+    let held = emission.inputs_of_state();
     let Some((reduced, chart)) = emission.reduced.and_then(|reduced| Some((reduced, reduced.first()?)))
     else {
         return;
@@ -141,7 +143,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
     } else {
         place = format!(
             "let (mut q, mut v) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nq}]);
-            self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
+            self.mechanism.place(self.time, &{held}, &self.x, &mut q, &mut v);
             (q, v)"
         );
         system::rate(text, emission, n, "self.motion(t, u, x, dx);\n            rt::Health::perfect()");

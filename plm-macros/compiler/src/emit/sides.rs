@@ -6,6 +6,7 @@ use crate::model::Model;
 
 /// The straight-line functions that do not depend on the chart.
 pub(crate) fn instants(text: &mut String, emission: &Emission) {
+    let inputs = emission.inputs("S");
     row_jumps(text, emission);
     let count = emission.model.sides.len() - emission.model.guards();
     if count == 0 {
@@ -21,7 +22,7 @@ pub(crate) fn instants(text: &mut String, emission: &Emission) {
             docs: &["Times at which conditions change, s, and the slope of what they compare."],
             attribute: "#[cold]",
             signature: &format!(
-                "fn instants(&self, u: &Input<S>, at: &mut [S; {count}], slope: &mut [S; {count}])"
+                "fn instants(&self, u: &{inputs}, at: &mut [S; {count}], slope: &mut [S; {count}])"
             ),
             arguments: &["u", "at", "slope"],
         },
@@ -144,7 +145,7 @@ fn switches(text: &mut String, emission: &Emission, length: usize) {
         text,
         format_args!(
             "{required}        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; {length}], index: usize) {{
-            {only}if let Some(side) = {input}.side_.get_mut(index) {{
+            {only}if let Some(side) = {input}.sides.get_mut(index) {{
                 *side = -*side;
             }}
         }}
@@ -197,7 +198,7 @@ fn known_times(text: &mut String, emission: &Emission, input: &str) {
         fn pass(&self, t: S, u: &mut Self::U) {{
             let (mut at, mut slope) = ([S::lit(0.0); {count}], [S::lit(0.0); {count}]);
             self.instants(&{input}, &mut at, &mut slope);
-            for ((side, at), slope) in {input}.side_.iter_mut().skip({guards}).zip(at).zip(slope) {{
+            for ((side, at), slope) in {input}.sides.iter_mut().skip({guards}).zip(at).zip(slope) {{
                 *side = if (at <= t) == (slope > S::lit(0.0)) {{ S::lit(1.0) }} else {{ S::lit(-1.0) }};
             }}
         }}
@@ -232,7 +233,7 @@ fn jumps(text: &mut String, emission: &Emission) {
             self.jumps(t, &q, &v, &mut jump);
             let (terms, _) = jump.as_chunks::<5>();
             let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {{
-                let changes = after.is_some_and(|after| {after}.side_[side] != {u}.side_[side]);
+                let changes = after.is_some_and(|after| {after}.sides[side] != {u}.sides[side]);
                 (changes || after.is_none()).then_some(absolute::Crossing {{ row, terms, changes }})
             }});
             absolute::jump::<S, Self, NQ, NC>(self, t, (&q, &v), crossings)

@@ -26,6 +26,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
         return;
     }
     let name = &emission.name;
+    let held = emission.inputs("rt::Twofold<S>");
     let (inputs, charted) =
         if emission.loops().is_some() { (".input", charted(emission)) } else { ("", ALONE.to_owned()) };
     let (nq, nc, nx) = sizes(emission);
@@ -33,9 +34,10 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
     push(
         text,
         format_args!(
-            "    impl<S: Real> rt::singular::Fine<{nq}, {nc}, {length}> for {name}<S> {{
+            "    #[doc(hidden)] // As `Absolute`.
+    impl<S: Real> rt::singular::Fine<{nq}, {nc}, {length}> for {name}<S> {{
         type Twofold = {name}<rt::Twofold<S>>;
-        type Inputs = Input<rt::Twofold<S>>;
+        type Inputs = {held};
 
         fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {{
             use rt::lanes::Pack;

@@ -9,6 +9,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 /// By the backward pass of a tree, whose reactions nothing leaves undetermined.
 fn of_tree(emission: &Emission) -> String {
+    let held = emission.inputs_of_state();
     let (nq, nc) = (emission.equations.q.len(), emission.equations.phi.len());
     let solved = if emission.reads_solution() {
         format!(
@@ -16,7 +17,7 @@ fn of_tree(emission: &Emission) -> String {
         #[inline]
         fn solved_(&self) -> ([S; {nq}], [S; {nc}]) {{
             let (mut a, mut lambda) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
-            self.mechanism.reactions(self.time, &self.input, &self.x, &mut a, &mut lambda);
+            self.mechanism.reactions(self.time, &{held}, &self.x, &mut a, &mut lambda);
             (a, lambda)
         }}
 
@@ -39,6 +40,8 @@ fn of_tree(emission: &Emission) -> String {
 
 /// By rung 5, and by rank where elimination is unhealthy.
 fn of_absolute(emission: &Emission) -> String {
+    let held = emission.inputs_of_state();
+    let inputs = emission.inputs("S");
     let Emission { name, equations, .. } = emission;
     let (nq, nc) = (equations.q.len(), equations.phi.len());
     let length = 2 * nq + equations.x.len();
@@ -53,7 +56,7 @@ fn of_absolute(emission: &Emission) -> String {
         "    impl<S: Real> {name}<S> {{
         /// Accelerations and multipliers by a rank-revealing decomposition.
         #[cold]
-        fn accelerate(&self, t: S, u: &Input<S>, x: &[S; {length}]) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {{
+        fn accelerate(&self, t: S, u: &{inputs}, x: &[S; {length}]) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {{
 {refusal}            let (q, _): ([S; {nq}], [S; {nq}]) = absolute::split(x);
             let (mut force, mut gamma) = ([S::lit(0.0); {nq}], [S::lit(0.0); {nc}]);
             self.free(t, u, x, &mut force, &mut gamma);
@@ -68,9 +71,9 @@ fn of_absolute(emission: &Emission) -> String {
         fn solved_(&self) -> ([S; {nq}], [S; {nc}]) {{
             let (mut dx, mut lambda) = ([S::lit(0.0); {length}], [S::lit(0.0); {nc}]);
             let x = {absolute};
-            let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
+            let health = self.mechanism.dynamics(self.time, &{held}, &x, &mut dx, &mut lambda);
             if !rt::Health(health).is_good() {{
-                if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {{
+                if let Ok(solution) = self.mechanism.accelerate(self.time, &{held}, &x) {{
                     return (solution.a, solution.lambda);
                 }}
             }}
@@ -80,7 +83,7 @@ fn of_absolute(emission: &Emission) -> String {
 
         /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
         pub fn undetermined(&self) -> [bool; {nc}] {{
-            match self.mechanism.accelerate(self.time, &self.input, &{absolute}) {{
+            match self.mechanism.accelerate(self.time, &{held}, &{absolute}) {{
                 Ok(solution) => solution.undetermined,
                 Err(_) => [true; {nc}],
             }}

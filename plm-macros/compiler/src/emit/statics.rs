@@ -18,6 +18,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 /// Forces and rates where nothing accelerates.
 fn at_rest(text: &mut String, emission: &Emission) {
+    let inputs = emission.inputs("S");
     let (nq, nc, nx, length) = sizes(emission);
     push(text, format_args!("    impl<S: Scalar> {}<S> {{\n", emission.name));
     write(
@@ -31,7 +32,7 @@ fn at_rest(text: &mut String, emission: &Emission) {
             ],
             attribute: "#[cold]",
             signature: &format!(
-                "fn at_rest(&self, t: S, u: &Input<S>, x: &[S; {length}], lambda: &[S; {nc}], force: &mut [S; {nq}], x_dot: &mut [S; {nx}])"
+                "fn at_rest(&self, t: S, u: &{inputs}, x: &[S; {length}], lambda: &[S; {nc}], force: &mut [S; {nq}], x_dot: &mut [S; {nx}])"
             ),
             arguments: &["t", "u", "x", "lambda", "force", "x_dot"],
         },

@@ -60,7 +60,7 @@ fn system(text: &mut String, emission: &Emission) {
         ),
     );
     push(text, format_args!(
-        "        fn rate_by_rank(&self, t: S, u: &Input<S>, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
+        "        fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; {length}], dx: &mut [S; {length}]) -> Result<(), Fault> {{
             let solution = self.accelerate(t, u, x)?;
             let (_, v): ([S; {nq}], [S; {nq}]) = absolute::split(x);
             absolute::join(&v, &solution.a, dx);
@@ -229,7 +229,8 @@ fn constraints(text: &mut String, emission: &Emission) {
     let angular: Vec<&str> =
         model.rows.iter().map(|row| if row.is_angular() { "true" } else { "false" }).collect();
     push(text, format_args!(
-        "    impl<S: Real> absolute::Absolute<S, NQ, NC> for {name}<S> {{
+        "    #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+    impl<S: Real> absolute::Absolute<S, NQ, NC> for {name}<S> {{
         const ROWS: [&'static str; {nc}] = [{rows}];
         const PARTS: [&'static str; {nc}] = [{parts}];
         const COORDINATES: [&'static str; {nq}] = [{coordinates}];

@@ -11,7 +11,6 @@ pub(crate) fn emit(emission: &Emission) -> String {
             "    use {path}::runtime::{{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start}};\n\n"
         ),
     );
-    mechanism(&mut text, emission);
     starts(&mut text, emission);
     inputs(&mut text, emission);
     state(&mut text, emission);
@@ -19,22 +18,42 @@ pub(crate) fn emit(emission: &Emission) -> String {
     text
 }
 
-fn mechanism(text: &mut String, emission: &Emission) {
-    let Emission { model, fields, name, .. } = emission;
-    docs::lines(text, 4, &model.docs);
+/// The mechanism itself; its name is the only one beside it that it must not meet.
+pub(crate) fn mechanism(emission: &Emission) -> String {
+    let Emission { model, fields, shown, graph, .. } = emission;
+    let scalar = if shown == "S" { "T" } else { "S" };
+    let mut text = String::new();
+    docs::lines(&mut text, 4, &model.docs);
     if model.docs.is_empty() {
-        docs::lines(text, 4, &["A mechanism with its parameters and start values.".to_owned()]);
+        docs::lines(&mut text, 4, &["A mechanism with its parameters and start values.".to_owned()]);
     }
     push(
-        text,
-        format_args!("    #[derive(Clone, Copy, Debug, PartialEq)]\n    pub struct {name}<S = f64> {{\n"),
+        &mut text,
+        format_args!(
+            "    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct {shown}<{scalar} = ::core::primitive::f64> {{\n"
+        ),
     );
     for (param, field) in model.params.iter().zip(&fields.params) {
-        docs::field(text, &param.docs, &format!("Parameter `{}`", param.name.text), &param.unit);
-        push(text, format_args!("        pub {field}: S,\n"));
+        let default = if param.required {
+            "; it has no default".to_owned()
+        } else {
+            docs::by_default(graph, param.default, &param.unit)
+        };
+        let what = format!("Parameter `{}`", param.name.text);
+        docs::field(&mut text, &param.docs, &what, &param.unit, &default);
+        push(&mut text, format_args!("        pub {field}: {scalar},\n"));
     }
-    text.push_str("        /// Where the bodies start, and what assembly must keep.\n");
-    text.push_str("        pub start: Starts<S>,\n    }\n\n");
+    push(
+        &mut text,
+        format_args!(
+            "        /// Where the bodies start, and what assembly must keep.
+        pub start: super::code_::Starts<{scalar}>,
+    }}
+"
+        ),
+    );
+    text
 }
 
 fn starts(text: &mut String, emission: &Emission) {
@@ -46,7 +65,7 @@ fn starts(text: &mut String, emission: &Emission) {
         push(text, format_args!("        pub {field}: BodyStart<S>,\n"));
     }
     for (state, field) in model.states.iter().zip(&fields.states) {
-        docs::field(text, &[], &format!("State `{}`", state.name.text), &state.unit);
+        docs::field(text, &[], &format!("State `{}`", state.name.text), &state.unit, "");
         push(text, format_args!("        pub {field}: Start<S>,\n"));
     }
     text.push_str("    }\n\n");
@@ -59,16 +78,31 @@ fn inputs(text: &mut String, emission: &Emission) {
     );
     text.push_str("    pub struct Input<S = f64> {\n");
     for (input, field) in model.inputs.iter().zip(&fields.inputs) {
-        docs::field(text, &input.docs, &format!("Input `{}`", input.name.text), &input.unit);
+        let default = docs::by_default(emission.graph, input.default, &input.unit);
+        docs::field(text, &input.docs, &format!("Input `{}`", input.name.text), &input.unit, &default);
         push(text, format_args!("        pub {field}: S,\n"));
     }
     if model.inputs.is_empty() {
-        text.push_str("        none: core::marker::PhantomData<S>,\n");
-    }
-    if !model.sides.is_empty() {
-        push(text, format_args!("        side_: [S; {}],\n", model.sides.len()));
+        text.push_str("        #[doc(hidden)]\n        pub none: core::marker::PhantomData<S>,\n");
     }
     text.push_str("    }\n\n");
+    if emission.has_sides() {
+        push(
+            text,
+            format_args!(
+                "    /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Held<S = f64> {{
+        /// The inputs.
+        pub input: Input<S>,
+        sides: [S; {}],
+    }}
+
+",
+                model.sides.len()
+            ),
+        );
+    }
 }
 
 fn state(text: &mut String, emission: &Emission) {
@@ -77,6 +111,10 @@ fn state(text: &mut String, emission: &Emission) {
     let memory = emission.loops().map_or_else(String::new, |reduced| {
         format!("        chart: usize,\n        memory: [S; {}],\n", reduced.memory_length)
     });
+    let sides = match emission.model.sides.len() {
+        0 => String::new(),
+        count => format!("        sides: [S; {count}],\n"),
+    };
     push(
         text,
         format_args!(
@@ -89,7 +127,7 @@ fn state(text: &mut String, emission: &Emission) {
         pub input: Input<S>,
         time: S,
         x: [S; {length}],
-{memory}    }}
+{sides}{memory}    }}
 
 "
         ),

@@ -36,7 +36,7 @@ impl<'a> Names<'a> {
                     self.push(format!("{of}.{member}"), false, span);
                 }
                 for port in &body.ports {
-                    self.show_port(&format!("{of}.{}", port.name.text), span);
+                    self.show_port(&format!("{of}.{}", port.name.ident.text), span);
                 }
             }
             Thing::Node(node) => self.show_node(of, node, span),
@@ -47,7 +47,7 @@ impl<'a> Names<'a> {
     /// A port of a body, a node of a part.
     fn show_one(&mut self, of: &str, thing: Thing<'a>, port: &str, span: Span) {
         match thing {
-            Thing::Body(body) if body.ports.iter().any(|known| known.name.text == port) => {
+            Thing::Body(body) if body.ports.iter().any(|known| known.name.ident.text == port) => {
                 self.show_port(of, span);
             }
             Thing::Part(definition) => {

@@ -43,10 +43,14 @@ const DIMENSIONS: [Dimension; 6] = [
 impl<'a> Resolver<'a> {
     pub(super) fn declare_ground(&mut self, scope: ScopeId, ports: &'a [ast::Port]) {
         for port in ports {
-            let name = format!("{}{}", self.prefix(scope), port.name.text);
+            if self.needs_index(scope, &port.name) {
+                continue;
+            }
+            let Ok(key) = self.key(scope, &port.name) else { continue };
+            let name = format!("{}{key}", self.prefix(scope));
             if let Some(first) = self.port_index(None, &name) {
-                let first = self.ground[first].ast.name.span;
-                self.duplicate(scope, &port.name.text, port.name.span, first);
+                let first = self.ground[first].ast.name.ident.span;
+                self.duplicate(scope, &key, port.name.ident.span, first);
             } else {
                 self.refuse_member_name(scope, port);
                 self.ground.push(PortState { ast: port, name, scope, used: false, frame: Lazy::Waiting });
@@ -55,10 +59,10 @@ impl<'a> Resolver<'a> {
     }
 
     fn refuse_member_name(&mut self, scope: ScopeId, port: &ast::Port) {
-        let text = &port.name.text;
+        let text = &port.name.ident.text;
         if OF_BODY.contains(&text.as_str()) {
             let message = format!("a port cannot be called `{text}`");
-            self.error(scope, Code::ReservedName, port.name.span, message)
+            self.error(scope, Code::ReservedName, port.name.ident.span, message)
                 .note(format!("every body has members of these names: {}", OF_BODY.join(", ")));
         }
     }
@@ -91,12 +95,12 @@ impl<'a> Resolver<'a> {
     fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<PortState<'a>> {
         let mut ports: Vec<PortState<'a>> = Vec::with_capacity(ast.ports.len());
         for port in &ast.ports {
-            if let Some(first) = ports.iter().find(|of| of.ast.name.text == port.name.text) {
-                let first = first.ast.name.span;
-                self.duplicate(scope, &port.name.text, port.name.span, first);
+            if let Some(first) = ports.iter().find(|of| of.ast.name.ident.text == port.name.ident.text) {
+                let first = first.ast.name.ident.span;
+                self.duplicate(scope, &port.name.ident.text, port.name.ident.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                let name = port.name.text.clone();
+                let name = port.name.ident.text.clone();
                 ports.push(PortState { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }

@@ -105,7 +105,7 @@ impl<'a> Resolver<'a> {
 
     /// A `param` or an `input`: a field of the mechanism, or what the use of a part sets.
     fn declare_value(&mut self, scope: ScopeId, item: &'a Item, ast: &'a ast::Value, kind: Reads) {
-        self.refuse_unit_name(scope, &ast.name);
+        self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let span = ast.name.ident.span;
         let slot = if let Some(instance) = self.scopes[self.home(scope)].instance {
@@ -121,6 +121,8 @@ impl<'a> Resolver<'a> {
             fields.push(ValueState { ast, docs: &item.docs, scope, name, symbol, unit });
             self.known_slot(span, value)
         };
+        let what = if kind == Reads::INPUT { "input" } else { "parameter" };
+        self.should_be_read(what, &ast.name.ident, slot);
         self.bind(scope, &ast.name.ident, key, slot);
     }
 
@@ -147,7 +149,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn declare_state(&mut self, scope: ScopeId, ast: &'a ast::Value) {
-        self.refuse_unit_name(scope, &ast.name);
+        self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let text = format!("{}{key}", self.prefix(scope));
         let symbol = self.graph.symbol(&text);
@@ -199,10 +201,11 @@ impl<'a> Resolver<'a> {
     }
 
     fn declare_let(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a Expr) {
-        self.refuse_unit_name(scope, name);
+        self.refuse_unit_name(scope, name, dimension_of(None, Some(value)));
         let Ok(key) = self.key(scope, name) else { return };
         let slot = self.waiting_slot(name.ident.span, Thunk { scope, expr: value, wanted: Wanted::Anything });
         self.checks.push(slot);
+        self.should_be_read("`let`", &name.ident, slot);
         self.bind(scope, &name.ident, key, slot);
     }
 
@@ -267,5 +270,15 @@ impl<'a> Resolver<'a> {
             .help(format!("write `{text}[i]` with the index of the repetition"));
         }
         repeated
+    }
+}
+
+/// The dimension that a declaration shows, by its unit or by a literal.
+fn dimension_of(unit: Option<&DisplayUnit>, value: Option<&Expr>) -> Option<Dimension> {
+    match (unit, value) {
+        (Some(unit), _) | (None, Some(Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
+            Some(unit.dimension)
+        }
+        _ => None,
     }
 }

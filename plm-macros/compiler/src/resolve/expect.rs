@@ -238,6 +238,23 @@ pub(super) fn literal_text(expr: &ast::Expr) -> Option<String> {
     }
 }
 
+/// An expression of names and literals as it was written, as nearly as is worth it.
+pub(super) fn text_of(expr: &ast::Expr) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Name(name) if name.indices.is_empty() => Some(name.ident.text.clone()),
+        ExprKind::Neg(inner) => Some(format!("-{}", text_of(inner)?)),
+        ExprKind::Pair(x, y) => Some(format!("({}, {})", text_of(x)?, text_of(y)?)),
+        ExprKind::Chain(first, links) if links.len() == 1 => {
+            let link = &links[0];
+            let is_sum = matches!(link.operator, ast::Operator::Add | ast::Operator::Sub);
+            let space = if is_sum { " " } else { "" };
+            let right = text_of(&link.operand)?;
+            Some(format!("{}{space}{}{space}{right}", text_of(first)?, link.operator.text()))
+        }
+        _ => literal_text(expr),
+    }
+}
+
 /// What to show in an example where there is no literal to repeat.
 fn blank(text: &str) -> &str {
     if text.starts_with("a ") { "1" } else { text }

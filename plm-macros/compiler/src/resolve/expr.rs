@@ -1,6 +1,6 @@
 //! Expressions: names, members, operators, conditions.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Node, Number};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -27,7 +27,30 @@ impl<'a> Resolver<'a> {
         self.depth += 1;
         let value = self.eval_kind(scope, expr);
         self.depth -= 1;
-        value
+        let value = value?;
+        let is_finite = match &value {
+            Value::Scalar(x, _) => self.is_finite(*x),
+            Value::Vector(pair, _) => pair.iter().all(|x| self.is_finite(*x)),
+            _ => true,
+        };
+        if is_finite {
+            return Ok(value);
+        }
+        let message = "this is beyond the numbers that there are, of at most 1.8e308";
+        self.error(scope, Code::OutOfDomain, expr.span, message);
+        Err(Failed)
+    }
+
+    /// Are the numbers of an expression finite? Those of its parts have been looked at.
+    fn is_finite(&self, x: Expr) -> bool {
+        let is_finite = |number: &Number| number.to_f64().is_finite();
+        match self.graph.node(x) {
+            Node::Number(number) => is_finite(number),
+            Node::Sum { constant, terms } => {
+                is_finite(constant) && terms.iter().all(|(coefficient, _)| is_finite(coefficient))
+            }
+            _ => true,
+        }
     }
 
     fn eval_kind(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
@@ -73,7 +96,11 @@ impl<'a> Resolver<'a> {
                         "a unit behind the pair, but its components are {}",
                         nature.dimension.describe()
                     );
-                    self.error(scope, Code::BadUnit, inner.span, message);
+                    let help = match super::expect::text_of(inner) {
+                        Some(pair) => format!("its components have their units: write `{pair}`"),
+                        None => "its components have their units: leave this out".to_string(),
+                    };
+                    self.error(scope, Code::BadUnit, inner.span, message).help(help);
                     return Err(Failed);
                 }
                 let pair = pair.map(|component| self.graph.scale(unit.factor, component));

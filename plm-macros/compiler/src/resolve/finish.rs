@@ -11,7 +11,11 @@ use crate::units::{Dimension, DisplayUnit};
 
 impl<'a> Resolver<'a> {
     /// Evaluates what is left and puts the model together. `None` if there is an error.
-    pub(super) fn finish(mut self, declaration: &ast::Declaration, mechanism: &Mechanism) -> Option<Model> {
+    pub(super) fn finish(
+        mut self,
+        declaration: &ast::Declaration,
+        mechanism: &'a Mechanism,
+    ) -> Option<Model> {
         let params = self.finish_params();
         let inputs = self.finish_inputs();
         let gravity = self.finish_gravity();
@@ -29,6 +33,7 @@ impl<'a> Resolver<'a> {
         let zero = self.graph.zero();
         loads.retain(|load| load.force != [zero; 3]);
         let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
+        self.warn_of_silence(declaration, mechanism);
         if self.sink.has_errors() {
             return None;
         }
@@ -97,7 +102,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn finish_gravity(&mut self) -> Eval<Expr> {
+    pub(super) fn finish_gravity(&mut self) -> Eval<Expr> {
         let span = self.slots[self.gravity].span;
         match self.force(self.gravity, 0, span)? {
             Value::Scalar(gravity, _) => Ok(gravity),
@@ -166,7 +171,7 @@ impl<'a> Resolver<'a> {
             let geometry = self.frame(frame)?;
             let state = self.port(frame);
             let (ast, scope, used) = (state.ast, state.scope, state.used);
-            let name = Name { text: state.name.clone(), span: ast.name.span };
+            let name = Name { text: state.name.clone(), span: ast.name.ident.span };
             let depth = self.depth(scope, ast.depth.as_ref())?;
             Ok(Port { name, at: geometry.local, angle: geometry.turn, used, depth })
         }))

@@ -71,7 +71,7 @@ impl<'a> Resolver<'a> {
                 return Err(Failed);
             }
             Lazy::Busy => {
-                self.error(scope, Code::Cycle, ast.name.span, "the place of this port needs itself");
+                self.error(scope, Code::Cycle, ast.name.ident.span, "the place of this port needs itself");
                 return Err(Failed);
             }
             Lazy::Waiting => {}

@@ -5,6 +5,7 @@ use plm_cas::{Expr, Graph, Number};
 use super::Resolver;
 use super::scope::ScopeId;
 use super::shape;
+use super::unknown::function_elsewhere;
 use super::value::{Eval, Failed, Form, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
@@ -57,9 +58,13 @@ impl<'a> Resolver<'a> {
         let name = function.text.as_str();
         let Some((_, least, most)) = FUNCTIONS.iter().find(|(known, ..)| *known == name) else {
             let names: Vec<&str> = FUNCTIONS.iter().map(|(name, ..)| *name).collect();
+            let elsewhere = function_elsewhere(name, arguments);
             let diagnostic =
                 self.error(scope, Code::UnknownFunction, function.span, format!("unknown function `{name}`"));
-            help_similar(diagnostic, name, "function", "functions", &names);
+            match elsewhere {
+                Some(help) => drop(diagnostic.help(help)),
+                None => help_similar(diagnostic, name, "function", "functions", &names),
+            }
             return Err(Failed);
         };
         if !(*least..=*most).contains(&arguments.len()) {

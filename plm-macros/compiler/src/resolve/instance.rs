@@ -6,7 +6,7 @@ use super::Resolver;
 use super::expect::Wanted;
 use super::scope::{ScopeId, SlotId, Thunk};
 use super::value::{Reads, Value};
-use crate::diag::{Code, nearest};
+use crate::diag::Code;
 use crate::model::{Declared, FrameRef, Name, Pair, Part};
 use crate::span::Span;
 use crate::syntax::ast::{self, Definition, Field, Instance, ItemKind};
@@ -98,18 +98,6 @@ impl<'a> Resolver<'a> {
         }
         self.declare(&definition.items, inside, Some(index));
         self.check_outputs(definition, inside);
-    }
-
-    fn unknown_part(&mut self, scope: ScopeId, ast: &Instance) {
-        let kind = &ast.kind.text;
-        let names: Vec<&str> = self.library.kinds().collect();
-        let diagnostic =
-            self.error(scope, Code::UnknownPart, ast.kind.span, format!("unknown part `{kind}`"));
-        // The library is long: all of it is shown only to who is far off.
-        match nearest(kind, names.iter().copied()) {
-            Some(near) => diagnostic.help(format!("a part with a similar name exists: `{near}`")),
-            None => diagnostic.note(format!("parts: {}", names.join(", "))),
-        };
     }
 
     /// A part must not contain itself, nor nest without bound.

@@ -40,13 +40,13 @@ impl<'a> Resolver<'a> {
         let name = member.ident.text.as_str();
         let found = match value {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
+            Value::Body(None) => {
+                let name = format!("{}{}", self.prefix(scope), self.key(scope, member)?);
+                self.body_member(None, &name)?
+            }
             _ if !member.indices.is_empty() => None,
             Value::Frame(frame) => self.frame_member(*frame, name)?,
             Value::Node(node) => self.node_member(*node, name),
-            Value::Body(None) => {
-                let name = format!("{}{name}", self.prefix(scope));
-                self.body_member(None, &name)?
-            }
             Value::Body(body) => self.body_member(*body, name)?,
             Value::Vector([x, y], nature) => match name {
                 "x" => Some(Value::Scalar(*x, *nature)),
@@ -146,8 +146,10 @@ impl<'a> Resolver<'a> {
         self.instances.iter().position(is_it).map(Value::Instance)
     }
 
-    fn unknown_member(&mut self, scope: ScopeId, value: &Value, member: &IndexedName) -> Failed {
-        let (name, span) = (&member.ident.text, member.ident.span);
+    fn unknown_member(&mut self, scope: ScopeId, value: &Value, member: &'a IndexedName) -> Failed {
+        let span = member.ident.span;
+        let Ok(name) = self.key(scope, member) else { return Failed };
+        let name = name.as_ref();
         match value {
             Value::Body(body) => {
                 let ports = self.port_names(*body);

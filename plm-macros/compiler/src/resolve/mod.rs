@@ -28,7 +28,9 @@ mod require;
 mod row;
 mod scope;
 mod shape;
+mod silence;
 mod table;
+mod unknown;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,6 +53,7 @@ use picture::SizeItem;
 use require::Requirement;
 use row::{Action, LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
+use silence::Readable;
 use value::Value;
 
 /// Binds the names of a mechanism. `None` if it has errors; they are in the sink.
@@ -125,6 +128,8 @@ struct Resolver<'a> {
     choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
     checks: Vec<SlotId>,
+    /// Params, inputs and `let`s of the user's own, with their names.
+    readable: Vec<(String, Readable)>,
     /// Definitions whose outputs are checked already.
     checked: BTreeSet<&'a str>,
 
@@ -204,6 +209,7 @@ impl<'a> Resolver<'a> {
             sizes: Vec::new(),
             choices: Vec::new(),
             checks: Vec::new(),
+            readable: Vec::new(),
             checked: BTreeSet::new(),
             directions,
             rates: BTreeMap::new(),

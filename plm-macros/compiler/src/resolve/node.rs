@@ -154,9 +154,16 @@ impl<'a> Resolver<'a> {
             Value::Instance(instance) => self.ports_of_domain(*instance, domain),
             _ => Vec::new(),
         };
+        let is_of_slider = domain.name.text == "slider" && matches!(found, Value::Frame(_) | Value::Body(_));
         let diagnostic = self.error(scope, Code::WrongKind, expr.span, message);
         if !ports.is_empty() {
             diagnostic.help(format!("name one of its ports: {}", ports.join(", ")));
+        } else if is_of_slider && matches!(found, Value::Frame(frame) if frame.body.is_some()) {
+            diagnostic.help(
+                "a `slider` is one-dimensional: `frame_axes name(body.port);` has ports that push a body",
+            );
+        } else if is_of_slider {
+            diagnostic.help("a fixed point of a line is `slider_ground name();`: write `name.slider`");
         }
         Failed
     }

@@ -30,7 +30,10 @@ impl<'a> Resolver<'a> {
             let span = written.ident.span;
             let name = format!("{}{key}", self.prefix(scope));
             match self.scopes[home].names.get(&key).copied() {
-                Some(slot) => self.sizes.push(SizeItem { name, slot, scope, span }),
+                Some(slot) => {
+                    self.slots[slot].is_read = true;
+                    self.sizes.push(SizeItem { name, slot, scope, span });
+                }
                 None => {
                     self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"))
                         .note("a picture shows parameters that stand above it");

@@ -9,6 +9,7 @@ use std::fmt::Write;
 
 use super::Resolver;
 use super::expect::Wanted;
+use super::unknown::instead_of;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
@@ -38,6 +39,8 @@ pub(super) struct Scope<'a> {
 pub(super) struct Slot<'a> {
     /// Where it was declared.
     pub(super) span: Span,
+    /// Has an expression named it?
+    pub(super) is_read: bool,
     state: SlotState<'a>,
 }
 
@@ -67,17 +70,17 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn known_slot(&mut self, span: Span, value: Value) -> SlotId {
-        self.slots.push(Slot { span, state: SlotState::Known(value) });
+        self.slots.push(Slot { span, is_read: false, state: SlotState::Known(value) });
         self.slots.len() - 1
     }
 
     pub(super) fn failed_slot(&mut self, span: Span) -> SlotId {
-        self.slots.push(Slot { span, state: SlotState::Failed });
+        self.slots.push(Slot { span, is_read: false, state: SlotState::Failed });
         self.slots.len() - 1
     }
 
     pub(super) fn waiting_slot(&mut self, span: Span, thunk: Thunk<'a>) -> SlotId {
-        self.slots.push(Slot { span, state: SlotState::Waiting(thunk) });
+        self.slots.push(Slot { span, is_read: false, state: SlotState::Waiting(thunk) });
         self.slots.len() - 1
     }
 
@@ -145,11 +148,12 @@ impl<'a> Resolver<'a> {
     }
 
     /// A name that stands for a number may not be the name of a unit: `10 N/m` could not be told apart.
-    pub(super) fn refuse_unit_name(&mut self, scope: ScopeId, name: &IndexedName) {
+    /// What it is to stand for tells which name would do.
+    pub(super) fn refuse_unit_name(&mut self, scope: ScopeId, name: &IndexedName, of: Option<Dimension>) {
         let text = &name.ident.text;
         if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
             let message = format!("`{text}` is {}", unit.word);
-            let help = format!("try `{}`", instead_of(unit.dimension));
+            let help = format!("try `{}`", instead_of(of.unwrap_or(unit.dimension)));
             self.error(scope, Code::UnitAsName, name.ident.span, message).help(help);
         }
     }
@@ -166,6 +170,7 @@ impl<'a> Resolver<'a> {
     pub(super) fn lookup(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Value> {
         let key = self.key(scope, name)?;
         if let Some(slot) = self.find(scope, &key) {
+            self.slots[slot].is_read = true;
             return self.force(slot, scope, name.ident.span);
         }
         match key.as_ref() {
@@ -187,51 +192,6 @@ impl<'a> Resolver<'a> {
         None
     }
 
-    fn unknown_name(&mut self, scope: ScopeId, name: &IndexedName, key: &str) -> Failed {
-        let (text, span) = (&name.ident.text, name.ident.span);
-        let names = self.names_in(scope);
-        let stem = format!("{text}[");
-        let elements: Vec<&str> =
-            names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
-        if let (Some(first), Some(last)) = (elements.first(), elements.last()) {
-            let note = format!("there is `{first}` to `{last}`");
-            let (code, message) = if name.indices.is_empty() {
-                (Code::NeedsIndex, format!("`{text}` needs an index"))
-            } else {
-                (Code::BadIndex, format!("there is no `{key}`"))
-            };
-            self.error(scope, code, span, message).note(note);
-            return Failed;
-        }
-        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
-            let message = format!("`{text}` is {}, and a unit follows a number", unit.word);
-            let help = format!("write `1 {text}`, or choose a name like `{}`", instead_of(unit.dimension));
-            self.error(scope, Code::UnitAsName, span, message).help(help);
-            return Failed;
-        }
-        let outside = self.scopes[self.home(scope)].instance.is_some() && self.find(0, key).is_some();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
-        if outside {
-            diagnostic.help("a part sees only its own names: hand it over as a param or an input");
-        }
-        help_similar(diagnostic, key, "name", "names here", &names);
-        Failed
-    }
-
-    /// All names that can be seen, in natural order.
-    fn names_in(&self, scope: ScopeId) -> Vec<String> {
-        let mut names: Vec<(String, SlotId)> = Vec::new();
-        let mut next = Some(scope);
-        while let Some(scope) = next {
-            let here = &self.scopes[scope];
-            names.extend(here.names.iter().map(|(name, slot)| (name.to_string(), *slot)));
-            next = here.parent;
-        }
-        names.sort_by_key(|(_, slot)| *slot);
-        names.into_iter().map(|(name, _)| name).collect()
-    }
-
     /// A constraint row of this part.
     pub(super) fn lookup_row(&mut self, scope: ScopeId, expr: &'a Expr) -> Eval<usize> {
         let crate::syntax::ast::ExprKind::Name(name) = &expr.kind else {
@@ -249,18 +209,5 @@ impl<'a> Resolver<'a> {
             self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));
         help_similar(diagnostic, &key, "row", "rows here", &rows);
         Err(Failed)
-    }
-}
-
-/// A name that one could choose for a quantity of this dimension.
-fn instead_of(dimension: Dimension) -> &'static str {
-    match dimension {
-        Dimension::LENGTH => "length",
-        Dimension::MASS => "mass",
-        Dimension::TIME => "time",
-        Dimension::ANGLE => "angle",
-        Dimension::FORCE => "load",
-        Dimension::TORQUE => "energy",
-        _ => "value",
     }
 }

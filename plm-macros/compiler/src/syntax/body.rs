@@ -1,8 +1,9 @@
 //! Bodies and the ground.
 
-use super::ast::{Body, Contour, Expr, ExprKind, Port, Start};
+use super::ast::{Body, Contour, Expr, ExprKind, Ident, IndexedName, Port, Start};
 use super::cursor::{Cursor, Parse, Reported};
 use crate::diag::{Code, nearest};
+use crate::span::Span;
 use crate::token::{Delimiter, TokenKind};
 
 /// Fields of a body that hold one expression. The second spelling is understood too.
@@ -44,13 +45,18 @@ impl Cursor<'_> {
             ports: Vec::new(),
             starts: Vec::new(),
         };
+        let mut unread = None;
         self.group(Delimiter::Brace, "`{`", |cursor| {
             while cursor.peek().is_some() {
                 let start = cursor.position();
                 cursor.docs();
                 if cursor.body_item(&mut body).is_err() {
                     cursor.recover(start);
+                    unread = Some(cursor.span_from(start));
                 }
+            }
+            if let Some(span) = unread {
+                may_have_been(&mut body, span);
             }
             Ok(())
         })?;
@@ -74,7 +80,12 @@ impl Cursor<'_> {
                 if name.text == "center" {
                     name.text = "centre".to_string();
                 }
-                self.punct(':', "`:`")?;
+                let start = self.position();
+                if let Err(reported) = self.colon_of(&name.text) {
+                    let span = self.span_from(start);
+                    body.fields.push((name, Expr { kind: ExprKind::Unknown, span }));
+                    return Err(reported);
+                }
                 let value = self.value_expr();
                 let end = self.end_of(&value);
                 body.fields.push((name, value));
@@ -123,8 +134,12 @@ impl Cursor<'_> {
     /// `port name: expr, angle: expr;`; on the ground with a depth.
     fn port(&mut self, on_ground: bool) -> Parse<Port> {
         self.advance();
-        let name = self.ident("the name of the port")?;
-        self.punct(':', "`:`")?;
+        let name = if on_ground {
+            self.indexed_name("the name of the port")?
+        } else {
+            IndexedName { ident: self.ident("the name of the port")?, indices: Vec::new() }
+        };
+        self.colon_of(&format!("port {}", name.ident.text))?;
         let at = self.value_expr();
         let (mut angle, mut depth) = (None, None);
         while self.eat_punct(',') {
@@ -160,6 +175,16 @@ impl Cursor<'_> {
         let locked = self.locked()?.is_some();
         self.end_of(&value)?;
         Ok(Start { coordinate, value, locked })
+    }
+}
+
+/// What could not be read may have been the mass or the inertia: that they are missing would be no second mistake.
+fn may_have_been(body: &mut Body, span: Span) {
+    for field in ["mass", "inertia"] {
+        if !body.fields.iter().any(|(name, _)| name.text == field) {
+            let name = Ident { text: field.to_string(), span };
+            body.fields.push((name, Expr { kind: ExprKind::Unknown, span }));
+        }
     }
 }
 

@@ -6,7 +6,7 @@
 use super::ast::Ident;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::span::Span;
-use crate::token::{Delimiter, Source, Token, TokenKind};
+use crate::token::{Delimiter, Source, Token, TokenKind, written};
 
 /// An error was reported; what could not be read is left out.
 #[derive(Clone, Copy, Debug)]
@@ -117,6 +117,11 @@ impl<'a> Cursor<'a> {
         Span { source: self.source, first: first as u32, last: self.at.saturating_sub(1).max(first) as u32 }
     }
 
+    /// What was written there, in one line.
+    pub(crate) fn text_of(&self, span: Span) -> String {
+        written(self.tokens.get(span.first as usize..=span.last as usize).unwrap_or_default())
+    }
+
     pub(crate) fn is_word(&self, word: &str) -> bool {
         self.peek().is_some_and(|token| token.is_word(word))
     }
@@ -162,15 +167,25 @@ impl<'a> Cursor<'a> {
         if self.eat_word(word) { Ok(()) } else { Err(self.expected(&format!("`{word}`"))) }
     }
 
+    /// Reports that something else was expected here, and what to write.
+    pub(crate) fn expected_but(&mut self, what: &str, help: &str) -> Reported {
+        self.report_expected(what).help(help);
+        Reported
+    }
+
     /// Reports that something else was expected here.
     pub(crate) fn expected(&mut self, what: &str) -> Reported {
+        self.report_expected(what);
+        Reported
+    }
+
+    fn report_expected(&mut self, what: &str) -> &mut Diagnostic {
         let found = match self.tokens.get(self.at) {
             Some(token) => format!("`{}`", token.text),
             None => "the end".to_string(),
         };
         let message = format!("expected {what}, found {found}");
-        self.error(Code::UnexpectedToken, self.here(), message);
-        Reported
+        self.error(Code::UnexpectedToken, self.here(), message)
     }
 
     pub(crate) fn error(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {

@@ -43,6 +43,9 @@ impl Cursor<'_> {
         let start = self.position();
         self.word("if")?;
         let condition = self.expr()?;
+        if self.is_open(Delimiter::Brace) {
+            return Err(self.expected_but("`then`", "write `if a < b then c else d`"));
+        }
         self.word("then")?;
         let yes = self.expr()?;
         self.word("else")?;
@@ -80,6 +83,8 @@ impl Cursor<'_> {
         Some(match (token.text.as_str(), token.kind) {
             ("or", TokenKind::Ident) => Operator::Or,
             ("and", TokenKind::Ident) => Operator::And,
+            ("|", _) if self.is_double('|') => Operator::Or,
+            ("&", _) if self.is_double('&') => Operator::And,
             (_, TokenKind::Ident) => return None,
             ("<", _) if equals => Operator::LessEqual,
             (">", _) if equals => Operator::GreaterEqual,
@@ -96,6 +101,10 @@ impl Cursor<'_> {
     }
 
     fn take_operator(&mut self, operator: Operator) {
+        if self.is_double('|') || self.is_double('&') {
+            self.take_marks_of(operator);
+            return;
+        }
         let is_two_marks = operator.text().ends_with('=');
         self.advance();
         if is_two_marks {
@@ -112,13 +121,13 @@ impl Cursor<'_> {
         if self.eat_punct('+') {
             return self.nested(Cursor::operand);
         }
-        if self.eat_word("not") {
+        if self.eat_word("not") || self.eat_exclamation() {
             // `not a < b` is `not (a < b)`: nothing else of it has a meaning.
             let inner = self.nested(|cursor| cursor.chain(Operator::Less.precedence()))?;
             return Ok(Expr { kind: ExprKind::Not(Box::new(inner)), span: self.span_from(start) });
         }
         let base = self.primary()?;
-        if !self.eat_punct('^') {
+        if !self.eat_power(start) {
             return Ok(base);
         }
         let exponent = self.nested(Cursor::operand)?;
@@ -134,10 +143,16 @@ impl Cursor<'_> {
             Some(TokenKind::Ident) => self.name_or_call()?,
             _ => return Err(self.expected("an expression")),
         };
+        if self.is_double(':') {
+            return Err(self.path_of_rust(start));
+        }
         let mut members = Vec::new();
         while self.is_punct('.') && self.peek_at(1).is_some_and(|token| token.kind == TokenKind::Ident) {
             self.advance();
             members.push(self.indexed_name("a member")?);
+        }
+        if let Some(method) = members.last().filter(|_| self.is_open(Delimiter::Paren)) {
+            return Err(self.method_call(start, method));
         }
         if members.is_empty() {
             return Ok(base);
@@ -174,6 +189,9 @@ impl Cursor<'_> {
             while cursor.peek().is_some() {
                 list.push(cursor.expr()?);
                 if !cursor.eat_punct(',') {
+                    if cursor.peek().is_some() {
+                        return Err(cursor.expected("`,` or `)`"));
+                    }
                     break;
                 }
             }
@@ -218,19 +236,30 @@ impl Cursor<'_> {
         if parts.suffix.is_empty() {
             return self.with_unit(number, start);
         }
-        Ok(self.suffixed(number, parts.number, parts.suffix, span))
+        self.suffixed(number, parts.number, parts.suffix, span)
     }
 
-    /// `0.5m`: an error, and then what was meant.
-    fn suffixed(&mut self, number: Expr, text: &str, suffix: &str, span: Span) -> Expr {
-        let Some(found) = unit(suffix) else {
-            self.error(Code::BadNumber, span, format!("a number cannot end in `{suffix}`"))
-                .help(format!("numbers are decimal and of one type: write `{text}`"));
-            return number;
+    /// `0.5m`, `1.0_f64 kg`: an error, and then what was meant.
+    fn suffixed(&mut self, number: Expr, text: &str, suffix: &str, span: Span) -> Parse<Expr> {
+        if let Some(found) = unit(suffix) {
+            self.error(Code::SuffixedNumber, span, format!("the unit `{suffix}` touches its number"))
+                .help(format!("write `{text} {suffix}`"));
+            let unit = DisplayUnit::product(suffix.to_string(), &[UnitFactor { unit: found, exponent: 1 }]);
+            return Ok(Expr { kind: ExprKind::Quantity(Box::new(number), unit), span });
+        }
+        let whole = self.with_unit(number, span.first as usize)?;
+        let text = text.trim_end_matches('_');
+        if text == "0" && suffix.starts_with(['x', 'b', 'o']) {
+            self.error(Code::BadNumber, span, format!("`{text}{suffix}` is not a decimal number"))
+                .help("numbers are decimal");
+            return Ok(whole);
+        }
+        let meant = match &whole.kind {
+            ExprKind::Quantity(_, unit) => format!("{text} {}", unit.text),
+            _ => text.to_string(),
         };
-        self.error(Code::SuffixedNumber, span, format!("the unit `{suffix}` touches its number"))
-            .help(format!("write `{text} {suffix}`"));
-        let unit = DisplayUnit::product(suffix.to_string(), &[UnitFactor { unit: found, exponent: 1 }]);
-        Expr { kind: ExprKind::Quantity(Box::new(number), unit), span }
+        self.error(Code::BadNumber, span, format!("a number cannot end in `{suffix}`"))
+            .help(format!("numbers are decimal and of one type: write `{meant}`"));
+        Ok(whole)
     }
 }

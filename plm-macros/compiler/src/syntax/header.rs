@@ -48,11 +48,14 @@ impl Cursor<'_> {
         if self.is_word("crate") && self.peek_at(1).is_some_and(next('=')) {
             declaration.crate_path = Some(self.crate_path()?);
         } else if self.is_word("parts") {
+            let start = self.position();
             self.advance();
-            self.group(Delimiter::Brace, "`{`", |cursor| {
+            let read = self.group(Delimiter::Brace, "`{`", |cursor| {
                 cursor.definitions(&mut declaration.shared);
                 Ok(())
-            })?;
+            });
+            declaration.carried.push(self.span_from(start));
+            read?;
         } else if self.is_word("use") {
             let span = self.here();
             self.error(Code::MisplacedItem, span, "`use` must be the first word of the declaration");
@@ -87,7 +90,9 @@ impl Cursor<'_> {
 
     fn mechanism(&mut self, docs: Vec<String>) -> Parse<Mechanism> {
         let visibility = self.visibility()?;
+        self.skip_word_of_types(&visibility);
         let name = self.ident("the name of the mechanism")?;
+        self.skip_generics();
         let items = self.block(Context::Mechanism)?;
         Ok(Mechanism { docs, visibility, name, items })
     }
@@ -127,8 +132,8 @@ impl Cursor<'_> {
         })
     }
 
-    /// Documentation: `///` lines, or `#[doc = "…"]`, which is what rustc makes of them. Other attributes are left
-    /// where they are, and the item behind complains.
+    /// Documentation: `///` lines, or `#[doc = "…"]`, which is what rustc makes of them. Other attributes
+    /// are mistakes.
     pub(super) fn docs(&mut self) -> Vec<String> {
         let mut docs = Vec::new();
         while let Some(token) = self.peek() {
@@ -143,7 +148,7 @@ impl Cursor<'_> {
                 self.advance();
                 let behind = self.behind_group(self.position());
                 self.go_to(behind);
-            } else {
+            } else if !self.eat_attribute() {
                 break;
             }
         }

@@ -2,7 +2,9 @@
 
 use super::ast::{Expr, ExprKind, Ident, IndexedName, Item, ItemKind, Output, Repeat, Value};
 use super::cursor::{Cursor, Parse, Reported};
+use super::habits::{behind_value, instead_of_item};
 use crate::diag::{Code, nearest};
+use crate::library::PARTS;
 use crate::span::Span;
 use crate::token::{Delimiter, Token, TokenKind};
 
@@ -120,7 +122,14 @@ impl Cursor<'_> {
         }
         let words = WORDS.iter().map(|(word, _)| *word);
         let near = nearest(word, words);
+        if PARTS.iter().any(|(part, _)| *part == word) {
+            return Err(self.part_without_brackets(word));
+        }
         let diagnostic = self.error(Code::UnknownItem, self.here(), format!("`{word}` begins no item"));
+        if let Some(help) = instead_of_item(word) {
+            diagnostic.help(help);
+            return Err(Reported);
+        }
         match near {
             Some(near) => diagnostic.help(format!("an item with a similar name exists: `{near}`")),
             None => diagnostic.help("a part is used as `revolute name(a, b);`"),
@@ -133,7 +142,10 @@ impl Cursor<'_> {
         if self.eat_punct(';') {
             return Ok(());
         }
-        let reported = self.expected("`;`");
+        let reported = match self.peek().and_then(|token| behind_value(&token.text)) {
+            Some(help) => self.expected_but("`;`", help),
+            None => self.expected("`;`"),
+        };
         let begins_field = self.peek_at(1).is_some_and(|next| next.is_punct(':'));
         let begins_item = self.peek().is_none_or(|token| WORDS.iter().any(|(word, _)| token.is_word(word)));
         let begins_part = ["port", "start"].iter().any(|word| self.is_word(word));
@@ -154,8 +166,9 @@ impl Cursor<'_> {
 
     /// `word: expr;`, the word being known.
     pub(super) fn field_value(&mut self) -> Parse<Expr> {
+        let word = self.peek().map_or("", |token| token.text.as_str());
         self.advance();
-        self.punct(':', "`:`")?;
+        self.colon_of(word)?;
         let value = self.value_expr();
         self.end_of(&value)?;
         Ok(value)
@@ -241,8 +254,11 @@ impl Cursor<'_> {
     }
 
     fn definition_of_name(&mut self, make: impl FnOnce(IndexedName, Expr) -> ItemKind) -> Parse<ItemKind> {
+        let word = self.peek().map_or("", |token| token.text.as_str());
         self.advance();
+        self.skip_mut();
         let name = self.indexed_name("a name")?;
+        self.skip_unit_of(word)?;
         self.punct('=', "`=`")?;
         let value = self.value_expr();
         self.end_of(&value)?;
@@ -288,6 +304,7 @@ impl Cursor<'_> {
             None
         };
         let value = self.expr()?;
+        let name = name.or_else(|| self.name_behind(&value));
         let unit = if self.eat_word("in") {
             let start = self.position();
             let unit = self.unit()?;

@@ -28,7 +28,7 @@
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
 //! field  := ("mass" | "inertia" | "centre" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
 //!         | "contour" ":" (expr { "," expr } | STRING) ";"
-//! port   := "port" NAME ":" expr ["," ("angle" | "axis") ":" expr] ["," "depth" ":" expr] ";"
+//! port   := "port" name ":" expr ["," ("angle" | "axis") ":" expr] ["," "depth" ":" expr] ";"
 //! start  := "start" NAME ":" expr ["," "locked"] ";"
 //! output := [name "="] expr ["in" unit]
 //! name   := NAME { "[" expr "]" }
@@ -42,13 +42,16 @@ pub mod ast;
 mod body;
 mod cursor;
 mod expr;
+mod habits;
 mod header;
 mod item;
 mod part;
 mod unit;
 
 pub(crate) use body::file_name;
+pub(crate) use habits::CONSTANTS;
 pub use header::leading_use;
+pub(crate) use unit::unit_help;
 
 use crate::diag::Diagnostics;
 use crate::token::Source;

@@ -71,11 +71,14 @@ impl Cursor<'_> {
     }
 
     fn field(&mut self) -> Parse<Field> {
+        self.docs();
+        let start = self.position();
         let mut path = vec![self.indexed_name("the name of a parameter")?];
         while self.eat_punct('.') {
             path.push(self.indexed_name("the name of a parameter")?);
         }
-        self.punct(':', "`:`")?;
+        let name = self.text_of(self.span_from(start));
+        self.colon_of(&name)?;
         let value = self.value_expr();
         let locked = self.locked()?;
         self.end_of(&value)?;
@@ -150,11 +153,23 @@ impl Cursor<'_> {
     /// `constraint name: left = right;`
     pub(super) fn constraint(&mut self) -> Parse<ItemKind> {
         self.advance();
+        let start = self.position();
         let name = self.indexed_name("the name of the row")?;
+        if [".", "=", "+", "-", "*", "/"]
+            .iter()
+            .any(|mark| self.peek().is_some_and(|token| token.text == *mark))
+        {
+            return Err(self.constraint_without_name(start));
+        }
         self.punct(':', "`:`")?;
         let left = self.expr()?;
-        self.punct('=', "`= 0`")?;
-        let right = self.expr()?;
+        let (left, right) = match self.sides_of_equality(left) {
+            Ok(sides) => sides,
+            Err(left) => {
+                self.punct('=', "`= 0`")?;
+                (left, self.expr()?)
+            }
+        };
         self.semicolon()?;
         Ok(ItemKind::Constraint(name, left, right))
     }

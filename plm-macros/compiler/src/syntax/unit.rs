@@ -82,12 +82,13 @@ impl Cursor<'_> {
             unit.text.push(')');
             return Ok(());
         }
+        let start = self.position();
         let name = self.ident("a unit")?;
         let Some(found) = self::unit(&name.text) else {
             return Err(self.unknown_unit(&name.text, name.span));
         };
         unit.text.push_str(found.name);
-        let exponent = if self.eat_punct('^') { self.unit_exponent(unit)? } else { 1 };
+        let exponent = if self.eat_power(start) { self.unit_exponent(unit)? } else { 1 };
         unit.factors.push(UnitFactor { unit: found, exponent: sign * exponent });
         Ok(())
     }
@@ -110,23 +111,12 @@ impl Cursor<'_> {
     }
 
     fn unknown_unit(&mut self, name: &str, span: crate::span::Span) -> Reported {
-        let advice = match name {
-            "Nm" => Some("N*m"),
-            "meter" | "meters" | "metre" | "metres" => Some("m"),
-            "kilogram" | "kilograms" | "g" => Some("kg"),
-            "second" | "seconds" | "sec" => Some("s"),
-            "newton" | "newtons" => Some("N"),
-            "turn" | "turns" => Some("rev"),
-            "rpm" => Some("rev/min"),
-            "l" => Some("L"),
-            "hr" => Some("h"),
-            "degrees" => Some("deg"),
-            "radian" | "radians" => Some("rad"),
-            _ => nearest(name, names()),
-        };
+        // Units of two letters are all alike: what differs in one is another.
+        let near = nearest(name, names()).filter(|near| name.len() > 2 || near.eq_ignore_ascii_case(name));
+        let help = unit_help(name).or_else(|| Some(format!("write `{}`", near?)));
         let diagnostic = self.error(Code::UnknownUnit, span, format!("unknown unit `{name}`"));
-        match advice {
-            Some(unit) => diagnostic.help(format!("write `{unit}`")),
+        match help {
+            Some(help) => diagnostic.help(help),
             None => diagnostic.note(format!("units: {}", names().collect::<Vec<_>>().join(", "))),
         };
         Reported
@@ -161,6 +151,38 @@ impl Cursor<'_> {
         }
         names > 0
     }
+}
+
+/// What is written for a unit that goes by another name elsewhere.
+pub(crate) fn unit_help(name: &str) -> Option<String> {
+    let word = if name.len() > 2 { name.to_lowercase() } else { name.to_string() };
+    let known = match word.as_str() {
+        "Nm" => "N*m",
+        "meter" | "meters" | "metre" | "metres" => "m",
+        "kilogram" | "kilograms" => "kg",
+        "second" | "seconds" | "sec" => "s",
+        "newton" | "newtons" => "N",
+        "turn" | "turns" => "rev",
+        "rpm" => "rev/min",
+        "l" => "L",
+        "hr" => "h",
+        "degrees" => "deg",
+        "radian" | "radians" => "rad",
+        "g" | "gram" | "grams" => {
+            return Some("grams and g are no units here: write `1e-3 kg` or `9.81 m/s^2`".to_string());
+        }
+        "f64" | "f32" | "float" | "double" | "i32" | "int" | "usize" => {
+            let help = "a number has a unit and no type: write `m`, `N/m`, or `1` where it has none";
+            return Some(help.to_string());
+        }
+        // `m2`
+        _ => {
+            let (unit, exponent) = name.split_at_checked(name.len().checked_sub(1)?)?;
+            let is_power = is_unit(unit) && exponent.starts_with(|digit: char| ('2'..='9').contains(&digit));
+            return is_power.then(|| format!("write `{unit}^{exponent}`"));
+        }
+    };
+    Some(format!("write `{known}`"))
 }
 
 struct UnitText {

@@ -103,6 +103,25 @@ fn the_ground_may_move() {
 }
 
 #[test]
+fn ports_of_the_ground_are_repeated_with_an_index() {
+    let model = resolve(
+        "pub P {
+            repeat i in 1..=3 {
+                ground { port o[i]: (i*1 m, 0), axis: 90 deg; }
+                output ground.o[i].x;
+            }
+            output last = ground.o[1 + 2].position;
+        }",
+    );
+    let values = Values::of(&model);
+    assert_eq!(output(&model, &values, "last"), [3.0, 0.0]);
+    let ports: Vec<&str> = model.ground.iter().map(|port| port.name.text.as_str()).collect();
+    assert_eq!(ports, ["o[1]", "o[2]", "o[3]"]);
+    let shown: Vec<&str> = model.outputs.iter().map(|output| output.name.text.as_str()).collect();
+    assert_eq!(shown, ["ground.o[1].x", "ground.o[2].x", "ground.o[3].x", "last"]);
+}
+
+#[test]
 fn bodies_know_their_motion() {
     let model = resolve(
         "pub P { body b { mass: 1 kg; inertia: 1 kg*m^2; port p: (1, 0) m, angle: 30 deg; }

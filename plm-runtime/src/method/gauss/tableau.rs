@@ -3,6 +3,7 @@
 use crate::scalar::Real;
 
 /// The abscissae and weights of Gauss and Legendre, which make the methods.
+#[derive(Clone, Copy, Debug)]
 pub struct Legendre;
 
 /// A Gauss method with `STAGES` stages.

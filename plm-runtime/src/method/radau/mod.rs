@@ -5,6 +5,8 @@ mod dense;
 mod newton;
 mod tableau;
 
+use core::fmt;
+
 use self::control::Control;
 use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
@@ -50,6 +52,16 @@ pub struct RadauIia5<M: Linear> {
     steps_left: u64,
     /// The component with the largest error in the last step that was tried.
     worst: usize,
+}
+
+/// What was set; the rest is on its way.
+impl<M: Linear<S: fmt::Debug>> fmt::Debug for RadauIia5<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rtol, longest_step, most_steps, .. } = self;
+        let mut method = f.debug_struct("RadauIia5");
+        method.field("rtol", rtol).field("longest_step", longest_step);
+        method.field("most_steps", most_steps).finish_non_exhaustive()
+    }
 }
 
 /// A step that may be accepted.

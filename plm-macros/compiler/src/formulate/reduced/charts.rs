@@ -86,7 +86,7 @@ pub(crate) fn split(
     let Some(best) = choices.first() else {
         return Err("its constraints are redundant".to_owned());
     };
-    let largest = best.blocks.iter().map(|block| block.unknowns.len()).max().unwrap_or(0);
+    let blocks = best.blocks.clone();
     let (closed, spare) = (best.closed, if best.closed { SPARE_CHARTS } else { SPARE_LONG_CHARTS });
     let scheme = |choice: Choice| {
         let groups: Option<Vec<Group>> = choice.blocks.iter().map(group).collect();
@@ -95,12 +95,41 @@ pub(crate) fn split(
     let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
     let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect();
     if schemes.is_empty() {
-        return Err(format!(
-            "no choice of coordinates splits its loops into dyads: of {largest} unknowns that must be solved together, \
-             Newton's iteration takes up to {MOST_UNKNOWNS}, without rows of another kind"
-        ));
+        let unsolved = blocks.iter().find(|block| group(block).is_none());
+        return Err(unsolved.map_or_else(String::new, |block| no_form(model, coordinates, block)));
     }
     Ok(schemes)
+}
+
+/// Why a block has no form: "… because".
+fn no_form(model: &Model, coordinates: &Coordinates, block: &Block) -> String {
+    let count = block.unknowns.len();
+    let loops = coordinates.closures.len();
+    let own: Vec<&str> = model
+        .rows
+        .iter()
+        .filter(|row| model.parts[row.part].pair.is_none())
+        .enumerate()
+        .filter(|(k, _)| block.equations.contains(&(loops + k)))
+        .map(|(_, row)| row.name.as_str())
+        .collect();
+    if !own.is_empty() {
+        let with_loops = block.equations.iter().any(|equation| *equation < loops);
+        let with_loops = if with_loops { " and its loops" } else { "" };
+        let rows = if own.len() == 1 { "the row" } else { "the rows" };
+        return format!(
+            "{rows} `{}`{with_loops} must be solved together for {count} unknowns, and there is no form for that",
+            own.join("`, `")
+        );
+    }
+    let why = if count > MOST_UNKNOWNS {
+        format!("more than the {MOST_UNKNOWNS} that Newton's iteration takes")
+    } else {
+        "and too few of the bars between them keep their length for Newton's iteration".to_owned()
+    };
+    format!(
+        "its loops do not come apart into pairs of bodies: {count} unknowns must be found together, {why}"
+    )
 }
 
 /// The unknowns of the loops, then those of the rows.

@@ -25,6 +25,8 @@ pub struct Declaration {
     pub shared: Shared,
     /// The mechanism; `None` if its head could not be read.
     pub mechanism: Option<Mechanism>,
+    /// Where parts stand that `parts!` has carried here, from another crate perhaps.
+    pub carried: Vec<Span>,
 }
 
 /// Definitions: parts and domains.
@@ -206,8 +208,8 @@ pub struct Choice {
 /// `port name: (x, y) m, angle: expr;`
 #[derive(Clone, Debug)]
 pub struct Port {
-    /// Its name.
-    pub name: Ident,
+    /// Its name; on the ground it may have indices.
+    pub name: IndexedName,
     /// Where it is.
     pub at: Expr,
     /// Direction of its x axis.

@@ -1,0 +1,119 @@
+//! What is right and yet hardly meant: gravity upwards, parts that do nothing, names that nothing reads.
+
+use std::collections::BTreeMap;
+
+use super::Resolver;
+use super::expect::literal_text;
+use super::scope::SlotId;
+use crate::diag::Code;
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind, ItemKind, Mechanism};
+
+/// A name that should be read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Readable {
+    what: &'static str,
+    slot: SlotId,
+}
+
+impl<'a> Resolver<'a> {
+    /// Notes a param, an input or a `let` of the user's own. One whose name begins with `_` says that it is for nobody.
+    pub(super) fn should_be_read(&mut self, what: &'static str, name: &ast::Ident, slot: SlotId) {
+        if name.span.source == 0 && !name.text.starts_with('_') {
+            self.readable.push((name.text.clone(), Readable { what, slot }));
+        }
+    }
+
+    /// Warns of what is silent, when all has been evaluated. After errors much has not been.
+    pub(super) fn warn_of_silence(&mut self, declaration: &ast::Declaration, mechanism: &'a Mechanism) {
+        if self.sink.has_errors() {
+            return;
+        }
+        self.warn_of_gravity(mechanism);
+        self.warn_of_idle_parts();
+        self.warn_of_unread_names(&declaration.carried);
+        self.sink.allow(&self.allowed);
+    }
+
+    fn warn_of_gravity(&mut self, mechanism: &'a Mechanism) {
+        let declared = mechanism.items.iter().find_map(|item| match &item.kind {
+            ItemKind::Gravity(value) => Some(value),
+            _ => None,
+        });
+        let (Some(declared), Ok(gravity)) = (declared, self.finish_gravity()) else { return };
+        if !self.graph.as_number(gravity).is_some_and(plm_cas::Number::is_negative) {
+            return;
+        }
+        let upwards = match &declared.kind {
+            ExprKind::Neg(inner) => literal_text(inner),
+            _ => None,
+        };
+        let help = upwards.map_or("turn its sign".to_string(), |value| format!("write `{value}`"));
+        let message = "gravity acts along -y, so that a negative one pulls upwards";
+        self.sink.warning(Code::Upwards, declared.span, message).help(help);
+    }
+
+    /// A part of forces and torques alone, all of which are zero whatever happens.
+    fn warn_of_idle_parts(&mut self) {
+        let mut acts: BTreeMap<usize, bool> = BTreeMap::new();
+        let zero = self.graph.zero();
+        for action in &self.applied {
+            if let Some(instance) = self.outermost(action.scope) {
+                let acts = acts.entry(instance).or_insert(false);
+                *acts |= action.force != [zero; 2] || action.torque != zero;
+            }
+        }
+        // What ties or remembers something is not idle.
+        let others = self.rows.iter().map(|row| row.scope).chain(self.states.iter().map(|state| state.scope));
+        for scope in others.chain(self.nodes.iter().map(|node| node.scope)) {
+            if let Some(instance) = self.outermost(scope) {
+                acts.insert(instance, true);
+            }
+        }
+        for (instance, _) in acts.into_iter().filter(|(_, acts)| !acts) {
+            let state = &self.instances[instance];
+            let params: Vec<&str> = state.definition.items.iter().filter_map(settable).collect();
+            let message = format!("`{}` does nothing: all that it applies is zero", state.name);
+            let diagnostic = self.sink.warning(Code::Idle, state.span, message);
+            if !params.is_empty() {
+                diagnostic.help(format!("set what it needs: {}", params.join(", ")));
+            }
+        }
+    }
+
+    /// The part of the mechanism that a scope is inside of.
+    fn outermost(&self, scope: usize) -> Option<usize> {
+        let mut instance = self.scopes[self.home(scope)].instance?;
+        while let Some(outer) = self.scopes[self.home(self.instances[instance].outer)].instance {
+            instance = outer;
+        }
+        Some(instance)
+    }
+
+    /// In a part that is used several times, and in a repetition, one reader is enough. Parts that were carried here are not
+    /// for who uses them to mend.
+    fn warn_of_unread_names(&mut self, carried: &[Span]) {
+        let mut read: BTreeMap<Span, (String, &'static str, bool)> = BTreeMap::new();
+        for (name, Readable { what, slot }) in std::mem::take(&mut self.readable) {
+            let slot = &self.slots[slot];
+            read.entry(slot.span).or_insert((name, what, false)).2 |= slot.is_read;
+        }
+        let is_carried = |span: Span| carried.iter().any(|of| (of.first..=of.last).contains(&span.first));
+        for (span, (name, what, _)) in read.into_iter().filter(|(_, (.., is_read))| !is_read) {
+            if is_carried(span) {
+                continue;
+            }
+            self.sink
+                .warning(Code::Unread, span, format!("nothing reads the {what} `{name}`"))
+                .help(format!("leave it out, or call it `_{name}`"));
+        }
+    }
+}
+
+/// The name of what the use of a part can set.
+fn settable(item: &ast::Item) -> Option<&str> {
+    match &item.kind {
+        ItemKind::Param(value) | ItemKind::Input(value) => Some(&value.name.ident.text),
+        _ => None,
+    }
+}
