@@ -90,6 +90,8 @@ plm::mechanism! {
     }
 }
 
+// That every field is given is what is tried: the update is for mechanisms that get another input.
+#[allow(clippy::needless_update)]
 #[test]
 fn inputs_are_written_as_what_they_are_whatever_is_declared() {
     let mut set = Wheel::new().start().unwrap();
@@ -142,14 +144,13 @@ fn shared_parts_have_attributes_and_any_name_and_stand_in_functions_too() {
             twist left(stone.a);
         }
     }
+    fn stone_at_start(mechanism: Stone) -> stone::State {
+        *mechanism.start().unwrap()
+    }
     let mut sim: stone::State = stone_at_start(Stone::new());
     let state = sim;
     sim.input = state.input;
     let mut sim = sim.mechanism.start().unwrap();
     sim.step(1.0).unwrap();
     assert!((sim.stone().omega - 1.0).abs() < 1e-9 && sim.stone().y.abs() < 1e-9);
-
-    fn stone_at_start(mechanism: Stone) -> stone::State {
-        *mechanism.start().unwrap()
-    }
 }

@@ -2,11 +2,13 @@
 //! motion goes on.
 //!
 //! ```sh
-//! cargo run --release --example sweep -- 10000                     # so many cases
-//! cargo run --release --example sweep -- --seed 7 --only six-bar   # others, of some kinds
-//! cargo run --release --example sweep -- --seed 7 --case 123       # one of them, with all its numbers
-//! cargo run --release --example sweep -- --check-reference         # is the reference right?
+//! cargo run --release --features sweep-all --example sweep -- 10000                     # so many cases
+//! cargo run --release --features sweep-all --example sweep -- --seed 7 --only six-bar   # others, of some kinds
+//! cargo run --release --features sweep-all --example sweep -- --seed 7 --case 123       # one, with all its numbers
+//! cargo run --release --features sweep-all --example sweep -- --check-reference         # is the reference right?
 //! ```
+//!
+//! With the feature `sweep` instead, one or two mechanisms of every kind are compiled, in half the time; the cases are others.
 //!
 //! Every case is run on the rung that the compiler takes, in absolute coordinates (`rung: absolute;`), and in f32. Poses,
 //! velocities and energies of all samples are compared: 1e-6 of the size is allowed (1e-3 in f32), more where the motion

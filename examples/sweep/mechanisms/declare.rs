@@ -16,6 +16,20 @@ macro_rules! declare {
             }
         }
     };
+    // One of those that take the feature `sweep-all`; its shape alone costs nothing.
+    (of_all $module:ident { $($all:tt)* }) => {
+        pub mod $module {
+            declare!(@shape $module $($all)*);
+            #[cfg(feature = "sweep-all")]
+            pub mod loops {
+                declare!(@rung loops $($all)*);
+            }
+            #[cfg(feature = "sweep-all")]
+            pub mod absolute {
+                declare!(@rung absolute $($all)*);
+            }
+        }
+    };
     (@joint $kind:ident $name:ident $a:ident $pa:ident $b:ident $pb:ident) => {
         $crate::scene::JointShape {
             kind: $crate::scene::Kind::$kind,

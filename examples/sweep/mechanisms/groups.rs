@@ -1,6 +1,6 @@
 //! Groups of links that no dyad opens.
 
-declare!(platform {
+declare!(of_all platform {
     ground { a(gax gay gaw), b(gbx gby gbw), c(gcx gcy gcw) }
     body tube_a(m1 i1) { a(ax1 ay1 aw1), s(sx1 sy1 sw1) }
     body tube_b(m2 i2) { b(ax2 ay2 aw2), s(sx2 sy2 sw2) }

@@ -1,7 +1,7 @@
 //! Ladders of four-bars: the IFToMM benchmark A02 with numbers of its own (M. González et al., Library of Computational
 //! Benchmark Problems). A ladder of one window is a four-bar.
 
-declare!(ladder_2 {
+declare!(of_all ladder_2 {
     ground { a0(gx0 gy0 gw0), a1(gx1 gy1 gw1), a2(gx2 gy2 gw2) }
     body post_0(mp0 ip0) { a(pax0 pay0 paw0), b(pbx0 pby0 pbw0) }
     body post_1(mp1 ip1) { a(pax1 pay1 paw1), b(pbx1 pby1 pbw1) }
@@ -38,7 +38,7 @@ declare!(ladder_3 {
     revolute jc3(rung_3.c, post_3.b) kc3 dc3 rc3;
 });
 
-declare!(ladder_4 {
+declare!(of_all ladder_4 {
     ground { a0(gx0 gy0 gw0), a1(gx1 gy1 gw1), a2(gx2 gy2 gw2), a3(gx3 gy3 gw3), a4(gx4 gy4 gw4) }
     body post_0(mp0 ip0) { a(pax0 pay0 paw0), b(pbx0 pby0 pbw0) }
     body post_1(mp1 ip1) { a(pax1 pay1 paw1), b(pbx1 pby1 pbw1) }
@@ -64,7 +64,7 @@ declare!(ladder_4 {
     revolute jc4(rung_4.c, post_4.b) kc4 dc4 rc4;
 });
 
-declare!(ladder_5 {
+declare!(of_all ladder_5 {
     ground { a0(gx0 gy0 gw0), a1(gx1 gy1 gw1), a2(gx2 gy2 gw2), a3(gx3 gy3 gw3), a4(gx4 gy4 gw4), a5(gx5 gy5 gw5) }
     body post_0(mp0 ip0) { a(pax0 pay0 paw0), b(pbx0 pby0 pbw0) }
     body post_1(mp1 ip1) { a(pax1 pay1 paw1), b(pbx1 pby1 pbw1) }

@@ -39,36 +39,47 @@ pub struct Entry {
 /// Runs a case.
 pub type Runner = fn(&Order) -> Outcome;
 
-macro_rules! entries {
-    ($($file:ident::$module:ident $default:ident $every:literal),* $(,)?) => {
-        /// Every mechanism. All methods for all of them would cost minutes of compilation and show nothing more.
-        pub static ENTRIES: &[Entry] = &[$(Entry {
+macro_rules! entry {
+    ($file:ident::$module:ident $default:ident $every:literal) => {
+        Entry {
             shape: &$file::$module::SHAPE,
             default: run::$default::<$file::$module::loops::Linkage<f64>>,
             absolute: run::usual::<$file::$module::absolute::Linkage<f64>>,
             single: run::usual::<$file::$module::loops::Linkage<f32>>,
             every_method: $every,
-        }),*];
+        }
     };
 }
-entries!(
-    trees::tree_2 usual false,
-    trees::tree_3 any true,
-    trees::tree_4 usual false,
-    trees::tree_5 usual false,
-    bars::four_bar any true,
-    bars::slider_crank any true,
-    bars::shaper usual false,
-    six_bars::watt_1 usual false,
-    six_bars::watt_2 usual false,
-    six_bars::stephenson_1 usual false,
-    six_bars::stephenson_2 usual false,
-    six_bars::stephenson_3 any true,
-    groups::platform usual false,
-    groups::butterfly usual false,
-    ladders::ladder_2 usual false,
-    ladders::ladder_3 usual false,
-    ladders::ladder_4 usual false,
-    ladders::ladder_5 usual false,
-    redundant::third_crank usual false,
-);
+
+/// Every mechanism. All methods for all of them would cost minutes of compilation and show nothing more.
+pub static ENTRIES: &[Entry] = &[
+    entry!(trees::tree_3 any true),
+    entry!(bars::four_bar any true),
+    entry!(bars::slider_crank any true),
+    entry!(bars::shaper usual false),
+    entry!(six_bars::watt_1 usual false),
+    entry!(six_bars::stephenson_1 usual false),
+    entry!(groups::butterfly usual false),
+    entry!(ladders::ladder_3 usual false),
+    entry!(redundant::third_crank usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(trees::tree_2 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(trees::tree_4 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(trees::tree_5 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(six_bars::watt_2 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(six_bars::stephenson_2 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(six_bars::stephenson_3 any true),
+    #[cfg(feature = "sweep-all")]
+    entry!(groups::platform usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(ladders::ladder_2 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(ladders::ladder_4 usual false),
+    #[cfg(feature = "sweep-all")]
+    entry!(ladders::ladder_5 usual false),
+];

@@ -16,7 +16,7 @@ declare!(watt_1 {
     revolute jg(three.g, arm.g) kh dh rh;
 });
 
-declare!(watt_2 {
+declare!(of_all watt_2 {
     ground { a(gax gay gaw), d(gdx gdy gdw), g(ggx ggy ggw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1) }
     body two(m2 i2) { b(bx2 by2 bw2), c(cx2 cy2 cw2) }
@@ -48,7 +48,7 @@ declare!(stephenson_1 {
     revolute jg(three.g, arm.g) kh dh rh;
 });
 
-declare!(stephenson_2 {
+declare!(of_all stephenson_2 {
     ground { a(gax gay gaw), d(gdx gdy gdw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1) }
     body two(m2 i2) { b(bx2 by2 bw2), c(cx2 cy2 cw2), e(ex2 ey2 ew2) }
@@ -64,7 +64,7 @@ declare!(stephenson_2 {
     revolute jg(link.g, three.g) kh dh rh;
 });
 
-declare!(stephenson_3 {
+declare!(of_all stephenson_3 {
     ground { a(gax gay gaw), d(gdx gdy gdw), g(ggx ggy ggw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1) }
     body two(m2 i2) { b(bx2 by2 bw2), c(cx2 cy2 cw2), e(ex2 ey2 ew2) }

@@ -1,6 +1,6 @@
 //! Open chains with branches.
 
-declare!(tree_2 {
+declare!(of_all tree_2 {
     ground { a(gax gay gaw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1) }
     body two(m2 i2) { b(bx2 by2 bw2) }
@@ -18,7 +18,7 @@ declare!(tree_3 {
     prismatic jb(one.b, two.b) kb db rb;
 });
 
-declare!(tree_4 {
+declare!(of_all tree_4 {
     ground { a(gax gay gaw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1), c(cx1 cy1 cw1) }
     body two(m2 i2) { b(bx2 by2 bw2) }
@@ -30,7 +30,7 @@ declare!(tree_4 {
     prismatic jb(one.b, two.b) kb db rb;
 });
 
-declare!(tree_5 {
+declare!(of_all tree_5 {
     ground { a(gax gay gaw), g(ggx ggy ggw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1), c(cx1 cy1 cw1) }
     body two(m2 i2) { b(bx2 by2 bw2), e(ex2 ey2 ew2) }
