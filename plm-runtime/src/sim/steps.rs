@@ -126,13 +126,16 @@ fn rescue<M: Mechanism, I: Method<M>>(
 
 /// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
 fn is_singular(fault: &Fault) -> bool {
-    use Cause::{Locked, NotConverged, NotFinite, Singular, StepTooSmall, TurnedTooFar, Workspace};
+    use Cause::{
+        Locked, NotConverged, NotFinite, Singular, StepTooLong, StepTooSmall, TurnedTooFar, Workspace,
+    };
     let cause = &fault.cause;
     matches!(
         cause,
         Locked
             | TurnedTooFar { .. }
             | StepTooSmall { .. }
+            | StepTooLong { .. }
             | NotConverged { .. }
             | NotFinite
             | Singular { .. }

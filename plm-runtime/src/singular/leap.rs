@@ -18,6 +18,10 @@ const ROUNDED: f64 = 1e-12;
 const CLOSED: f64 = 32.0;
 /// Up to this part of the mechanism's size it cannot be told whether they are.
 const UNDECIDED: f64 = 450.0;
+/// Joints that repeat others disagree near a flat pose by what they do elsewhere over the distance to it. Up to so many of
+/// these units that may be rounding; the joints open by this in a step by so many times as much.
+const DISAGREE: f64 = 1e4;
+const SPREAD: f64 = 10.0;
 /// The rate at the end of the step may be off by this, over the step and as a part of the state.
 const AGREES: f64 = 1e-8;
 
@@ -46,10 +50,11 @@ where
     let mut states = nodes.map(|c| guess::<_, NQ, NX>(from, rate, c * h));
     let mut before = M::S::INFINITY;
     for _ in 0..ITERATIONS {
-        let (mut rates, mut beside) = ([[M::S::ZERO; NX]; NODES], true);
+        let (mut rates, mut beside, mut disagree) = ([[M::S::ZERO; NX]; NODES], true, M::S::ZERO);
         for (rate, (x, c)) in rates.iter_mut().zip(states.iter().zip(nodes)) {
             let evaluated = equations.evaluate(t + c * h, held, x).ok_or(Refused::NotFound)?;
             beside &= equations.is_beside(x, &evaluated);
+            disagree = disagree.max(gap(equations, t + c * h, &evaluated.x));
             *rate = evaluated.dx;
         }
         *evaluations += NODES as u64;
@@ -67,7 +72,10 @@ where
         }
         let rounded = moved < M::S::lit(ROUNDED) && moved + moved > before;
         if moved < M::S::lit(FOUND) * M::S::EPSILON || rounded {
-            return if beside { check(equations, (t, held), polynomial) } else { Err(Refused::NotFound) };
+            if !beside {
+                return Err(Refused::NotFound);
+            }
+            return check(equations, (t, held), disagree, polynomial);
         }
         before = moved;
     }
@@ -90,27 +98,37 @@ fn guess<S: Real, const NQ: usize, const NX: usize>(
     })
 }
 
-/// Are the joints closed all the way, and does the motion go on from there as it came?
+/// By how much joints are open at a state: what a flat loop lacks is spread over all of them.
+fn gap<M, const NQ: usize, const NC: usize, const NX: usize>(
+    equations: &Equations<M, NQ, NC, NX>,
+    t: M::S,
+    x: &[M::S; NX],
+) -> M::S
+where
+    M: Fine<NQ, NC, NX>,
+{
+    let (q, _) = split::<_, NX, NQ>(x);
+    Absolute::phi(&equations.0, t, &q).fold(M::S::ZERO, |sum, gap| sum + gap.abs())
+}
+
+/// Are the joints closed all the way, but by what those that repeat others `disagree` at the nodes, and does the motion go on from there as it came?
 fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
     equations: &Equations<M, NQ, NC, NX>,
     (t, held): (M::S, &M::U),
+    disagree: M::S,
     polynomial: Polynomial<M::S, NX>,
 ) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
 where
     M: Fine<NQ, NC, NX>,
 {
     let unit = M::S::EPSILON * equations.size(&polynomial.from);
-    // What a flat loop lacks is spread over all of its joints.
-    let gap_at = |part: M::S| {
-        let (q, _) = split::<_, NX, NQ>(&polynomial.at(part));
-        let gaps = Absolute::phi(&equations.0, t + part * polynomial.h, &q);
-        gaps.fold(M::S::ZERO, |sum, gap| sum + gap.abs())
-    };
-    // Lengths that repeat each other may disagree everywhere.
-    let disagree = gap_at(M::S::ZERO);
-    let disagree = if disagree > M::S::lit(CLOSED) * unit { M::S::lit(10.0) * disagree } else { M::S::ZERO };
+    let gap_at = |part: M::S| gap(equations, t + part * polynomial.h, &polynomial.at(part));
+    let disagree = if disagree > M::S::lit(CLOSED) * unit { disagree } else { M::S::ZERO };
+    if disagree > M::S::lit(DISAGREE) * unit {
+        return Err(Refused::Undecided(disagree));
+    }
     let inside = (1..=2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
-    let gap = inside.fold(M::S::ZERO, M::S::max) - disagree;
+    let gap = inside.fold(M::S::ZERO, M::S::max) - M::S::lit(SPREAD) * disagree;
     if gap > M::S::lit(CLOSED) * unit {
         let undecided = gap <= M::S::lit(UNDECIDED) * unit;
         return Err(if undecided { Refused::Undecided(gap) } else { Refused::Opens(gap) });

@@ -2,6 +2,7 @@
 
 use crate::fault::Fault;
 use crate::method::Course;
+use crate::method::adaptive::shortest;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
@@ -40,7 +41,8 @@ pub(super) fn first_step<M: System<S: Real>>(
     } else {
         ((lit(0.01) / steepest).ln() / lit(f64::from(order))).exp()
     };
-    Ok(positive((lit(100.0) * first).min(second), first))
+    // A guess where everything rests may be too short to move the time.
+    Ok(positive((lit(100.0) * first).min(second), first).max(lit(2.0) * shortest(course)))
 }
 
 /// The first step, or the second where the first is zero or not a number.
