@@ -235,7 +235,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let (lean, bend) = (half * (c - a), a + c - (b + b));
             let dip = if lean.abs() < bend { half * lean * lean / bend } else { M::S::ZERO };
             let low = a.min(c).min(b - dip);
-            let slope = if a >= b && b >= c { -(a - c).abs() } else { M::S::INFINITY };
+            // Falling from end to end: what begins on its base may rise before.
+            let falls = lean + bend <= M::S::ZERO && lean - bend <= M::S::ZERO;
+            let slope = if falls { -(a - c).abs() } else { M::S::INFINITY };
             let finest = level >= FINEST_OF_POINTS;
             let low = if finest { a.min(c) } else { low };
             each(i, Interval { low, high: M::S::INFINITY }, Interval { low: -M::S::INFINITY, high: slope });

@@ -50,3 +50,36 @@ pub(super) fn next_step<M: System<S: Real>>(
 pub(super) fn shortest<M: System<S: Real>>(course: &Course<'_, M>) -> M::S {
     M::S::lit(16.0) * M::S::EPSILON * course.time.abs().max(course.end.abs())
 }
+
+/// An estimate is taken for no less than this part of what the last step's says of a step of that length.
+const CHANCE: f64 = 0.1;
+
+/// Error estimates that do not vanish by chance. Where a state has few numbers all of an estimate can go through zero at
+/// once, and a step that is far too long seems right. A small estimate is believed if the one before was small too.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Steady<S> {
+    /// Length and error of the last accepted step.
+    last: (S, S),
+    /// Its estimate was not believed.
+    doubted: bool,
+}
+
+impl<S: Real> Steady<S> {
+    pub(super) fn new() -> Self {
+        Self { last: (S::lit(1.0), S::ZERO), doubted: false }
+    }
+
+    /// The error of a step of the length `h`, which grows with `h` to the `order`.
+    pub(super) fn error(&self, h: S, estimate: S, order: u32) -> S {
+        let ratio = h / self.last.0;
+        let expected = (0..order).fold(S::lit(CHANCE) * self.last.1, |power, _| power * ratio);
+        // What is not a number stays it.
+        if estimate < expected && !self.doubted { expected } else { estimate }
+    }
+
+    /// Remembers an accepted step.
+    pub(super) fn accept(&mut self, h: S, estimate: S, order: u32) {
+        let error = self.error(h, estimate, order);
+        *self = Self { last: (h, error), doubted: estimate < error };
+    }
+}

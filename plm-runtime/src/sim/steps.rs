@@ -100,7 +100,7 @@ fn rescue<M: Mechanism, I: Method<M>>(
     }
     // The energy is that of the mechanism's own coordinates.
     let limits = Limits { energy_jump: None, ..limits };
-    let mut rescue = M::Rescue::new();
+    let (mut rescue, mut refused) = (M::Rescue::new(), 0);
     while course.time < course.end && M::Rescue::holds(course) {
         let before = (course.time, course.held, course.x);
         let outcome = step(&mut rescue, course, (&mut *watch, limits), observer, true);
@@ -109,8 +109,13 @@ fn rescue<M: Mechanism, I: Method<M>>(
         if course.time <= before.0 {
             // What is held is the pose; the step was refused.
             course.held = before.1;
+            refused += 1;
+            if refused > MOST_FAILURES {
+                return Err(failed.err().unwrap_or(course.fault(Cause::StepTooSmall { step: 0.0 })));
+            }
             continue;
         }
+        refused = 0;
         if let Some(part) = rescue.passed() {
             if limits.change_points {
                 let fault = Fault::of_part(course.time.to_f64(), part, Cause::ChangePoint);

@@ -22,7 +22,9 @@ const TOLERANCE_SINGLE: f64 = 1e-6;
 /// near the pose for more than one of them.
 const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
 /// Distances, rad, that a step away from a singular pose may span.
-const AWAY: [f64; 4] = [0.1, 0.05, 0.02, 0.005];
+const AWAY: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
+/// Units in the last place of the time.
+const BARELY: f64 = 64.0;
 /// A pose over which no step leads is tried again where it is nearer by this factor.
 const NEARER: f64 = 0.2;
 
@@ -184,10 +186,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         match ahead.flat().filter(|_| rest > longest) {
             None => self.tried = M::S::INFINITY,
             Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
-                let time = |span: M::S| ahead.time_to(span * distance);
-                let times = SPANS.into_iter().map(|span| time(M::S::lit(span)));
-                let flat = Some(time(M::S::lit(1.0)));
-                match self.step_over(course, &here, (times, flat)) {
+                let flat = ahead.time_to(distance);
+                // At the pose itself, as near as time can tell, nothing but distances from it is known.
+                let at = flat < M::S::lit(BARELY) * M::S::EPSILON * course.time.abs();
+                let times = SPANS.into_iter().zip(AWAY).map(|(span, away)| {
+                    ahead.time_to(if at { M::S::lit(away) } else { M::S::lit(span) * distance })
+                });
+                match self.step_over(course, &here, (times, Some(flat))) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
                         return Err(self.fault(course, &here, refused));

@@ -198,7 +198,9 @@ const ZENO: Scene = Scene {
 #[test]
 fn times_with_a_limit_are_zeno() {
     let limit = (1.0 / 1.5 + (4.0_f64 / 3.0).sqrt()) / (1.0 - (1.0_f64 / 3.0).sqrt());
-    for rtol in [1e-6, 1e-10] {
+    // Arcs that begin exactly on the boundary are among these.
+    for k in 0..100 {
+        let rtol = 10.0_f64.powf(-3.0 - 0.09 * f64::from(k));
         let mut sim = ZENO.start_with(Dop853::new(rtol)).unwrap();
         let fault = sim.step(10.0).unwrap_err();
         assert!(matches!(fault.cause, Cause::Zeno { .. }), "{fault}");

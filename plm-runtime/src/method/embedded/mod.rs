@@ -10,7 +10,7 @@ pub use self::pair::{Limits, Pair};
 use self::control::Control;
 use self::dense::Span;
 use self::start::first_step;
-use super::adaptive::{next_step, rate_here, shortest};
+use super::adaptive::{Steady, next_step, rate_here, shortest};
 use super::{Course, Method, Path, Watched, drift_of_size, excess, larger, not_finite};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -34,6 +34,7 @@ pub struct Embedded<M: System, P: Pair> {
     /// Proposal for the next step, s; none before the first.
     proposal: Option<M::S>,
     control: Control<M::S>,
+    steady: Steady<M::S>,
     /// The rate at the current state, unless that has been changed.
     rate: Option<M::X>,
     /// The last step, for the dense output, and its stages.
@@ -73,6 +74,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             most_steps: 1_000_000,
             proposal: None,
             control: Control::new(),
+            steady: Steady::new(),
             rate: None,
             span: None,
             stages: None,
@@ -196,13 +198,14 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     }
 
     /// The proposal after an accepted step: a step that was cut to hit the end says little of the next one.
-    fn propose(&mut self, proposal: M::S, h: M::S, error: M::S) {
+    fn propose(&mut self, proposal: M::S, h: M::S, (error, estimate): (M::S, M::S)) {
         let mut control = self.control;
         let next = h * control.accept(&P::LIMITS, error);
         if h < proposal {
             self.proposal = Some(next.max(proposal));
         } else {
             self.control = control;
+            self.steady.accept(h, estimate, P::ORDER);
             self.proposal = Some(next);
         }
     }
@@ -229,10 +232,11 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)
                 .map_err(|fault| Fault { part: Self::worst(course, &k), ..fault })?;
             let mut attempt = self.trial(course, &rate, h, &mut k);
-            let (error, drift) = match &attempt {
+            let (estimate, drift) = match &attempt {
                 Ok(trial) => self.judge(course, h, &k, &trial.x),
                 Err(_) => (M::S::INFINITY, M::S::INFINITY),
             };
+            let error = self.steady.error(h, estimate, P::ORDER);
             let mut worst = larger(error, drift);
             if let (Ok(trial), true) = (&attempt, worst <= M::S::lit(1.0)) {
                 let time = if last { course.end } else { course.time + h };
@@ -243,7 +247,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         (self.stages, self.rate) = (Some(k), Some(rate_to));
                         // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
                         let settles = drift > M::S::lit(SETTLED_ABOVE);
-                        self.propose(proposal, h, if settles { worst } else { error });
+                        self.propose(proposal, h, (if settles { worst } else { error }, estimate));
                         course.stats.steps += 1;
                         *course.longest_step = course.longest_step.max(h);
                         (course.time, course.x) = (time, to);

@@ -11,7 +11,7 @@ use self::control::Control;
 use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
 use self::tableau::{C, ERROR};
-use super::adaptive::{next_step, rate_here};
+use super::adaptive::{Steady, next_step, rate_here};
 use super::{Course, Method, Path, drift_of_size, excess, larger};
 use crate::fault::Fault;
 use crate::linalg::Derivatives as _;
@@ -38,6 +38,7 @@ pub struct RadauIia5<M: Linear> {
     /// Proposal for the next step, s; none before the first.
     proposal: Option<M::S>,
     control: Control<M::S>,
+    steady: Steady<M::S>,
     convergence: Convergence<M::S>,
     /// The rate at the current state, unless that has been changed.
     rate: Option<M::X>,
@@ -73,6 +74,8 @@ struct Trial<X> {
     iterations: usize,
 }
 
+/// The estimate of the error grows with this power of the step.
+const ORDER: u32 = 4;
 /// Drift is settled above this fraction of the tolerance.
 const SETTLED_ABOVE: f64 = 0.1;
 /// Derivatives are kept while corrections shrink faster than by this ratio.
@@ -95,6 +98,7 @@ impl<M: Linear> RadauIia5<M> {
             most_steps: 1_000_000,
             proposal: None,
             control: Control::new(),
+            steady: Steady::new(),
             convergence: Convergence::new(),
             rate: None,
             by_x: None,
@@ -282,13 +286,17 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                     proposal = h * M::S::lit(factor);
                 }
                 Ok(trial) => {
-                    let error = self.error(course, &trial, &rate, &weights);
+                    let estimate = self.error(course, &trial, &rate, &weights);
+                    let error = self.steady.error(h, estimate, ORDER);
                     let drift = self.drift_ratio(course.system, time, &trial.x);
                     let worst = larger(error, drift);
                     if worst <= M::S::lit(1.0) {
                         let went_by_rank = course.stats.by_rank > by_rank;
                         let limit = if went_by_rank { 0.0 } else { SETTLED_ABOVE };
                         self.arrive(course, (time, h), &trial, M::S::lit(limit))?;
+                        if h >= proposal {
+                            self.steady.accept(h, estimate, ORDER);
+                        }
                         let factor = self.control.accept(h, worst, trial.iterations);
                         let factor = factor.min(self.convergence.growth(trial.iterations));
                         self.propose(proposal, h, factor);
