@@ -72,6 +72,7 @@ impl Scalar for F64x8 {
     type Mask = f64x8;
 
     const HEALTHY: f64 = f64::HEALTHY;
+    const AGREEMENT: f64 = f64::AGREEMENT;
 
     #[inline]
     fn lit(x: f64) -> Self {

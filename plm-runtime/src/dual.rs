@@ -118,6 +118,7 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     type Mask = bool;
 
     const HEALTHY: f64 = S::HEALTHY;
+    const AGREEMENT: f64 = S::AGREEMENT;
 
     #[inline]
     fn lit(x: f64) -> Self {

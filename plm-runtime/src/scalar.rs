@@ -33,6 +33,8 @@ pub trait Scalar:
     /// Largest ratio of a diagonal entry to its pivot; a row beyond it depends on others and is left out. Where numbers are
     /// as exact as the lengths, rounding cannot be told from a singular pose, and none is.
     const MOST_GROWTH: f64 = f64::INFINITY;
+    /// Lengths that repeat each other may differ by one part in so many; the rest of what they differ by is not rounding.
+    const AGREEMENT: f64;
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;
@@ -164,11 +166,12 @@ fn padded<T: Copy, const N: usize, const L: usize>(
 }
 
 macro_rules! real {
-    ($real:ident, $healthy:literal, $rank_tolerance:literal) => {
+    ($real:ident, $healthy:literal, $agreement:literal, $rank_tolerance:literal) => {
         impl Scalar for $real {
             type Mask = bool;
 
             const HEALTHY: f64 = $healthy;
+            const AGREEMENT: f64 = $agreement;
 
             #[inline]
             fn lit(x: f64) -> Self {
@@ -272,8 +275,8 @@ macro_rules! real {
     };
 }
 
-real!(f64, 6e-6, 1.490_116_119_384_765_6e-8);
-real!(f32, 5e-3, 3.452_669_8e-4);
+real!(f64, 6e-6, 1e9, 1.490_116_119_384_765_6e-8);
+real!(f32, 5e-3, 1e5, 3.452_669_8e-4);
 
 #[cfg(feature = "fma")]
 mod fused {

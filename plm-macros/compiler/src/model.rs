@@ -30,6 +30,8 @@ pub struct Model {
     pub time: Expr,
     /// Symbol of the largest growth of a pivot's reciprocal that does not say that its row depends on others: the scalar's.
     pub most_growth: Expr,
+    /// Symbol of the part, one in so many, by which lengths that repeat each other may differ: the scalar's.
+    pub agreement: Expr,
     /// Gravity, m/s^2, positive downwards along -y.
     pub gravity: Expr,
     /// The rung that the user ordered, and where.

@@ -132,6 +132,7 @@ impl<S: Real> Scalar for Tube<S> {
     type Mask = Outcome;
 
     const HEALTHY: f64 = S::HEALTHY;
+    const AGREEMENT: f64 = S::AGREEMENT;
 
     #[inline]
     fn lit(x: f64) -> Self {

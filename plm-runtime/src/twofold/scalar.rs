@@ -7,8 +7,9 @@ impl<S: Real> Scalar for Twofold<S> {
     type Mask = bool;
 
     /// What repeats itself but for rounding of the lengths in `S` stays below.
-    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
+    const HEALTHY: f64 = 5.0 * S::HEALTHY * S::HEALTHY * S::HEALTHY;
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
+    const AGREEMENT: f64 = S::AGREEMENT;
 
     /// The constant `x`, with 48 of its 53 bits where the words are of `f32`.
     #[inline]

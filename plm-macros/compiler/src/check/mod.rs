@@ -69,7 +69,7 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
 
 /// Default values of all symbols but coordinates and velocities, at time zero.
 pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
-    let mut values = vec![(model.time, 0.0), (model.most_growth, f64::INFINITY)];
+    let mut values = vec![(model.time, 0.0), (model.most_growth, f64::INFINITY), (model.agreement, 1e9)];
     for param in &model.params {
         values.push((param.symbol, value(graph, param.default, &values)));
     }

@@ -347,6 +347,7 @@ impl Emission<'_> {
         }
         bindings.insert(model.time, time.to_owned());
         bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
+        bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());
         let nq = equations.q.len();
         let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
             for (k, &symbol) in symbols.iter().enumerate() {

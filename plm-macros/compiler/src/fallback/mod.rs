@@ -51,6 +51,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
         time: graph.symbol("t"),
         most_growth: graph.symbol("most_growth"),
+        agreement: graph.symbol("agreement"),
         gravity: graph.zero(),
         rung: None,
         stabilisation: Stabilisation::Projection,

@@ -46,6 +46,7 @@ impl<'a> Resolver<'a> {
             graph: self.graph,
             time: self.time,
             most_growth: self.most_growth,
+            agreement: self.agreement,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
             rung: self.rung.and_then(|rung| Some((Rung::named(&rung.text)?, rung.span))),

@@ -92,6 +92,7 @@ struct Resolver<'a> {
 
     time: Expr,
     most_growth: Expr,
+    agreement: Expr,
     gravity: SlotId,
     gravity_is_declared: bool,
     stabilisation: Option<(&'a ast::Ident, Option<&'a ast::Expr>)>,
@@ -169,6 +170,7 @@ impl<'a> Resolver<'a> {
         let mut graph = Graph::new();
         let time = graph.symbol("t");
         let most_growth = graph.symbol("most_growth");
+        let agreement = graph.symbol("agreement");
         let directions = BTreeMap::from([(time, graph.one())]);
         Resolver {
             graph,
@@ -182,6 +184,7 @@ impl<'a> Resolver<'a> {
             too_many: false,
             time,
             most_growth,
+            agreement,
             gravity: 0,
             gravity_is_declared: false,
             stabilisation: None,

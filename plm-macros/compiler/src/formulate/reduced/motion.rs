@@ -20,6 +20,8 @@ pub(crate) struct Motion {
     pub(crate) names: Vec<String>,
     /// Size of the scene, m.
     pub(crate) length: Expr,
+    /// The part of a length, one in so many, that is rounding.
+    pub(crate) agreement: Expr,
     /// Value of each unknown, rad or m.
     pub(crate) value: Vec<Expr>,
     /// Its rate, `K y' + k`.
@@ -113,6 +115,7 @@ impl Motion {
             drivers: Vec::new(),
             names: coordinates.unknowns.iter().map(|&unknown| super::inertia::name(model, unknown)).collect(),
             length,
+            agreement: model.agreement,
             value: zeros.clone(),
             rate: zeros.clone(),
             gain: vec![Vec::new(); coordinates.unknowns.len()],

@@ -1,7 +1,8 @@
 //! A loop with more rows than it has unknowns: redundant constraints that agree, like the third of parallel cranks.
 //!
 //! Its one unknown follows from one of its two rows; that the other holds as well is a matter of dimensions, which is
-//! looked at: a mismatch of more than a billionth of the length makes the loop one that cannot be closed.
+//! looked at: a mismatch of more than a billionth of the length (`f32`: of a hundred-thousandth) makes the loop one that
+//! cannot be closed.
 
 use plm_cas::{Expr, Graph};
 
@@ -11,9 +12,6 @@ use super::loops::{self, Found};
 use super::motion::Motion;
 use super::plane::{self, Vec2};
 use super::solution::Solution;
-
-/// Relative mismatch of lengths that is tolerated, one in so many.
-const AGREES: i64 = 1_000_000_000;
 
 /// The one unknown of a loop.
 #[derive(Clone, Copy, Debug)]
@@ -68,8 +66,7 @@ impl Single {
             let aside = plane::cross(graph, m, e);
             (e, graph.one(), graph.div(aside, motion.length), Vec::new())
         };
-        let agrees = graph.int(AGREES);
-        let mismatch = graph.mul(mismatch, agrees);
+        let mismatch = graph.mul(mismatch, motion.agreement);
         let mismatch = graph.powi(mismatch, 2);
         let one = graph.one();
         let square = graph.sub(one, mismatch);
