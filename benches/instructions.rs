@@ -2,7 +2,7 @@
 //!
 //! `bash benches/instructions.sh` builds for x86-64-v3 (AVX2, as the limits were) and prints the table. How it counts:
 //! `scenes/count.rs`.
-#![allow(clippy::panic)]
+#![allow(clippy::panic, reason = "benches")]
 
 mod scenes;
 

@@ -7,7 +7,7 @@
 //! cargo bench --bench kernels -- instructions    instructions of a step, by valgrind
 //! cargo bench --bench kernels -- check           the kernels against references
 //! ```
-#![allow(clippy::panic)]
+#![allow(clippy::panic, reason = "benches")]
 
 #[allow(dead_code)] // The counts of instructions use more of it.
 mod scenes;

@@ -12,6 +12,10 @@
 //! locked; and 40 s of falling and swinging with a damper in each pivot. Every figure that the manual prints stands
 //! beside its own. The trajectory and its curves are written to `target/plm/`.
 
+#[allow(dead_code, reason = "it takes no options")]
+#[path = "arguments/mod.rs"]
+mod arguments;
+
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
@@ -47,6 +51,7 @@ plm::mechanism! {
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
+    arguments::Arguments::new().end("none")?;
     let mut figures = Figures::new();
     unlocked_assembly(&mut figures)?;
     locked_assembly(&mut figures)?;

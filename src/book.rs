@@ -15,17 +15,20 @@ pages! {
     GeneratedCode = "generated-code.md";
     Outputs = "language/outputs.md";
     Parts = "language/parts.md";
+    Declaration = "language/declaration.md";
     Assembly = "running/assembly.md";
     Integrators = "running/integrators.md";
     Methods = "running/methods.md";
     Scalars = "running/scalars.md";
     Stack = "running/stack.md";
     Equations = "theory/equations.md";
+    MechanicsRecipes = "recipes/mechanics.md";
 }
 
 #[cfg(feature = "analysis")]
 pages! {
     Modes = "running/modes.md";
+    Linearise = "running/linearise.md";
 }
 
 #[cfg(feature = "lanes")]
@@ -36,4 +39,9 @@ pages! {
 #[cfg(feature = "batch")]
 pages! {
     Batch = "running/batch.md";
+}
+
+#[cfg(all(feature = "batch", feature = "view"))]
+pages! {
+    RunningRecipes = "recipes/running.md";
 }

@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use nalgebra::{Complex, DMatrix};
 use plm_runtime::linalg::Dense;
-use plm_runtime::{Cause, Dual, Fault, Linear, Mechanism, Moment, Ports, System};
+use plm_runtime::{AsMoment, Cause, Dual, Fault, Linear, Mechanism, Moment, Ports, System};
 
 /// A mechanism that can be linearised: generated ones can.
 pub trait Linearisable: Mechanism + Ports + Linear<S = f64, Lifted<1>: Ports> + System<S = f64> {}
@@ -104,14 +104,20 @@ impl Mode {
     }
 }
 
-/// Linearises a mechanism at a state, exactly but for rounding: by running its equations and outputs on dual numbers.
+/// Linearises a mechanism where a simulation is, or at a state of a run, exactly but for rounding: by running its equations
+/// and outputs on dual numbers.
 ///
 /// Modes mean what they usually mean where the state is an equilibrium.
 ///
 /// # Errors
 /// [`Cause::Singular`] where the accelerations or their derivatives are not determined without a decomposition by rank, or
 /// where no chart of the loops is good.
-pub fn linearise<T: Moment<M: Linearisable<State = T>>>(state: &T) -> Result<Linearisation, Fault> {
+pub fn linearise<A, T>(of: &A) -> Result<Linearisation, Fault>
+where
+    A: AsMoment<State = T>,
+    T: Moment<M: Linearisable<State = T>>,
+{
+    let state = of.as_moment();
     let size = <<T::M as System>::X as plm_runtime::Vector<f64>>::LEN;
     if !state.mechanism().is_regular(&state.held()) {
         return Err(Fault::new(state.time(), Cause::Singular { rows: size }));

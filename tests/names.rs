@@ -1,5 +1,5 @@
 //! Any name: words of Rust, names that emitted code has itself, and mechanisms that are declared within a function.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(non_ascii_idents)] // Among any names are these.
 #![deny(unreachable_pub, missing_docs, unused_imports)]
 
@@ -109,7 +109,7 @@ fn inputs_are_written_as_what_they_are_whatever_is_declared() {
 mod shared {
     plm::parts! {
         /// Documented, as everything is.
-        #[allow(dead_code)]
+        #[allow(dead_code)] // Attributes may stand here.
         pub(crate) r#type {
             part pull(a: frame) { force on a: (0, -2 N); }
         }

@@ -1,5 +1,5 @@
 //! Rules of the house that a machine can read: sizes, places, links, pages. CONTRIBUTING.md says why.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -176,6 +176,28 @@ fn no_path_of_a_machine_stands_in_the_tree() {
 }
 
 #[test]
+fn every_allow_has_a_reason() {
+    let mut wrong = Vec::new();
+    // What is emitted into other people's code stands in texts.
+    let emits =
+        |file: &str| file.starts_with("plm-macros/compiler/src/emit/") || file.starts_with("plm-macros/src/");
+    for file in files(&["rs"]).into_iter().filter(|file| !emits(&shown(file))) {
+        let text = fs::read_to_string(&file).unwrap();
+        let mut above = "";
+        for (index, line) in text.lines().map(str::trim).enumerate() {
+            let begins = ["#[allow(", "#![allow("].iter().any(|form| line.starts_with(form));
+            let mut attribute = text.lines().skip(index).take_while(|line| !line.trim().ends_with(")]"));
+            let says = line.contains("reason =") || attribute.any(|line| line.contains("reason ="));
+            if begins && !says && !line.contains("//") && !above.starts_with("// ") {
+                wrong.push(format!("{}:{}: {line}", shown(&file), index + 1));
+            }
+            above = line;
+        }
+    }
+    fail_with("an `allow` without its reason", &wrong);
+}
+
+#[test]
 fn every_package_takes_the_lints_of_the_workspace() {
     let mut wrong = Vec::new();
     for file in files(&["toml"]) {
@@ -271,6 +293,21 @@ fn the_book_lists_every_page() {
     let pages = files(&["md"]).into_iter().filter(|file| file.starts_with(&book));
     let forgotten = pages.filter(|page| !page.ends_with("SUMMARY.md") && !listed.contains(page));
     fail_with("pages that SUMMARY.md does not list", &forgotten.map(|page| shown(&page)).collect::<Vec<_>>());
+}
+
+/// `src/book.rs` names the pages whose code is compiled and run.
+#[test]
+fn the_rust_code_of_every_page_is_tested() {
+    let (book, listed) = (root().join("docs/src"), fs::read_to_string(root().join("src/book.rs")).unwrap());
+    let mut wrong = Vec::new();
+    for page in files(&["md"]).into_iter().filter(|file| file.starts_with(&book)) {
+        let name = page.strip_prefix(&book).unwrap().to_str().unwrap().replace('\\', "/");
+        let text = fs::read_to_string(&page).unwrap();
+        if text.lines().any(|line| line.trim() == "```rust") && !listed.contains(&format!("\"{name}\"")) {
+            wrong.push(shown(&page));
+        }
+    }
+    fail_with("pages with Rust code that src/book.rs does not name", &wrong);
 }
 
 #[test]

@@ -17,6 +17,8 @@
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 
 mod andrews;
+#[path = "../arguments/mod.rs"]
+mod arguments;
 mod arms;
 mod list;
 mod measure;
@@ -33,6 +35,7 @@ use std::process::ExitCode;
 
 use plm_peers::peers;
 
+use arguments::Arguments;
 use list::SCENES;
 use measure::{Bench, Scene};
 use report::Result as Measured;
@@ -57,10 +60,10 @@ const QUICK: Effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spen
 const NEAR: f64 = 1e-4;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let effort = if arguments.iter().any(|word| word == "--quick") { &QUICK } else { &FULL };
-    let out = arguments.iter().position(|word| word == "--out").and_then(|at| arguments.get(at + 1));
-    let folder = PathBuf::from(out.map_or("target/plm/work-precision", String::as_str));
+    let mut arguments = Arguments::new();
+    let effort = if arguments.flag("--quick") { &QUICK } else { &FULL };
+    let folder = PathBuf::from(arguments.value("--out")?.as_deref().unwrap_or("target/plm/work-precision"));
+    arguments.end("--quick, --out DIR")?;
     fs::create_dir_all(&folder)?;
 
     let mut csv = "scene,rung,method,setting,error,seconds,evaluations,fault\n".to_owned();

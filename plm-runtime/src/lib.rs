@@ -63,7 +63,7 @@ pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
 pub use limits::{Least, Limit};
 pub use linear::Linear;
-pub use mechanism::{Mechanism, Moment};
+pub use mechanism::{AsMoment, Mechanism, Moment};
 pub use method::{Dop853, Dopri5, Method, Rk4, SemiImplicitEuler};
 pub use observed::Observed;
 pub use operations::Operations;

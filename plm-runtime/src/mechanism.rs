@@ -36,6 +36,32 @@ pub trait Moment: Copy {
     );
 }
 
+/// What is at a moment: a [`Moment`] itself, as `run` gives it, and a [`Sim`], which is at one. So functions that look at a
+/// moment take either.
+pub trait AsMoment {
+    /// The generated readable state.
+    type State: Moment;
+
+    /// The moment.
+    fn as_moment(&self) -> &Self::State;
+}
+
+impl<T: Moment> AsMoment for T {
+    type State = T;
+
+    fn as_moment(&self) -> &T {
+        self
+    }
+}
+
+impl<M: Mechanism, I> AsMoment for Sim<M, I> {
+    type State = M::State;
+
+    fn as_moment(&self) -> &M::State {
+        self
+    }
+}
+
 /// A mechanism that can be started.
 pub trait Mechanism: System<S: Real> + Copy {
     /// The generated readable state.

@@ -196,7 +196,7 @@ macro_rules! real {
             fn sin_cos(self) -> (Self, Self) {
                 math::$real::sin_cos(self)
             }
-            #[allow(clippy::inline_always)]
+            #[allow(clippy::inline_always, reason = "as `sin_cos_lanes`")]
             #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 // Vectors have two, four or eight lanes: what lies between is filled up.

@@ -1,5 +1,5 @@
 //! The table: its heading, its numbers to the bit, its errors.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::path::PathBuf;
 

@@ -1,5 +1,5 @@
 //! Charts of series on chosen axes, read back by an XML reader.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use plm_view::{Axis, Chart, Rule, Series};
 use roxmltree::{Document, Node};

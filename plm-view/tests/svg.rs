@@ -1,5 +1,5 @@
 //! The picture, read back by an XML reader: what stands in it, and where.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use plm_view::{Chart, Recording};
 use roxmltree::{Document, Node};

@@ -26,6 +26,18 @@ macro_rules! at_start {
     };
 }
 
+/// What is linearised is where the simulation is, however it is handed over.
+#[test]
+fn a_simulation_is_linearised_where_it_is() {
+    let mut scene = double_pendulum::least::Scene::new();
+    scene.start.arm.angle.value = 1.0;
+    let mut sim = scene.start().unwrap();
+    let start = linearise(&sim).unwrap();
+    sim.step(0.2).unwrap();
+    assert_eq!(linearise(&sim).unwrap(), linearise(sim.state()).unwrap());
+    assert_ne!(linearise(&sim).unwrap(), start);
+}
+
 on_both_rungs!(pendulum {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }

@@ -1,6 +1,6 @@
 //! Analysis on hosts: linearisation, equilibria, methods that are chosen. Here linearisation of systems written as
 //! generated code is, against analytic frequencies and dampings.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod auto;
 mod linearise;

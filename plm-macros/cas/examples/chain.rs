@@ -152,8 +152,15 @@ fn milliseconds(since: Instant) -> f64 {
     since.elapsed().as_secs_f64() * 1e3
 }
 
-fn main() {
-    let count = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(64);
+fn main() -> Result<(), String> {
+    let (mut count, mut listed) = (64, false);
+    for word in std::env::args().skip(1) {
+        match word.parse() {
+            Ok(number) => count = number,
+            Err(_) if word == "list" => listed = true,
+            Err(_) => return Err(format!("{word} is neither a number of bodies nor `list`")),
+        }
+    }
     let mut g = Graph::new();
 
     let start = Instant::now();
@@ -178,7 +185,8 @@ fn main() {
     for (name, count) in [("before", Tape::new(&g, &a).count()), ("after", tape.count())] {
         println!("{name} sharing: {count} ({})", count.total());
     }
-    if std::env::args().any(|argument| argument == "list") {
+    if listed {
         println!("{}", tape.listing(&g));
     }
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! Derivatives against differences: every function, every kind of node, random expressions, gradients and total
 //! time derivatives.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
 

@@ -1,5 +1,5 @@
 //! Expressions of one graph in another.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 use plm_cas::{Expr, Graph, Number, Tape};
 

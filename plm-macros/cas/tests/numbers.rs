@@ -1,5 +1,5 @@
 //! Numbers against std: decimal literals and rounding against the parser of std, powers of pi against its constants.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
 

@@ -1,5 +1,5 @@
 //! The infix form: what stands in generated documentation.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use plm_cas::{Expr, Graph, Number};
 

@@ -1,6 +1,6 @@
 //! Random expressions: every pass keeps values, the tape computes what the nodes say, and the same calls give the
 //! same bytes.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
 

@@ -1,6 +1,6 @@
 //! The table of rules, applied: each pattern becomes its result, and both have the same value wherever the
 //! condition of the rule holds, 0, -0, infinities and NaN included.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
 

@@ -1,5 +1,5 @@
 //! The order and the form of the operations.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use plm_cas::{Graph, Op, Tape, share};
 

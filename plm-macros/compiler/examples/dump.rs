@@ -13,9 +13,11 @@ use plm_compiler::token::Sources;
 const DOUBLE_PENDULUM: &str = include_str!("double_pendulum.plm");
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let (name, text) = match std::env::args().nth(1) {
-        Some(path) => (path.clone(), std::fs::read_to_string(path)?),
-        None => ("double_pendulum.plm".to_owned(), DOUBLE_PENDULUM.to_owned()),
+    let files: Vec<String> = std::env::args().skip(1).collect();
+    let (name, text) = match &files[..] {
+        [] => ("double_pendulum.plm".to_owned(), DOUBLE_PENDULUM.to_owned()),
+        [path] => (path.clone(), std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?),
+        [_, second, ..] => return Err(format!("one file at a time; what is {second}?").into()),
     };
     let mut sources = Sources::new();
     sources.add_text(&name, &text);

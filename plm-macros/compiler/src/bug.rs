@@ -21,7 +21,7 @@ pub fn bug_message(what: &str) -> String {
 }
 
 #[cfg(test)]
-#[allow(clippy::panic, clippy::unwrap_used)]
+#[allow(clippy::panic, clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::{bug_message, without_panic};
 

@@ -192,7 +192,7 @@ fn defined_twice(what: &str, name: &Ident, first: &Ident, sink: &mut Diagnostics
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::{DOMAINS, PARTS};
     use crate::diag::Diagnostics;

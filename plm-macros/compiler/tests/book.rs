@@ -11,7 +11,7 @@
 //!
 //! The `text` block right behind one with codes is what the compiler says, the block `text,reactions` is that function of
 //! the manual's double pendulum; `PLM_BLESS=1` writes both anew.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::collections::BTreeSet;
 use std::fmt::Write;

@@ -10,7 +10,7 @@
 //! lines that begin with `=` are parts of its notes. A line that begins with `// ?` is a mistake that is marked nowhere
 //! in the file because it stands inside a library part: `// ? E0301 message`. Every mistake must be marked, and every
 //! mark must be met.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
 //! What emitted code shows to people: its documentation.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 use plm_compiler::compile;
 use plm_compiler::token::Sources;

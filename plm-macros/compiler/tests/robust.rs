@@ -1,6 +1,6 @@
 //! Bad input never panics the compiler: all of it, from tokens to emitted source, on declarations that were cut, shuffled,
 //! doubled and mixed at random. The seed of a case is in every message.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::fs;
 use std::path::Path;

@@ -16,7 +16,7 @@ macro_rules! functions {
 
             /// Sines and cosines of several angles, with the bits of [`sin_cos`]: one straight path for all of them,
             /// which compilers turn into vector instructions. Two, four or eight angles at a time fill them.
-            #[allow(clippy::inline_always)]
+            #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
             #[inline(always)]
             pub fn sin_cos_lanes<const N: usize>(x: [$float; N]) -> ([$float; N], [$float; N]) {
                 sin_cos::sin_cos_lanes(x)

@@ -2,8 +2,8 @@
 //!
 //! Every result is made from IEEE 754 additions, subtractions, multiplications and divisions in round-to-nearest, and
 //! from integer operations; the order of the operations is fixed, nothing is fused, and no library of the platform is
-//! called. So x86-64 (SSE2 and later), ARM, RISC-V and WebAssembly agree to the last bit. The x87 unit of i586 and
-//! modes that flush subnormal numbers to zero are not IEEE arithmetic and are not supported.
+//! called. So x86-64 (SSE2 and later), ARM, RISC-V and WebAssembly have to agree to the last bit; CI runs x86-64. The x87 unit
+//! of i586 and modes that flush subnormal numbers to zero are not IEEE arithmetic and are not supported.
 //!
 //! Only NaNs are excepted: which of its bit patterns comes out is left open, by processors and by Rust's own rules (the
 //! primitive type `f32`, "NaN bit patterns").

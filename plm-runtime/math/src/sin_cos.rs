@@ -105,7 +105,7 @@ pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
 }
 
 /// One path for all lanes; each operation is written for one lane, and compilers join them.
-#[allow(clippy::inline_always)]
+#[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
 #[inline(always)]
 pub(crate) fn sin_cos_lanes<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
     let direct = x.iter().fold(true, |all, x| all & (x.abs() <= F::BOUND));

@@ -1,6 +1,6 @@
 //! Largest errors against mpmath (tools/reference.py), and the bounds of ERRORS.md.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 #![allow(clippy::cast_lossless)] // lossless for one of both types
 
 #[path = "support/bounds.rs"]

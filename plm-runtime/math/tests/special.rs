@@ -1,6 +1,6 @@
 //! Special values: C99, Annex F, section 9, and what the documentation of each function states.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 macro_rules! special {
     ($float:ident, $signalling:literal) => {

@@ -1,7 +1,7 @@
 //! All of f32 in strides against std's f64 functions, whose error is no part of an f32 unit in the last place, and
 //! random f64 against std, whose error is below one unit. The arguments are other ones than those of accuracy.rs.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 #[path = "support/bounds.rs"]
 mod bounds;

@@ -81,7 +81,7 @@ impl<R: Rate> System for Unwatched<R> {
 
     const NQ: usize = R::NQ;
 
-    #[allow(clippy::inline_always)]
+    #[allow(clippy::inline_always, reason = "the wrapper is nothing")]
     #[inline(always)]
     fn rate(&self, t: R::S, u: &R::U, x: &R::X, dx: &mut R::X) -> Health<R::S> {
         self.0.rate(t, u, x, dx)

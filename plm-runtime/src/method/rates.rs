@@ -49,7 +49,7 @@ impl<'a, M: System> Watched<'a, M> {
 }
 
 impl<M: System> Rates<M> for &mut Watched<'_, M> {
-    #[allow(clippy::inline_always)]
+    #[allow(clippy::inline_always, reason = "what it holds stays in registers only within its caller")]
     #[inline(always)]
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {
         self.worst = self.worst.worst(self.system.rate(t, self.held, x, dx));

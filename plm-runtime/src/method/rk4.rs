@@ -37,7 +37,7 @@ impl Formula for Rk4Formula {
 
 /// The weighted sum of the rates. Those of positions are the velocities of the stages, v and v + h/2 k1 and so on, and sum
 /// up to 6 v + h (k1 + k2 + k3): the next pose waits for no more.
-#[allow(clippy::inline_always)]
+#[allow(clippy::inline_always, reason = "as the step")]
 #[inline(always)]
 fn end<M: System>(h: M::S, x: &mut M::X, [k1, k2, k3, k4]: &[M::X; 4]) {
     let (two, sixth) = (M::S::lit(2.0), M::S::lit(1.0 / 6.0) * h);

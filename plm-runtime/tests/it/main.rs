@@ -1,5 +1,5 @@
 //! Tests of the runtime against exact solutions, published references and an independent linear algebra.
-#![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
 mod assembly;
 mod brief;

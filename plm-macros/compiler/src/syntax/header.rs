@@ -1,22 +1,10 @@
 //! What `mechanism!` holds: headers, then the mechanism.
 
-use std::ops::Range;
-
 use super::ast::{Declaration, Mechanism, Shared};
 use super::cursor::{Cursor, Parse, Reported};
 use super::item::Context;
 use crate::diag::Code;
 use crate::token::{Delimiter, Token, TokenKind};
-
-/// `use path;` at the very beginning asks for shared parts: the macro crate hands the tokens behind it to the macro at
-/// that path, which hands them back behind `parts { … }`. Gives the path's tokens and the first token behind the `;`.
-pub fn leading_use(tokens: &[Token]) -> Option<(Range<usize>, usize)> {
-    let first = tokens.first()?;
-    let end = tokens.iter().position(|token| token.is_punct(';'))?;
-    let is_path = |token: &Token| token.kind == TokenKind::Ident || token.is_punct(':');
-    let found = first.is_word("use") && end > 1 && tokens[1..end].iter().all(is_path);
-    found.then_some((1..end, end + 1))
-}
 
 impl Cursor<'_> {
     pub(super) fn declaration(mut self) -> Declaration {
@@ -199,19 +187,11 @@ fn unicode(chars: &mut std::str::Chars) -> Option<char> {
 
 #[cfg(test)]
 mod tests {
-    use super::{leading_use, unquote};
-    use crate::lex::lex;
+    use super::unquote;
 
     #[test]
     fn literals_lose_their_quotes() {
         assert_eq!(unquote(r#"" a \"b\" \u{e9}\n""#), " a \"b\" é\n");
         assert_eq!(unquote(r##"r#" a "b" "#"##), " a \"b\" ".trim_end_matches('"'));
-    }
-
-    #[test]
-    fn a_leading_use_is_found() {
-        let (tokens, _) = lex("use my_parts::valves; pub Press { }");
-        assert_eq!(leading_use(&tokens), Some((1..5, 6)));
-        assert_eq!(leading_use(&lex("pub Press { let use = 1; }").0), None);
     }
 }

@@ -50,7 +50,6 @@ mod unit;
 
 pub(crate) use body::file_name;
 pub(crate) use habits::CONSTANTS;
-pub use header::leading_use;
 pub(crate) use unit::unit_help;
 
 use crate::diag::Diagnostics;

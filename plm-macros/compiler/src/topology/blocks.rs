@@ -112,7 +112,7 @@ impl<'a> System<'a> {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used)]
+    #![allow(clippy::unwrap_used, reason = "tests")]
 
     use super::super::scenes::{
         Random, andrews, double_butterfly, four_bar, grown, ladder, quadrorhomb, stephenson_iii, three_cranks,

@@ -3,7 +3,7 @@
 //!
 //! Random mechanisms with redundant rows of all kinds. `PLM_SWEEP=10000 PLM_SEED=7 cargo test -p plm-compiler --test freedom`
 //! tries more of them, or others.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod charts;
 mod free_bodies;

@@ -1,6 +1,6 @@
 //! The front end on whole declarations: what they mean, checked against the manual, against finite differences, and
 //! against plain arithmetic.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod bodies;
 mod declarations;

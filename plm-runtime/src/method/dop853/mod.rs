@@ -49,7 +49,6 @@ impl<X> Stages<X> {
 impl Pair for DormandPrince853 {
     const ORDER: u32 = 8;
     const EVALUATIONS: u64 = 11;
-    const DENSE_EVALUATIONS: u64 = 3;
     /// As dear as Dormand-Prince 5(4) at 1e-8, and a hundred times as accurate.
     const RTOL: f64 = 1e-9;
     /// The authors' but for the safety, theirs is 0.9: with that up to a third of the steps is rejected, which costs the

@@ -39,7 +39,6 @@ impl<X> Stages<X> {
 impl Pair for DormandPrince5 {
     const ORDER: u32 = 5;
     const EVALUATIONS: u64 = 6;
-    const DENSE_EVALUATIONS: u64 = 0;
     const RTOL: f64 = 1e-8;
     const LIMITS: Limits =
         Limits { safety: 0.9, exponent: 0.2 - 0.75 * 0.04, memory: 0.04, shrink: 0.2, growth: 10.0 };

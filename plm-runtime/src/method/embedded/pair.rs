@@ -13,8 +13,6 @@ pub trait Pair: Copy + Debug {
     const ORDER: u32;
     /// Evaluations of a trial step, without the rate at its beginning.
     const EVALUATIONS: u64;
-    /// Evaluations that only the dense output needs.
-    const DENSE_EVALUATIONS: u64;
     /// The relative tolerance that a run takes which names none.
     const RTOL: f64;
     /// Step size control.
