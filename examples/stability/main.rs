@@ -21,7 +21,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use figures::{Figure, dead, extremes, flat, indices, long, stiff, theory};
+use figures::{Figure, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting};
 use plm::Fault;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -56,9 +56,14 @@ fn all(shorter: u32) -> Vec<Box<dyn Fn() -> Result<Figure, Fault>>> {
         Box::new(flat::ladders),
         Box::new(flat::folded),
         Box::new(flat::parallelogram),
+        Box::new(near::turns),
+        Box::new(near::errors),
         Box::new(dead::triple_rocker),
         Box::new(dead::crank_rocker),
         Box::new(dead::quadrorhomb),
+        Box::new(dyads::six_bar),
+        Box::new(waiting::pushed),
+        Box::new(brief::conditions),
         Box::new(move || long::drift_of_the_four_bar(steps)),
         Box::new(move || long::drift_of_the_quadrorhomb(steps)),
         Box::new(move || long::a01(seconds)),

@@ -5,11 +5,13 @@
 
 mod assembly;
 mod brief;
+mod carried;
 mod compliance;
 mod derivatives;
 mod feedback;
 mod kinks;
 mod language;
+mod limits;
 mod linkages;
 mod manual;
 mod near;

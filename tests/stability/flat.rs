@@ -6,8 +6,8 @@ use std::thread;
 use plm::Rk4;
 
 use crate::scenes::flat::{
-    EqualBars, Folded, Ladder1, Ladder2, Ladder40, Parallelogram, equal_bars, folding, turning,
-    turning_parallelogram,
+    EqualBars, Folded, Ladder, Ladder1, Ladder2, Ladder5, Ladder40, Parallelogram, equal_bars, folding,
+    turning, turning_parallelogram,
 };
 use crate::scenes::run::Trace;
 
@@ -26,6 +26,24 @@ fn assert_turned(name: &str, trace: &Trace<4>, turns: u32) {
 fn ladders_of_one_and_two_windows_turn_through_their_flat_poses() {
     assert_turned("1 window", &turning(&mut Ladder1::new().start().unwrap(), 5, 100), 5);
     assert_turned("2 windows", &turning(&mut Ladder2::new().start().unwrap(), 5, 100), 5);
+}
+
+#[test]
+fn a_ladder_of_five_windows_turns_over_at_any_speed() {
+    for speed in [0.3, 3.0, 30.0] {
+        let name = format!("5 windows, {speed} m/s");
+        assert_turned(&name, &turning(&mut Ladder5::at(speed).start().unwrap(), 1, 1000), 1);
+        // The same in steps of a millisecond.
+        let mut sim = Ladder5::at(speed).start().unwrap();
+        let energy = sim.state().energy();
+        let (mut lost, mut askew) = (0.0_f64, 0.0_f64);
+        for _ in 0..600 {
+            sim.step(1e-3).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+            lost = lost.max((sim.state().energy() / energy - 1.0).abs());
+            askew = askew.max(sim.state().askew());
+        }
+        assert!(lost < 2e-11 && askew < 1e-13, "{name}: {lost:e} {askew:e}");
+    }
 }
 
 #[test]

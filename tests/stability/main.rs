@@ -6,9 +6,13 @@
 #[path = "../../examples/stability/scenes/mod.rs"]
 mod scenes;
 
+mod brief;
 mod dead;
+mod dyads;
 mod extremes;
 mod flat;
 mod long;
+mod near;
 mod stiff;
 mod theory;
+mod waiting;

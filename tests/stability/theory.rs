@@ -1,5 +1,7 @@
 //! Oscillations that theory knows, and the known values themselves beside published ones.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::scenes::theory::{agm, ladder_period, laguerre_zeros, quadrorhomb, quadrorhomb_limit, sn};
 use crate::scenes::{theory, trees};
 
@@ -16,7 +18,7 @@ fn the_known_values_are_those_of_the_tables() {
     // sn(u | 0) = sin u, and sn(K/2) = (1 + k')^-1/2 (the same, 16.5.1).
     assert!((sn(0.7, 0.0) - 0.7_f64.sin()).abs() < 1e-15);
     let (k, k1) = (0.8, 0.6);
-    let quarter = std::f64::consts::FRAC_PI_2 / agm(1.0, k1);
+    let quarter = FRAC_PI_2 / agm(1.0, k1);
     assert!((sn(0.5 * quarter, k) - 1.0 / f64::sqrt(1.0 + k1)).abs() < 1e-15);
 }
 
@@ -40,7 +42,24 @@ fn a_ladder_turns_in_the_time_of_its_quadrature() {
         1.0 / (1.0 + 2.0 * w2 * (1.0 - theta.sin())).sqrt()
     });
     let turn = times.sum::<f64>() * std::f64::consts::TAU / f64::from(count);
-    assert!((ladder_period(1) - turn).abs() < 1e-13, "{turn}");
+    assert!((ladder_period(1, 1.0) - turn).abs() < 1e-13, "{turn}");
+}
+
+#[test]
+fn the_time_of_a_way_is_its_integral() {
+    // Abramowitz, Stegun, table 17.1: E(1/2).
+    let known = 1.350_643_881_047_676;
+    let found = theory::time_between([0.0, FRAC_PI_2], 1.0, 0.0, |s| 1.0 - 0.5 * s.sin().powi(2));
+    assert!((found - known).abs() < 1e-13, "{found}");
+    // The integral of 1/sqrt(1 + (s/d)^2) is d asinh(s/d), however small d is.
+    for d in [1e-2, 1e-5, 1e-8] {
+        let found = theory::time_between([-1.0, 4.0], 1.0, 0.0, |s| 1.0 / (1.0 + (s / d).powi(2)));
+        let known = d * ((1.0 / d).asinh() + (4.0 / d).asinh()) * (1.0 + 1.0 / (d * d)).sqrt();
+        assert!((found / known - 1.0).abs() < 1e-10, "{d:e}: {found} {known}");
+    }
+    // Parallel cranks: both turn, and the coupler moves in a circle.
+    let known = 2.0 * (0.1 + 0.0625) + 0.25;
+    assert!((theory::four_bar_inertia([0.5, 2.0, 0.5, 2.0], 1.0) - known).abs() < 1e-14);
 }
 
 #[test]

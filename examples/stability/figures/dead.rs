@@ -89,7 +89,7 @@ pub fn quadrorhomb() -> Result<Figure, Fault> {
             format!("{reached:.4} deg"),
             (0.0..0.3).contains(&(limit - reached)),
         ),
-        Row::below("Quadrorhomb in free fall: largest error of the energy", 1e-6, "J", trace.largest(0)),
+        Row::below("Quadrorhomb in free fall: largest error of the energy", 1e-6, " J", trace.largest(0)),
     ];
     let degrees = trace.over_time(1).into_iter().map(|(time, angle)| (time, angle.to_degrees()));
     let chart = Chart::new(Axis::linear("time", "s"), Axis::linear("angle of the crank", "deg"))

@@ -1,12 +1,16 @@
 //! The pictures, and the known value beside what came out.
 
+pub mod brief;
 pub mod dead;
+pub mod dyads;
 pub mod extremes;
 pub mod flat;
 pub mod indices;
 pub mod long;
+pub mod near;
 pub mod stiff;
 pub mod theory;
+pub mod waiting;
 
 use plm::Fault;
 use plm_view::Chart;

@@ -13,6 +13,8 @@ pub trait Ladder {
     const WINDOWS: u32;
     /// Angle of the first upright, rad.
     fn upright(&self) -> f64;
+    /// Speed of the first top while the uprights stand upright, m/s.
+    fn speed(&self) -> f64;
     /// The gap at the ends of the first and the last top, m.
     fn apart(&self) -> f64;
     /// Difference of the first and the last upright, and angle of the first and last top, rad: other branches have it.
@@ -27,7 +29,7 @@ pub fn turning<M: Mechanism<S = f64, State: Ladder>, I: Method<M>>(
     turns: u32,
     samples: u32,
 ) -> Trace<4> {
-    let turn = theory::ladder_period(M::State::WINDOWS);
+    let turn = theory::ladder_period(M::State::WINDOWS, sim.state().speed());
     let energy = sim.state().energy();
     trace(sim, f64::from(turns) * turn, turn / f64::from(samples), |s| {
         [s.energy() / energy - 1.0, s.apart(), s.askew(), s.upright() - FRAC_PI_2]
@@ -85,6 +87,10 @@ macro_rules! ladder {
                 self.up_0().angle
             }
 
+            fn speed(&self) -> f64 {
+                self.top_1().vx
+            }
+
             fn apart(&self) -> f64 {
                 let (first, last) = (self.up_0(), self.$last_up());
                 let left = gap(first.point(0.5, 0.0), self.top_1().point(-0.5, 0.0));
@@ -112,6 +118,10 @@ ladder!(
     Ladder2, ladder2 {}, 2, up_2, top_2, 0 f0 1 f1 2 f2
 );
 ladder!(
+    /// Five windows.
+    Ladder5, ladder5 {}, 5, up_5, top_5, 0 f0 1 f1 2 f2 3 f3 4 f4 5 f5
+);
+ladder!(
     /// Two windows in absolute coordinates, with Baumgarte's stabilisation so slow that there is none.
     Adrift, adrift { rung: absolute; stabilisation: baumgarte(1e9 s); }, 2, up_2, top_2, 0 f0 1 f1 2 f2
 );
@@ -122,6 +132,21 @@ ladder!(
     19 f19 20 f20 21 f21 22 f22 23 f23 24 f24 25 f25 26 f26 27 f27 28 f28 29 f29 30 f30 31 f31 32 f32 33 f33 34 f34
     35 f35 36 f36 37 f37 38 f38 39 f39 40 f40
 );
+
+impl Ladder5 {
+    /// Its tops start at a speed, m/s.
+    pub fn at(speed: f64) -> Self {
+        let mut ladder = Self::new();
+        let s = &mut ladder.start;
+        for up in [&mut s.up_0, &mut s.up_1, &mut s.up_2, &mut s.up_3, &mut s.up_4, &mut s.up_5] {
+            (up.vx.value, up.omega.value) = (0.5 * speed, -speed);
+        }
+        for top in [&mut s.top_1, &mut s.top_2, &mut s.top_3, &mut s.top_4, &mut s.top_5] {
+            top.vx.value = speed;
+        }
+        ladder
+    }
+}
 
 plm::mechanism! {
     /// A parallelogram of 2 m by 0.5 m without gravity: it turns at constant speed, through two change points a turn.

@@ -1,13 +1,17 @@
 //! Scenes where methods were seen to fail, and what is measured on them; tests and example read the same numbers.
 
+pub mod brief;
 pub mod dead;
 #[path = "../../../tests/it/scenes.rs"]
 pub mod declared;
+pub mod dyads;
 pub mod flat;
 pub mod indices;
 pub mod loops;
+pub mod near;
 pub mod pins;
 pub mod run;
 pub mod stiff;
 pub mod theory;
 pub mod trees;
+pub mod waiting;

@@ -1,6 +1,6 @@
 //! The known values: closed forms, quadratures, zeros.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 
 /// Gravity of all scenes, m/s^2.
 pub const G: f64 = 9.81;
@@ -44,14 +44,14 @@ pub fn pendulum_angle(w: f64, amplitude: f64, t: f64) -> f64 {
     2.0 * (k * sn(w * (0.25 * period - t % period), k)).asin()
 }
 
-/// Time of one turn of a ladder of so many windows whose tops pass the top at 1 m/s, s.
+/// Time of one turn of a ladder of so many windows whose tops pass the top at a speed, m/s; s.
 ///
 /// All uprights turn alike: ((N + 1)/3 + N) theta'' = -g ((N + 1)/2 + N) cos theta, a pendulum of the small frequency w.
-/// Its speed is W = sqrt(1 + 4 w^2) at the bottom and 1 at the top, and a turn takes 2 pi / AGM(W, 1).
-pub fn ladder_period(windows: u32) -> f64 {
+/// Its speed is W = sqrt(speed^2 + 4 w^2) at the bottom, and a turn takes 2 pi / AGM(W, speed).
+pub fn ladder_period(windows: u32, speed: f64) -> f64 {
     let n = f64::from(windows);
     let w2 = G * (f64::midpoint(n, 1.0) + n) / ((n + 1.0) / 3.0 + n);
-    TAU / agm((1.0 + 4.0 * w2).sqrt(), 1.0)
+    TAU / agm((speed * speed + 4.0 * w2).sqrt(), speed)
 }
 
 /// Period of the swing: bars of `bars` kg and a beam of 1 kg, from 45 deg.
@@ -112,10 +112,66 @@ pub fn four_bar([crank, coupler, rocker, ground]: [f64; 4], angle: f64) -> [f64;
     let (dx, dy) = (pivot[0] - pin[0], pivot[1] - pin[1]);
     let distance = dx.hypot(dy);
     let along = (coupler * coupler - rocker * rocker + distance * distance) / (2.0 * distance);
-    let across = (coupler * coupler - along * along).max(0.0).sqrt();
+    // As products (Heron), which keep their digits where the triangle is nearly flat.
+    let sides = [coupler - distance + rocker, rocker - coupler + distance, coupler + distance - rocker];
+    let squared = sides.iter().product::<f64>() * (coupler + distance + rocker);
+    let across = squared.max(0.0).sqrt() / (2.0 * distance);
     let (ux, uy) = (dx / distance, dy / distance);
     let tip = [pin[0] + along * ux - across * uy, pin[1] + along * uy + across * ux];
     [direction(pin, tip), direction(pivot, tip)]
+}
+
+/// Inertia of a four-bar about its crank, of 1 kg and 0.1 kg m^2 in the middle of each bar, kg m^2.
+///
+/// Kinematic coefficients: J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms, chapter 3.
+pub fn four_bar_inertia([crank, coupler, rocker, ground]: [f64; 4], angle: f64) -> f64 {
+    let [along, beyond] = four_bar([crank, coupler, rocker, ground], angle);
+    let sine = (beyond - along).sin();
+    let turn = crank * (angle - beyond).sin() / (coupler * sine);
+    let swing = crank * (angle - along).sin() / (rocker * sine);
+    let half = 0.5 * coupler * turn;
+    let centre = [-crank * angle.sin() - half * along.sin(), crank * angle.cos() + half * along.cos()];
+    let cranks = 0.1 + 0.25 * crank * crank + (0.1 + 0.25 * rocker * rocker) * swing * swing;
+    cranks + centre[0].powi(2) + centre[1].powi(2) + 0.1 * turn * turn
+}
+
+/// Time in which a linkage moves freely from an angle of its driver, at a speed, to a later angle, s.
+///
+/// I(s) s'^2 is constant, so that the time is the integral of sqrt(I). Next to the flat poses, `flat` + k pi, I may
+/// change within any length: intervals are halved towards them (Gauss, Legendre: Abramowitz, Stegun, 25.4.30).
+pub fn time_between([from, to]: [f64; 2], speed: f64, flat: f64, inertia: impl Fn(f64) -> f64) -> f64 {
+    const NODES: [(f64, f64); 4] = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_361_98),
+        (0.525_532_409_916_328_99, 0.313_706_645_877_887_29),
+        (0.796_666_477_413_626_74, 0.222_381_034_453_374_47),
+        (0.960_289_856_497_536_23, 0.101_228_536_290_376_26),
+    ];
+    let over = |low: f64, high: f64| {
+        let (low, high) = (low.max(from), high.min(to));
+        let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
+        let at = |s: f64| inertia(middle + half * s).sqrt();
+        if half > 0.0 { half * NODES.iter().map(|(s, w)| w * (at(*s) + at(-s))).sum::<f64>() } else { 0.0 }
+    };
+    let poses = ((from - flat) / PI).round() as i32..=((to - flat) / PI).round() as i32;
+    let widths: Vec<f64> = (0..45).map(|halved| FRAC_PI_2 * 0.5_f64.powi(halved)).collect();
+    let near = |pose: f64| {
+        let halves =
+            widths.windows(2).map(|w| over(pose - w[0], pose - w[1]) + over(pose + w[1], pose + w[0]));
+        halves.sum::<f64>() + over(pose - widths[44], pose + widths[44])
+    };
+    poses.map(|k| near(flat + PI * f64::from(k))).sum::<f64>() / (inertia(from).sqrt() * speed)
+}
+
+/// Angles of the crank, rad, between which Stephenson's six-bar can move: where the bars of its second dyad stretch.
+pub fn stephenson_limits() -> [f64; 2] {
+    let within = |crank: f64| {
+        let [coupler, _] = four_bar([0.1, 0.3, 0.25, 0.4], crank);
+        let ((s, c), (sin, cos)) = (crank.sin_cos(), coupler.sin_cos());
+        let (x, y) = (0.1 * c + 0.15 * (cos - sin), 0.1 * s + 0.15 * (sin + cos));
+        (x - 0.55).hypot(y - 0.25) < 0.3 + 0.2
+    };
+    // It starts at 60 deg.
+    [-bisect(-FRAC_PI_3, FRAC_PI_2, |crank| within(-crank)), bisect(FRAC_PI_3, PI, within)]
 }
 
 /// The angle between two bars of a four-bar at which the other two stretch, rad: law of cosines.
