@@ -215,29 +215,6 @@ mod calm {
     }
 }
 
-/// The tip of a rotor that must stay above a height.
-mod clear {
-    plm::mechanism! {
-        pub Clear {
-            ground { port o: (0, 0) m; }
-            body rotor { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port tip: (1, 0) m; start angle: 0 deg, locked; start omega: 10 rad/s, locked; }
-            revolute pin(ground.o, rotor.o);
-            require high: rotor.tip.y > -0.9 m;
-        }
-    }
-}
-
-#[test]
-fn a_requirement_of_a_tip_ends_the_run_at_its_first_pass() {
-    let known = (core::f64::consts::PI + (0.9_f64).asin()) / 10.0;
-    for interval in [10.0, 1.0, 0.1, 0.01, 0.001] {
-        let mut sim = clear::Clear::new().start().unwrap();
-        let fault = (0..1000).find_map(|_| sim.step(interval).err()).unwrap();
-        assert_eq!((fault.part, fault.cause), ("high", Cause::Required));
-        assert!((fault.time - known).abs() < 1e-12, "{interval}: {fault}");
-    }
-}
-
 /// A force that changes its sign twenty times a second.
 mod square {
     plm::mechanism! {

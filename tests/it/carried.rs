@@ -1,6 +1,6 @@
 //! Loops on bodies that fall from an unstable rest: long steps at first, then a loop that is thrown about.
 
-use plm::{Dop853, Rk4, Stabilise as _, Start};
+use plm::{Dop853, Rk4, Stabilise as _};
 
 use super::rungs::{close, values};
 
@@ -99,24 +99,26 @@ mod excavator {
 }
 
 #[test]
-fn an_excavator_falls_from_an_unstable_rest_on_both_rungs() {
+fn an_excavator_falls_from_an_unstable_rest() {
     let found = excavator::loops::Excavator::new().stabilise().unwrap().balanced().unwrap();
-    let mut least = found.mechanism;
-    // A push, so that rounding has no say in when it falls.
-    least.start.stick.omega = Start::locked(1e-3);
-    let rest = least.start().unwrap();
-    let mut absolute = excavator::absolute::Excavator::new();
-    absolute.start = plm::read_starts(&rest.starts().to_string(), absolute.start).unwrap();
-    let mut one = least.start_with(Dop853::new(1e-11)).unwrap();
-    let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
-    let (mut least, mut most) = (f64::MAX, f64::MIN);
-    for _ in 0..200 {
-        one.step(0.01).unwrap();
-        other.step(0.01).unwrap();
-        (least, most) = (least.min(one.stick().angle), most.max(one.stick().angle));
-        close("stick", values(one.stick()), values(other.stick()), 1e-8);
-        close("bucket", values(one.bucket()), values(other.bucket()), 1e-8);
-        close("link", values(one.link()), values(other.link()), 1e-8);
+    let mut sim = found.start().unwrap();
+    // Rounding has its say in when it falls.
+    while sim.stick().omega.abs() < 1e-3 {
+        sim.step(0.01).unwrap();
+        assert!(sim.time() < 2.0, "it stands");
     }
-    assert!(most - least > 2.0, "it stays where it was: {least} {most}");
+    // From there on in absolute coordinates too.
+    let mut absolute = excavator::absolute::Excavator::new();
+    absolute.start = plm::read_starts(&sim.starts().to_string(), absolute.start).unwrap();
+    let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
+    let (start, mut fallen) = (sim.stick().angle, 0.0_f64);
+    for _ in 0..150 {
+        sim.step(0.01).unwrap();
+        other.step(0.01).unwrap();
+        fallen = fallen.max((sim.stick().angle - start).abs());
+        close("stick", values(sim.stick()), values(other.stick()), 1e-6);
+        close("bucket", values(sim.bucket()), values(other.bucket()), 1e-6);
+        close("link", values(sim.link()), values(other.link()), 1e-6);
+    }
+    assert!(fallen > 2.0, "it stays where it was: {fallen} rad");
 }

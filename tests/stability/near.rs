@@ -63,8 +63,8 @@ fn cranks_that_were_rounded_differently_keep_their_energy() {
             right_length,
             ..NearlyParallelAbsolute::new()
         };
-        let found = keeps_energy(&name, loops.from(FRAC_PI_2, 3.0).start().unwrap(), 0.8);
-        let other = keeps_energy(&name, absolute.from(FRAC_PI_2, 3.0).start().unwrap(), 0.8);
+        let found = keeps_energy(&name, loops.from(FRAC_PI_2, 3.0).start().unwrap(), 0.6);
+        let other = keeps_energy(&name, absolute.from(FRAC_PI_2, 3.0).start().unwrap(), 0.6);
         let off = [0, 1].map(|k| (found[k] - other[k]).abs());
         assert!(off[0] < 2e-8 && off[1] < 2e-7, "{name}: {off:?}");
     }
@@ -126,11 +126,11 @@ fn samples_within_a_step_over_a_flat_pose_lie_on_the_way() {
     let mut sim = linkage.from(1.0, 7.0).start().unwrap();
     let energy = sim.kinetic_energy();
     let mut off = [0.0_f64; 2];
-    sim.run(5.0, 1e-3, |state| {
+    sim.run(20.0, 1e-3, |state| {
         off[0] = off[0].max((state.kinetic_energy() / energy - 1.0).abs());
         off[1] = off[1].max((state.left().angle - 1.0 - 7.0 * state.time()).abs());
     })
     .unwrap();
-    assert!(off[0] < 2e-11 && off[1] < 6e-11, "{off:?}");
-    assert_eq!(sim.stats().change_points, 11);
+    assert!(off[0] < 1e-10 && off[1] < 1e-9, "{off:?}");
+    assert_eq!(sim.stats().change_points, 44);
 }

@@ -23,7 +23,7 @@ fn a_four_bar_moves_alike_however_long_it_has_rested() {
 
 #[test]
 fn a_four_bar_on_a_turntable_turns_with_it_however_long_it_has_rested() {
-    for wait in [0.0, 0.5, 50.0] {
+    for wait in [0.5, 50.0] {
         let table = Turntable { wait, ..Turntable::new() };
         let traces = [
             (turned(&mut table.start().unwrap()), 1e-8),
@@ -42,14 +42,14 @@ fn a_four_bar_on_a_turntable_turns_with_it_however_long_it_has_rested() {
 /// The same torque from Rust: an input that changes at once after a rest.
 #[test]
 fn an_input_moves_what_has_rested() {
-    for wait in [1e-3, 5.0] {
+    for wait in [1e-3, 5.0, 50.0] {
         let mut sim = Turntable { wait: 1e9, ..Turntable::new() }.start().unwrap();
         sim.step(wait).unwrap();
         sim.input.torque = 0.5;
         let start = sim.time();
-        sim.step(5.0).unwrap();
+        sim.step(10.0).unwrap();
         let pushed = sim.time() - start;
         let off = sim.momentum() - 0.5 * pushed;
-        assert!(off.abs() < 1e-8, "{wait} s: {off:e} kg m^2/s");
+        assert!(off.abs() < 1e-12, "{wait} s: {off:e} kg m^2/s");
     }
 }
