@@ -111,7 +111,8 @@ where
     Absolute::phi(&equations.0, t, &q).fold(M::S::ZERO, |sum, gap| sum + gap.abs())
 }
 
-/// Are the joints closed all the way, but by what those that repeat others `disagree` at the nodes, and does the motion go on from there as it came?
+/// Are the joints closed all the way, but by what those that repeat others `disagree` at the nodes, and does the motion go
+/// on from there as it came?
 fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
     equations: &Equations<M, NQ, NC, NX>,
     (t, held): (M::S, &M::U),
@@ -123,6 +124,8 @@ where
 {
     let unit = M::S::EPSILON * equations.size(&polynomial.from);
     let gap_at = |part: M::S| gap(equations, t + part * polynomial.h, &polynomial.at(part));
+    // The rounded state that it begins with is as open as rounding makes it.
+    let disagree = disagree.max(gap_at(M::S::ZERO));
     let disagree = if disagree > M::S::lit(CLOSED) * unit { disagree } else { M::S::ZERO };
     if disagree > M::S::lit(DISAGREE) * unit {
         return Err(Refused::Undecided(disagree));

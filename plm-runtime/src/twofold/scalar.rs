@@ -7,7 +7,7 @@ impl<S: Real> Scalar for Twofold<S> {
     type Mask = bool;
 
     /// What repeats itself but for rounding of the lengths in `S` stays below.
-    const HEALTHY: f64 = 5.0 * S::HEALTHY * S::HEALTHY * S::HEALTHY;
+    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
 
