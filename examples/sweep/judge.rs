@@ -21,6 +21,9 @@ const MOVED: f64 = 1e-9;
 /// A motion that multiplies such a change by more than this may be off by that much more.
 const LIVELY: f64 = 1000.0;
 
+/// Steps of a millisecond may be off by this part of the size.
+const ROUGH: f64 = 1e-2;
+
 /// How a case is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
@@ -43,9 +46,9 @@ impl Mode {
         }
     }
 
-    /// How far a sample may be off, as a fraction of the size.
-    fn allowed(self) -> f64 {
-        if self == Self::Single { 1e-3 } else { 1e-6 }
+    /// How far a sample may be off, as a fraction of the size: a thousand times the tolerance.
+    fn allowed(self, by: By) -> f64 {
+        if self == Self::Single { 1e-3 } else { 1e3 * by.tolerance() }
     }
 
     fn epsilon(self) -> f64 {
@@ -131,6 +134,7 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
     judged.lively = known.growth.last().copied().unwrap_or(f64::NAN);
     let (numbers, starts) = (case.scene.numbers(), case.starts());
     let by = if mode == Mode::Default { case.by } else { By::Dop853 };
+    let allowed = mode.allowed(by);
     let run = |finer: f64| {
         let order =
             Order { numbers: &numbers, starts: &starts, samples: case.samples, by, pace: case.pace, finer };
@@ -139,18 +143,17 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
             Mode::Absolute => (case.entry.absolute)(&order),
             Mode::Single => (case.entry.single)(&order),
         };
-        let (ratio, first, worst) = off(&outcome, known, mode.allowed());
+        let (ratio, first, worst) = off(&outcome, known, allowed);
         (outcome, ratio, first, worst)
     };
-    let (mut outcome, mut ratio, mut first, mut worst) = run(1.0);
+    let (mut outcome, mut ratio, mut first, worst) = run(1.0);
     if by.fixed() && (outcome.fault.is_some() || ratio > 1.0) {
-        // Steps of a fixed length are as exact as they are. Right is what comes nearer to the reference by ten, where steps
-        // are a quarter as long: methods of order three and more do much better where they resolve a turn at all.
-        let [second, last] = [4.0, 16.0].map(&run);
-        let converges = last.3 < 0.1 * second.3.min(1.0);
-        if last.0.fault.is_none() && (converges || last.1 <= 1.0) {
+        // How exact they are, their length decides: they may be off by so much, if shorter ones come nearer to the reference.
+        let [fourth, last] = [4.0, 16.0].map(&run);
+        let converges = last.3 < 0.1 * fourth.3 || last.1 <= 1.0;
+        if last.0.fault.is_none() && worst < ROUGH && converges {
             (ratio, first) = (0.0, None);
-            (outcome, worst) = (last.0, last.3);
+            outcome.fault = None;
         }
     }
     (judged.worst, judged.first) = (worst, first);

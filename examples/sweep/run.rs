@@ -24,6 +24,11 @@ impl By {
     pub fn fixed(self) -> bool {
         matches!(self, Self::Rk4 | Self::Gauss | Self::Ros34Pw2)
     }
+
+    /// That of its error control, by default; without one, the usual method's.
+    pub fn tolerance(self) -> f64 {
+        if matches!(self, Self::Dopri5 | Self::Radau) { 1e-8 } else { 1e-9 }
+    }
 }
 
 /// How the interval is asked for.
@@ -83,10 +88,10 @@ const MOST_STEPS: u64 = 20_000;
 pub fn any<M: Build<S = f64> + Linear>(order: &Order) -> Outcome {
     let short = 1e-3 / order.finer;
     match order.by {
-        By::Dopri5 => with::<M, _>(order, Dopri5::new(1e-9).with_most_steps(MOST_STEPS)),
+        By::Dopri5 => with::<M, _>(order, Dopri5::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
         By::Rk4 => with::<M, _>(order, Rk4::new(short)),
         By::Gauss => with::<M, _>(order, Gauss::<M, 3>::new(short)),
-        By::Radau => with::<M, _>(order, RadauIia5::new(1e-11).with_most_steps(MOST_STEPS)),
+        By::Radau => with::<M, _>(order, RadauIia5::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
         By::Ros34Pw2 => with::<M, _>(order, Ros34Pw2::new(short)),
         By::Dop853 => usual::<M>(order),
     }

@@ -23,29 +23,67 @@ struct Draft {
     flat: Option<f64>,
 }
 
-/// A kind of case: its name, its share in a hundred, and how it is drawn.
+/// A kind of case: its name, its share in a hundred, the mechanisms that it is made of, and how it is drawn.
 pub struct Kind {
     pub name: &'static str,
     share: usize,
+    mechanisms: &'static [&'static str],
     draw: fn(&mut Random) -> Option<Draft>,
 }
 
 /// All kinds; the shares add up to a hundred.
 pub const KINDS: [Kind; 13] = [
-    Kind { name: "tree", share: 11, draw: placed::tree },
-    Kind { name: "four-bar", share: 9, draw: placed::four_bar },
-    Kind { name: "neutral four-bar", share: 11, draw: linkages::neutral_four_bar },
-    Kind { name: "nearly neutral four-bar", share: 16, draw: linkages::nearly_neutral_four_bar },
-    Kind { name: "slider-crank", share: 5, draw: placed::slider_crank },
-    Kind { name: "slider-crank, r near l", share: 11, draw: linkages::slider_crank },
-    Kind { name: "shaper", share: 4, draw: placed::shaper },
-    Kind { name: "Watt six-bar", share: 7, draw: placed::watt },
-    Kind { name: "Stephenson six-bar", share: 9, draw: placed::stephenson },
-    Kind { name: "Newton group", share: 5, draw: placed::group },
-    Kind { name: "ladder", share: 4, draw: linkages::ladder },
-    Kind { name: "nearly neutral ladder", share: 4, draw: linkages::nearly_neutral_ladder },
-    Kind { name: "third crank", share: 4, draw: linkages::third_crank },
+    Kind {
+        name: "tree",
+        share: 11,
+        mechanisms: &["tree_2", "tree_3", "tree_4", "tree_5"],
+        draw: placed::tree,
+    },
+    Kind { name: "four-bar", share: 9, mechanisms: &["four_bar"], draw: placed::four_bar },
+    Kind { name: "neutral four-bar", share: 11, mechanisms: &["four_bar"], draw: linkages::neutral_four_bar },
+    Kind {
+        name: "nearly neutral four-bar",
+        share: 16,
+        mechanisms: &["four_bar"],
+        draw: linkages::nearly_neutral_four_bar,
+    },
+    Kind { name: "slider-crank", share: 5, mechanisms: &["slider_crank"], draw: placed::slider_crank },
+    Kind {
+        name: "slider-crank, r near l",
+        share: 11,
+        mechanisms: &["slider_crank"],
+        draw: linkages::slider_crank,
+    },
+    Kind { name: "shaper", share: 4, mechanisms: &["shaper"], draw: placed::shaper },
+    Kind { name: "Watt six-bar", share: 7, mechanisms: &["watt_1", "watt_2"], draw: placed::watt },
+    Kind {
+        name: "Stephenson six-bar",
+        share: 9,
+        mechanisms: &["stephenson_1", "stephenson_2", "stephenson_3"],
+        draw: placed::stephenson,
+    },
+    Kind { name: "Newton group", share: 5, mechanisms: &["platform", "butterfly"], draw: placed::group },
+    Kind {
+        name: "ladder",
+        share: 4,
+        mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
+        draw: linkages::ladder,
+    },
+    Kind {
+        name: "nearly neutral ladder",
+        share: 4,
+        mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
+        draw: linkages::nearly_neutral_ladder,
+    },
+    Kind { name: "third crank", share: 4, mechanisms: &["third_crank"], draw: linkages::third_crank },
 ];
+
+impl Kind {
+    fn share(&self) -> usize {
+        let is_compiled = |name: &&str| ENTRIES.iter().any(|entry| entry.shape.name == *name);
+        if self.mechanisms.iter().any(is_compiled) { self.share } else { 0 }
+    }
+}
 
 /// A case, complete.
 pub struct Case {
@@ -80,11 +118,14 @@ impl Case {
         }
     }
 
-    /// The kind of a case, by its number alone. 37 and 100 have no divisor in common: kinds take turns.
+    /// The kind of a case, by its number alone; only kinds of which a mechanism was compiled. 37 has no divisor in common with
+    /// the sum of their shares: kinds take turns.
     pub fn kind_of(number: u64) -> usize {
-        let place = (number % 100) as usize * 37 % 100;
-        let ends = KINDS.iter().scan(0, |end, kind| {
-            *end += kind.share;
+        let shares = KINDS.iter().map(Kind::share);
+        let all: usize = shares.clone().sum();
+        let place = (number % all as u64) as usize * 37 % all;
+        let ends = shares.scan(0, |end, share| {
+            *end += share;
             Some(*end)
         });
         ends.take_while(|end| *end <= place).count()

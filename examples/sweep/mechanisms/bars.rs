@@ -22,7 +22,7 @@ declare!(slider_crank {
     prismatic jg(ground.g, slider.c) kh dh rh;
 });
 
-declare!(shaper {
+declare!(of_all shaper {
     ground { a(gax gay gaw), d(gdx gdy gdw), g(ggx ggy ggw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1) }
     body lever(m2 i2) { d(dx2 dy2 dw2), s(sx2 sy2 sw2), e(ex2 ey2 ew2) }

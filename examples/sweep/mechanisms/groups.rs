@@ -20,7 +20,7 @@ declare!(of_all platform {
     prismatic sc(tube_c.s, rod_c.s) ku du ru;
 });
 
-declare!(butterfly {
+declare!(of_all butterfly {
     ground { a(gax gay gaw), c(gcx gcy gcw), e(gex gey gew) }
     body base(m1 i1) { a(ax1 ay1 aw1), h(hx1 hy1 hw1), j(jx1 jy1 jw1) }
     body left(m2 i2) { b(bx2 by2 bw2), d(dx2 dy2 dw2), i(ix2 iy2 iw2) }

@@ -17,7 +17,7 @@ declare!(of_all ladder_2 {
     revolute jc2(rung_2.c, post_2.b) kc2 dc2 rc2;
 });
 
-declare!(ladder_3 {
+declare!(of_all ladder_3 {
     ground { a0(gx0 gy0 gw0), a1(gx1 gy1 gw1), a2(gx2 gy2 gw2), a3(gx3 gy3 gw3) }
     body post_0(mp0 ip0) { a(pax0 pay0 paw0), b(pbx0 pby0 pbw0) }
     body post_1(mp1 ip1) { a(pax1 pay1 paw1), b(pbx1 pby1 pbw1) }

@@ -1,6 +1,6 @@
 //! The two kinds of six-bar, by which bar is the ground (K. Luck, K.-H. Modler, Getriebetechnik, 1990, chapter 2).
 
-declare!(watt_1 {
+declare!(of_all watt_1 {
     ground { a(gax gay gaw), d(gdx gdy gdw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1) }
     body two(m2 i2) { b(bx2 by2 bw2), c(cx2 cy2 cw2), e(ex2 ey2 ew2) }
@@ -32,7 +32,7 @@ declare!(of_all watt_2 {
     revolute jg(ground.g, arm.g) kh dh rh;
 });
 
-declare!(stephenson_1 {
+declare!(of_all stephenson_1 {
     ground { a(gax gay gaw), d(gdx gdy gdw) }
     body one(m1 i1) { a(ax1 ay1 aw1), b(bx1 by1 bw1), e(ex1 ey1 ew1) }
     body two(m2 i2) { b(bx2 by2 bw2), c(cx2 cy2 cw2) }

@@ -31,6 +31,8 @@ const BACK: f64 = 1.3;
 const OPEN: f64 = -1e-10;
 /// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
 const FAR: f64 = 7.0;
+/// Below this part of what is typical, a box is that of a measure below [`FLAT`]: boxes are a tenth of it, and they share it.
+const TIGHT: f64 = 0.1 * FLAT;
 /// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
 const FARTHEST: f64 = 1.0;
 /// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
@@ -160,6 +162,19 @@ pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
         && !is_free::<M>(held)
         && (0..M::NQ).all(|k| within(x.at(k) - held.memory.at(2 * k), k))
         && within(t - held.memory.at(2 * M::NQ), M::NQ)
+}
+
+/// Is a step too long for what may be a sharp turn near a flat pose, which no error control resolves? One that changes the
+/// measure by a tenth, where it is small.
+#[inline]
+pub fn is_sharp<M: Charted>(system: &M, t: M::S, held: &M::U, before: &M::X, x: &M::X) -> bool {
+    let tight = |k: usize| M::S::lit(TIGHT / M::NQ as f64) * system.typical().at(k);
+    !is_free::<M>(held)
+        && (0..M::NQ).any(|k| {
+            let reach = held.memory.at(2 * k + 1);
+            (x.at(k) - before.at(k)).abs() > reach && reach < tight(k)
+        })
+        && !is_calm::<M>(t, held, x)
 }
 
 /// A fault for a state at which the rate cannot be computed in the chart that is held.

@@ -78,7 +78,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
             None => method.step(course, &mut x)?,
         }
         method.land(course, x)?;
-        if came_near(course, before, watch) {
+        if came_near::<M, FixedStep<f64, F>>(course, before, watch) {
             return Ok(());
         }
         if let Some(next) = look(*method, course, (&mut **watch, *limits), before)? {

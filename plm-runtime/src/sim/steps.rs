@@ -72,7 +72,7 @@ fn step<M: Mechanism, I: Method<M>>(
     let before = (course.time, course.x);
     course.health = M::S::lit(1.0);
     let due = watch.step(method, course)?;
-    if !by_rescue && came_near(course, before, watch) {
+    if !by_rescue && came_near::<M, I>(course, before, watch) {
         return Ok(());
     }
     let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
@@ -210,15 +210,17 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
 
 /// Has the last step led over nearly singular poses? It is taken back then.
 #[inline]
-pub(crate) fn came_near<M: Mechanism>(
+pub(crate) fn came_near<M: Mechanism, I: Method<M>>(
     course: &mut Course<'_, M>,
     before: (M::S, M::X),
     watch: &mut Watch<M::S, M::G>,
 ) -> bool {
-    let due = M::Rescue::is_due(course, &before);
+    let due = M::Rescue::is_due(course, &before, I::DENSE);
     if due {
-        course.rescued = Some(course.time);
+        let until = course.time;
         refuse(course, before, watch);
+        M::Rescue::take(course);
+        course.rescued = course.rescued.map(|_| until);
     }
     due
 }

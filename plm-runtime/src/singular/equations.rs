@@ -1,7 +1,7 @@
 //! The equations of motion in absolute coordinates, on states that are led back onto the constraints.
 
 use super::{Fine, size};
-use crate::absolute::nearest;
+use crate::absolute::{Absolute, nearest, split};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Health, System};
 use crate::twofold::Twofold;
@@ -42,6 +42,12 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
         let moved: [M::S; NX] = Vector::from_fn(|i| evaluated.x.at(i) - x.at(i));
         let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
         size(&moved, |i| self.typical_of(i) + x.at(i).abs()) < beside
+    }
+
+    /// By how much joints are open at a state, all together: what a flat loop lacks is spread over all of them.
+    pub(super) fn gap(&self, t: M::S, x: &[M::S; NX]) -> M::S {
+        let (q, _) = split::<_, NX, NQ>(x);
+        Absolute::phi(&self.0, t, &q).fold(M::S::ZERO, |sum, gap| sum + gap.abs())
     }
 
     /// The largest length of a state, m: an angle of four radians is rounded as its ports' places are.

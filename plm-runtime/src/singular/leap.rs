@@ -4,7 +4,6 @@ use super::Fine;
 use super::collocation::{NODES, Polynomial, place};
 use super::equations::Equations;
 use super::size;
-use crate::absolute::{Absolute, split};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
@@ -54,7 +53,7 @@ where
         for (rate, (x, c)) in rates.iter_mut().zip(states.iter().zip(nodes)) {
             let evaluated = equations.evaluate(t + c * h, held, x).ok_or(Refused::NotFound)?;
             beside &= equations.is_beside(x, &evaluated);
-            disagree = disagree.max(gap(equations, t + c * h, &evaluated.x));
+            disagree = disagree.max(equations.gap(t + c * h, &evaluated.x));
             *rate = evaluated.dx;
         }
         *evaluations += NODES as u64;
@@ -98,19 +97,6 @@ fn guess<S: Real, const NQ: usize, const NX: usize>(
     })
 }
 
-/// By how much joints are open at a state: what a flat loop lacks is spread over all of them.
-fn gap<M, const NQ: usize, const NC: usize, const NX: usize>(
-    equations: &Equations<M, NQ, NC, NX>,
-    t: M::S,
-    x: &[M::S; NX],
-) -> M::S
-where
-    M: Fine<NQ, NC, NX>,
-{
-    let (q, _) = split::<_, NX, NQ>(x);
-    Absolute::phi(&equations.0, t, &q).fold(M::S::ZERO, |sum, gap| sum + gap.abs())
-}
-
 /// Are the joints closed all the way, but by what those that repeat others `disagree` at the nodes, and does the motion go
 /// on from there as it came?
 fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
@@ -123,7 +109,7 @@ where
     M: Fine<NQ, NC, NX>,
 {
     let unit = M::S::EPSILON * equations.size(&polynomial.from);
-    let gap_at = |part: M::S| gap(equations, t + part * polynomial.h, &polynomial.at(part));
+    let gap_at = |part: M::S| equations.gap(t + part * polynomial.h, &polynomial.at(part));
     // The rounded state that it begins with is as open as rounding makes it.
     let disagree = disagree.max(gap_at(M::S::ZERO));
     let disagree = if disagree > M::S::lit(CLOSED) * unit { disagree } else { M::S::ZERO };

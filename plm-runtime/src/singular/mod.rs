@@ -43,8 +43,9 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// May a step between two states have led over poses that are nearly singular? `health` is its smallest pivot ratio.
     fn doubts(system: &M, health: M::S, before: &(M::S, M::X), after: &(M::S, M::X)) -> bool;
 
-    /// Did the last step, from `before`, lead over poses that are so nearly singular that only this method can be trusted?
-    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X)) -> bool;
+    /// Did the last step, from `before`, lead over poses that are so nearly singular that only this method can be trusted? More
+    /// are, where the step was not `controlled` by an estimate of its error.
+    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X), controlled: bool) -> bool;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
     fn take(course: &mut Course<'_, M>) -> bool;
@@ -80,6 +81,9 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
     /// The mechanism has charts, which say themselves whether they are regular.
     const CHARTED: bool;
 
+    /// Is a step, from `before` to `x`, too long for a turn near a flat pose that no error control resolves?
+    fn is_sharp(&self, t: Self::S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool;
+
     /// Is the mechanism held without a chart?
     fn is_near(held: &Self::U) -> bool;
 
@@ -110,7 +114,7 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         false
     }
     #[inline]
-    fn is_due(_course: &Course<'_, M>, _before: &(M::S, M::X)) -> bool {
+    fn is_due(_course: &Course<'_, M>, _before: &(M::S, M::X), _controlled: bool) -> bool {
         false
     }
     fn take(_course: &mut Course<'_, M>) -> bool {

@@ -6,9 +6,7 @@ use super::equations::{Equations, Evaluated};
 use super::leap::{Refused, leap};
 use super::poor::{is_doubtful, is_poor, is_regular};
 use super::{Fine, Rescue};
-use crate::absolute::{Absolute, split};
 use crate::fault::{Cause, Fault};
-use crate::linalg::largest;
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
@@ -23,14 +21,14 @@ const TOLERANCE_SINGLE: f64 = 1e-6;
 const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
 /// Distances, rad, that a step away from a singular pose may span.
 const AWAY: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
-/// Units in the last place of the time.
+/// A pose that is reached within so many units in the last place of the time is where the motion is.
 const BARELY: f64 = 64.0;
 /// A pose over which no step leads is tried again where it is nearer by this factor.
 const NEARER: f64 = 0.2;
-
 /// Where rounding would decide, a step over the pose is tried so often from nearer to it: a kink within a longer one, or too
 /// few nodes, open the joints too.
 const TRIALS: u32 = 4;
+
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
 #[derive(Clone, Copy, Debug)]
@@ -53,14 +51,6 @@ struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usi
     equations: Equations<M, NQ, NC, NX>,
     full: [M::S; NX],
     evaluated: Option<Evaluated<M::S, NX>>,
-}
-
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
-    /// By how much the joints are open.
-    fn gap(&self, time: M::S) -> M::S {
-        let (q, _) = split::<_, NX, NQ>(&self.full);
-        largest(&Absolute::phi(&self.equations.0, time, &q))
-    }
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Near<M, NQ, NC, NX> {
@@ -147,7 +137,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         let cause = match refused {
             Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
             Refused::NotFound if moves => {
-                Cause::Undecided { gap: self.opens.max(here.gap(course.time)).to_f64() }
+                Cause::Undecided { gap: self.opens.max(here.equations.gap(course.time, &here.full)).to_f64() }
             }
             Refused::NotFound => Cause::Flat,
         };
@@ -189,9 +179,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
                 let flat = ahead.time_to(distance);
                 // At the pose itself, as near as time can tell, nothing but distances from it is known.
                 let at = flat < M::S::lit(BARELY) * M::S::EPSILON * course.time.abs();
-                let times = SPANS.into_iter().zip(AWAY).map(|(span, away)| {
-                    ahead.time_to(if at { M::S::lit(away) } else { M::S::lit(span) * distance })
-                });
+                let spans = if at { AWAY } else { SPANS };
+                let unit = if at { M::S::lit(1.0) } else { distance };
+                let times = spans.into_iter().map(|span| ahead.time_to(M::S::lit(span) * unit));
                 match self.step_over(course, &here, (times, Some(flat))) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
@@ -285,7 +275,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     }
 
     #[inline]
-    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X)) -> bool {
+    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X), controlled: bool) -> bool {
+        if M::CHARTED {
+            return !controlled && course.system.is_sharp(course.time, &course.held, &before.1, &course.x);
+        }
         let after = (course.time, course.x);
         Self::doubts(course.system, course.health, before, &after) && is_poor(course, before)
     }

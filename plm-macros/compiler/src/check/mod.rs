@@ -69,7 +69,10 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
 
 /// Default values of all symbols but coordinates and velocities, at time zero.
 pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
-    let mut values = vec![(model.time, 0.0), (model.most_growth, f64::INFINITY), (model.agreement, 1e9)];
+    // f64's `Scalar::AGREEMENT`.
+    let agreement = 1e9;
+    let mut values =
+        vec![(model.time, 0.0), (model.most_growth, f64::INFINITY), (model.agreement, agreement)];
     for param in &model.params {
         values.push((param.symbol, value(graph, param.default, &values)));
     }

@@ -69,6 +69,9 @@ fn sizes(emission: &Emission) -> (usize, usize, usize) {
 
 /// What `Fine` asks of a mechanism that is in absolute coordinates anyway.
 const ALONE: &str = "        const CHARTED: bool = false;
+        fn is_sharp(&self, _t: S, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> bool {
+            false
+        }
         fn is_near(_held: &Self::U) -> bool {
             false
         }
@@ -89,6 +92,10 @@ fn charted(emission: &Emission) -> String {
     let length = 2 * nq + nx;
     format!(
         "        const CHARTED: bool = true;
+        #[inline]
+        fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {{
+            rt::charts::is_sharp(self, t, held, before, x)
+        }}
         fn is_near(held: &Self::U) -> bool {{
             rt::charts::is_free::<Self>(held)
         }}
