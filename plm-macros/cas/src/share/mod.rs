@@ -2,7 +2,7 @@
 //!
 //! Hash-consing shares equal nodes; flat sums and products hide what they share inside: `x + a - b` and `a - b`.
 //! The pass works on flat rows of items (see `rows`) in steps, each of which lowers the count of operations:
-//! coefficients go into sums; pairs of terms, or of factors, that occur in several rows become rows of their own,
+//! coefficients go into sums; long sums read those that they begin with; pairs of terms, or of factors, that occur in several rows become rows of their own,
 //! the most frequent first (M. A. Breuer, "Generation of optimal code for expressions via factorization", Comm. ACM
 //! 12 (1969), 333-340); common factors leave the terms of a sum; a divisor of several quotients is inverted once.
 //!
@@ -14,6 +14,7 @@ mod pairs;
 mod rebuild;
 mod rows;
 mod scale;
+mod whole;
 
 use crate::graph::Graph;
 use crate::node::Expr;
@@ -23,6 +24,7 @@ use rows::{Item, Kind, Rows, base, divides, literal};
 pub fn share(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut rows = Rows::load(graph, roots);
     scale::distribute(&mut rows);
+    whole::nest(&mut rows);
     pairs::extract(&mut rows, Kind::Sum); // before factors leave: they would take shared terms apart
     factor::factor_sums(&mut rows);
     pairs::extract(&mut rows, Kind::Product);

@@ -232,6 +232,15 @@ impl Rows {
         self.list[row].len -= 1;
     }
 
+    /// Puts an item in the place of the first `count` of a row.
+    pub(super) fn replace_first(&mut self, row: usize, count: usize, item: Item) {
+        let items = self.items_mut(row);
+        items.copy_within(count.., 1);
+        items[0] = item;
+        self.list[row].len -= count as u32 - 1;
+        self.items_mut(row).sort_unstable();
+    }
+
     /// Puts an item at the end of a row from which one was taken before.
     pub(super) fn put_back(&mut self, row: usize, item: Item) {
         self.list[row].len += 1;
