@@ -197,3 +197,49 @@ fn defined_atoms_keep_their_names_through_sharing() {
     let names: Vec<_> = tape.ops.iter().filter_map(|i| g.name(i.expr?)).collect();
     assert_eq!(names, ["a", "b", "x", "part", "pivot"]);
 }
+
+/// Sums that begin with the sum before, as they are and shared: their operations and values.
+fn summed_up(steps: usize) -> (usize, Vec<f64>, Vec<f64>) {
+    let mut g = Graph::new();
+    let x = g.symbol("x");
+    let (mut last, mut roots) = (x, Vec::new());
+    for k in 0..steps {
+        // Constants and signs differ from sum to sum.
+        let (square, constant) = (g.powi(last, 2), g.int(k as i64 % 3 - 1));
+        last = g.sum(&[last, square, constant]);
+        roots.push(if k % 2 == 0 { last } else { g.neg(last) });
+    }
+    let plain = Tape::new(&g, &roots);
+    let roots = share(&mut g, &roots);
+    let shared = Tape::new(&g, &roots);
+    let at = [(x, 0.3)];
+    (shared.count().total(), plain.eval(&at).unwrap(), shared.eval(&at).unwrap())
+}
+
+#[test]
+fn sums_of_sums_are_summed_once() {
+    let [(some, ..), (twice, ..), (thrice, direct, shared)] = [40, 80, 120].map(summed_up);
+    assert!(thrice - twice <= twice - some + 2, "{some}, {twice}, {thrice}");
+    for (k, (direct, shared)) in direct.iter().zip(&shared).enumerate().take(12) {
+        assert!((direct - shared).abs() <= 1e-12 * direct.abs().max(1.0), "{k}: {direct} and {shared}");
+    }
+}
+
+#[test]
+fn exponents_that_are_too_large_stay_apart() {
+    let mut g = Graph::new();
+    let (x, y) = (g.symbol("x"), g.symbol("y"));
+    let (mut a, mut b) = (x, y);
+    let (mut log_a, mut log_b) = (0.999_999_f64.ln(), 1.000_000_5_f64.ln());
+    for _ in 0..14 {
+        (a, b) = (g.product(&[a, a, b]), g.product(&[b, b, a]));
+        (log_a, log_b) = (2.0 * log_a + log_b, 2.0 * log_b + log_a);
+    }
+    let squared = (0..12).fold(a, |a, _| g.powi(a, 3));
+    let before = g.len();
+    let most = (0..20).fold(squared, |a, _| g.mul(a, a));
+    assert!(g.len() - before < 100, "{}", g.len() - before);
+    let tape = Tape::new(&g, &[a, most]);
+    let found = tape.eval(&[(x, 0.999_999), (y, 1.000_000_5)]).unwrap();
+    assert!((found[0] - log_a.exp()).abs() < 1e-8 * log_a.exp(), "{found:?}");
+}

@@ -80,7 +80,12 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     if sink.has_errors() {
         return Expansion::default();
     }
-    let mut lowered = lower(model, observed);
+    let derived = Derived::of(model);
+    check::check_size(&derived.model, &derived.equations, sink);
+    if sink.has_errors() {
+        return Expansion::default();
+    }
+    let mut lowered = lower(derived, observed);
     check_feedback(&lowered.model, &mut lowered.graph, sink);
     check::check_jumps(&lowered.model, &lowered.graph, sink);
     if sink.has_errors() {
@@ -109,8 +114,26 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
 
 /// The source of a model that stands for one with errors; nothing about it is checked.
 fn unchecked(model: Model) -> Code {
-    let lowered = lower(model, None);
+    let lowered = lower(Derived::of(model), None);
     lowered.emit(&lowered.report())
+}
+
+/// A model and its equations.
+struct Derived {
+    model: Model,
+    graph: Graph,
+    /// What conditions that are held over a step stand for.
+    held: Vec<(Expr, Expr)>,
+    equations: Equations,
+}
+
+impl Derived {
+    fn of(mut model: Model) -> Self {
+        let mut graph = std::mem::take(&mut model.graph);
+        let held = hold(&mut model, &mut graph);
+        let equations = derive(&model, &mut graph);
+        Self { model, graph, held, equations }
+    }
 }
 
 /// A model on the way to source text.
@@ -129,10 +152,8 @@ struct Lowered {
 /// Values of parameters that are tried until the joints close.
 const VARIATIONS: u64 = 8;
 
-fn lower(mut model: Model, observed: Observed) -> Lowered {
-    let mut graph = std::mem::take(&mut model.graph);
-    let held = hold(&mut model, &mut graph);
-    let equations = derive(&model, &mut graph);
+fn lower(derived: Derived, observed: Observed) -> Lowered {
+    let Derived { mut model, mut graph, held, equations } = derived;
     let mut program = formulate(&model, &equations, &mut graph);
     let assembly = OnceCell::new();
     let reduced = match (model.rung, model.stabilisation) {

@@ -33,7 +33,13 @@ impl Graph {
 
     /// `a * b`.
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
-        self.monomial(Number::ONE, &[(a, 1), (b, 1)])
+        match (self.as_number(a), self.as_number(b)) {
+            // Most products of sparse matrices.
+            (Some(zero), _) | (_, Some(zero)) if zero.is_zero() => self.zero(),
+            (Some(one), _) if one.is_one() => b,
+            (_, Some(one)) if one.is_one() => a,
+            _ => self.monomial(Number::ONE, &[(a, 1), (b, 1)]),
+        }
     }
 
     /// The product of all; 1 for none.

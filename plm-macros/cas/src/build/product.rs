@@ -14,7 +14,9 @@ impl Graph {
         for &(factor, exponent) in factors {
             self.flatten_product(factor, exponent, &mut coefficient, &mut flat);
         }
-        merge_powers(&mut flat);
+        if !merge_powers(&mut flat) {
+            return self.whole_product(factors);
+        }
         while let Some((base, exponent)) = self.take_even_power(&mut flat) {
             self.flatten_product(base, exponent, &mut coefficient, &mut flat);
             merge_powers(&mut flat);
@@ -26,6 +28,27 @@ impl Graph {
             [] => return self.number(coefficient),
             [(factor, 1)] => factor,
             _ => self.intern_product(&flat),
+        };
+        self.scale(coefficient, product)
+    }
+
+    /// A product whose factors stay whole, because exponents of what is in them would be too large.
+    fn whole_product(&mut self, factors: &[Factor]) -> Expr {
+        let (mut coefficient, mut whole) = (Number::ONE, Vec::with_capacity(factors.len()));
+        for &(factor, exponent) in factors {
+            let number = self.as_number(factor);
+            let (scale, base) = number.map_or(self.split_scale(factor), |number| (number, factor));
+            let power = scale.powi(exponent);
+            coefficient = coefficient * power.unwrap_or(Number::ONE);
+            if number.is_none() || power.is_none() {
+                whole.push((base, exponent));
+            }
+        }
+        merge_powers(&mut whole);
+        let product = match *whole {
+            [] => return self.number(coefficient),
+            [(factor, 1)] => factor,
+            _ => self.intern_product(&whole),
         };
         self.scale(coefficient, product)
     }
@@ -97,18 +120,18 @@ impl Graph {
     }
 }
 
-/// Sorts factors and adds the exponents of equal ones; those that cancel go.
-fn merge_powers(factors: &mut Vec<Factor>) {
+/// Sorts factors and adds the exponents of equal ones; those that cancel go. Whether no sum of exponents was too large.
+fn merge_powers(factors: &mut Vec<Factor>) -> bool {
     sort_factors(factors);
-    let mut kept = 0;
+    let (mut kept, mut fits) = (0, true);
     for i in 0..factors.len() {
         let (factor, exponent) = factors[i];
-        if kept > 0
-            && factors[kept - 1].0 == factor
-            && let Some(sum) = factors[kept - 1].1.checked_add(exponent)
-        {
+        let same = kept > 0 && factors[kept - 1].0 == factor;
+        let sum = if same { factors[kept - 1].1.checked_add(exponent) } else { None };
+        if let Some(sum) = sum {
             factors[kept - 1].1 = sum;
         } else {
+            fits &= !same;
             if kept > 0 && factors[kept - 1].1 == 0 {
                 kept -= 1;
             }
@@ -120,6 +143,7 @@ fn merge_powers(factors: &mut Vec<Factor>) {
         kept -= 1;
     }
     factors.truncate(kept);
+    fits
 }
 
 pub(crate) fn sort_factors(factors: &mut [Factor]) {

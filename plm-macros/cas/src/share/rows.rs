@@ -232,13 +232,10 @@ impl Rows {
         self.list[row].len -= 1;
     }
 
-    /// Puts an item in the place of the first `count` of a row.
-    pub(super) fn replace_first(&mut self, row: usize, count: usize, item: Item) {
-        let items = self.items_mut(row);
-        items.copy_within(count.., 1);
-        items[0] = item;
-        self.list[row].len -= count as u32 - 1;
-        self.items_mut(row).sort_unstable();
+    /// Gives a row other items, no more than it had.
+    pub(super) fn shrink(&mut self, row: usize, items: &[Item]) {
+        self.items_mut(row)[..items.len()].copy_from_slice(items);
+        self.list[row].len = items.len() as u32;
     }
 
     /// Puts an item at the end of a row from which one was taken before.

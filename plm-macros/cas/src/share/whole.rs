@@ -3,33 +3,33 @@
 //! What is summed up step by step arrives flattened: n sums of up to n terms, whose pairs are of the order of n^3. Each
 //! becomes its predecessor and what is new in it.
 
-use super::rows::{Item, Kind, Rows};
+use super::rows::{Item, Kind, Rows, UNIT};
 use crate::hash::{Mixer, Table};
+use crate::number::Number;
 
 /// Shorter sums are left to [`pairs`](super::pairs), which find more in them.
 const LONG: usize = 16;
 
-/// Lets every long sum read the longest other one that it begins with.
+/// Lets every long sum read the longest other one that it begins with, but for their constants.
 pub(super) fn nest(rows: &mut Rows) {
     let mut sums: Vec<Sum> = Vec::new();
     for row in 0..rows.len() {
-        if rows.kind(row) == Kind::Sum && rows.items(row).len() >= LONG {
+        if rows.kind(row) == Kind::Sum && rows.items(row).len() > LONG {
             sums.push(Sum::of(rows, row));
         }
     }
-    sums.sort_by_key(|sum| sum.items.len());
+    sums.sort_by_key(|sum| sum.terms.len());
     let mut known = Table::new();
     for sum in &sums {
-        known.push(prefixes(&sum.items)[sum.items.len() - 1]);
+        known.push(prefixes(&sum.terms)[sum.terms.len() - 1]);
     }
     for (at, sum) in sums.iter().enumerate() {
-        let hashes = prefixes(&sum.items);
-        let longest = (LONG..sum.items.len()).rev().find_map(|len| {
-            known.find(hashes[len - 1], |other| other < at && sums[other].items == sum.items[..len])
+        let hashes = prefixes(&sum.terms);
+        let longest = (LONG..sum.terms.len()).rev().find_map(|len| {
+            known.find(hashes[len - 1], |other| other < at && sums[other].terms == sum.terms[..len])
         });
-        if let Some(other) = longest.map(|other| &sums[other]) {
-            let coefficient = rows.numbers.quotient(sum.scale, other.scale);
-            rows.replace_first(sum.row, other.items.len(), Item { id: other.row as u32, coefficient });
+        if let Some(other) = longest {
+            sum.read(&sums[other], rows);
         }
     }
 }
@@ -37,20 +37,41 @@ pub(super) fn nest(rows: &mut Rows) {
 /// A long sum as it was.
 struct Sum {
     row: usize,
-    /// The coefficient of its first item.
+    constant: Number,
+    /// The coefficient of its first term.
     scale: u32,
-    /// Its items with coefficients divided by that.
-    items: Vec<Item>,
+    /// Its terms with coefficients divided by that.
+    terms: Vec<Item>,
 }
 
 impl Sum {
     fn of(rows: &mut Rows, row: usize) -> Self {
-        let mut items = rows.items(row).to_vec();
-        let scale = items[0].coefficient;
-        for item in &mut items {
-            item.coefficient = rows.numbers.quotient(item.coefficient, scale);
+        let mut terms = rows.items(row).to_vec();
+        let mut constant = Number::ZERO;
+        if terms[0].id as usize == UNIT {
+            constant = rows.numbers.get(terms.remove(0).coefficient);
         }
-        Self { row, scale, items }
+        let scale = terms[0].coefficient;
+        for term in &mut terms {
+            term.coefficient = rows.numbers.quotient(term.coefficient, scale);
+        }
+        Self { row, constant, scale, terms }
+    }
+
+    /// Becomes a sum that this one begins with, and what is new.
+    fn read(&self, other: &Self, rows: &mut Rows) {
+        let coefficient = rows.numbers.quotient(self.scale, other.scale);
+        let constant = self.constant + -(rows.numbers.get(coefficient) * other.constant);
+        let mut items = Vec::new();
+        if !constant.is_zero() {
+            items.push(Item { id: UNIT as u32, coefficient: rows.numbers.id(constant) });
+        }
+        for term in &self.terms[other.terms.len()..] {
+            items.push(Item { coefficient: rows.numbers.product(term.coefficient, self.scale), ..*term });
+        }
+        items.push(Item { id: other.row as u32, coefficient });
+        items.sort_unstable();
+        rows.shrink(self.row, &items);
     }
 }
 

@@ -8,6 +8,7 @@ mod pseudo_inverse;
 mod random;
 mod rank;
 mod regular;
+mod size;
 mod start;
 mod verdict;
 
@@ -20,6 +21,7 @@ pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
 pub(crate) use regular::freedom;
+pub(crate) use size::check_size;
 
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};

@@ -5,11 +5,14 @@
 //! method replaces `gamma` by `gamma - 2 alpha phi_dot - beta^2 phi`
 //! (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1, 1972, eq. (2.7)).
 
+use std::collections::BTreeSet;
+
 use plm_cas::{Expr, Graph};
 
 use super::feedback;
 use super::function::{Function, Place, Section};
 use super::ldl::{Factor, Symmetric, factorise};
+use super::order::minimum_degree;
 use super::outputs::{self, Outputs};
 use super::sides;
 use crate::derive::{Equations, SparseRow};
@@ -88,6 +91,25 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
         residual,
     };
     functions.optimise(graph)
+}
+
+/// Does the elimination of `phi_q W phi_q^T` take more products than `most`? Two rows meet where both hold a coordinate.
+pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
+    let mut holding = vec![Vec::new(); equations.q.len()];
+    for (row, entries) in equations.phi_q.iter().enumerate() {
+        entries.iter().for_each(|&(column, _)| holding[column].push(row));
+    }
+    let mut near = vec![BTreeSet::new(); equations.phi_q.len()];
+    for rows in &holding {
+        for &row in rows {
+            near[row].extend(rows.iter().copied().filter(|&other| other != row));
+        }
+    }
+    let mut products = 0;
+    minimum_degree(near).any(|(_, below)| {
+        products += below.len() * (below.len() + 1) / 2;
+        products > most
+    })
 }
 
 impl Absolute {

@@ -16,7 +16,7 @@ mod pattern;
 mod reduced;
 mod sides;
 
-pub(crate) use absolute::{Absolute, coordinate_name, formulate};
+pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use function::{Function, Place};
 pub(crate) use outputs::user as lay_out;
 pub(crate) use reduced::{Assembled, Augmented, Chart, Known, Part, Reduced, Term, formulate as reduce};

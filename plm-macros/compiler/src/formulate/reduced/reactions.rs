@@ -89,7 +89,9 @@ impl Layout<'_> {
         let gains = motion.gain.iter().zip(&motion.bias);
         let values = gains.map(|(gains, &bias)| {
             let mut terms = vec![self.graph.mul(square, bias)];
-            terms.extend(gains.iter().zip(of_drivers).map(|(&gain, &value)| self.graph.mul(gain, value)));
+            let zero = self.graph.zero();
+            let moving = gains.iter().zip(of_drivers).filter(|(gain, _)| **gain != zero);
+            terms.extend(moving.map(|(&gain, &value)| self.graph.mul(gain, value)));
             self.graph.sum(&terms)
         });
         values.collect()

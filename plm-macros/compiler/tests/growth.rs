@@ -1,0 +1,103 @@
+//! What a declaration costs the compiler grows with its length, or is refused with a reason.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use std::time::{Duration, Instant};
+
+use plm_compiler::compile;
+use plm_compiler::token::Sources;
+
+/// No declaration may take longer; these take a fraction of a second.
+const LONGEST: Duration = Duration::from_secs(10);
+
+/// The emitted text, or the codes of the errors.
+fn compiled(text: &str) -> Result<String, Vec<&'static str>> {
+    let began = Instant::now();
+    let mut sources = Sources::new();
+    sources.add_text("declaration", text);
+    let expansion = compile(&mut sources);
+    let took = began.elapsed();
+    assert!(took < LONGEST, "{took:?} for {} characters", text.len());
+    let codes: Vec<_> = expansion.diagnostics.iter().map(|diagnostic| diagnostic.code.id()).collect();
+    if expansion.diagnostics.has_errors() {
+        Err(codes)
+    } else {
+        Ok(expansion.code.unwrap().text().to_owned())
+    }
+}
+
+/// A pendulum that is pushed by what some lines of `let` lead to.
+fn pushed(first: &str, lines: impl Iterator<Item = String>, last: &str) -> String {
+    let lines: Vec<String> = lines.collect();
+    format!(
+        "pub P {{
+            param one: 1 = -0.5; param other: 1 = 0.25; {first} {}
+            ground {{ port o: (0, 0) m; }}
+            body arm {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }}
+            revolute pin(ground.o, arm.o);
+            force push(arm.o) {{ torque: {last}*1 N*m; }}
+        }}",
+        lines.join("\n")
+    )
+}
+
+fn chain(count: usize) -> String {
+    format!(
+        "pub Chain {{
+            gravity: 9.81 m/s^2; ground {{ port o: (0, 0) m; }}
+            repeat i in 0..{count} {{ body b[i] {{ mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; port q: (1, 0) m; }} }}
+            revolute first(ground.o, b[0].p);
+            repeat i in 1..{count} {{ revolute r[i](b[i - 1].q, b[i].p); }}
+        }}"
+    )
+}
+
+#[test]
+fn lets_on_lets_grow_linearly() {
+    let text = |count: usize| {
+        let line = |k: usize| format!("let a{k} = a{p}*a{p} + a{p};", p = k - 1);
+        compiled(&pushed("let a0 = one;", (1..=count).map(line), &format!("a{count}"))).unwrap().len()
+    };
+    // Numbers of lines become longer too; of something quadratic it would be 5/3.
+    let [some, twice, thrice] = [100, 200, 300].map(text);
+    assert!(thrice - twice < (twice - some) * 14 / 10, "{some}, {twice}, {thrice}");
+    text(600);
+}
+
+#[test]
+fn products_of_products_stay_products() {
+    let lines = |k: usize| {
+        let p = k - 1;
+        format!("let a{k} = a{p}*a{p}*b{p}; let b{k} = b{p}*b{p}*a{p};")
+    };
+    compiled(&pushed("let a0 = one; let b0 = other;", (1..=40).map(lines), "a40")).unwrap();
+    let squares = |k: usize| format!("let a{k} = a{p}*a{p};", p = k - 1);
+    compiled(&pushed("let a0 = sin(arm.angle) + other;", (1..=40).map(squares), "a40")).unwrap();
+}
+
+#[test]
+fn chains_grow_linearly() {
+    let [some, twice, thrice] = [40, 80, 120].map(|count| compiled(&chain(count)).unwrap().len());
+    assert!(thrice - twice < (twice - some) * 11 / 10, "{some}, {twice}, {thrice}");
+}
+
+#[test]
+fn too_many_repetitions_are_told_at_once() {
+    let bodies = "repeat i in 0..5000 { body b[i] { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; } }";
+    assert_eq!(compiled(&format!("pub P {{ {bodies} }}")), Err(vec!["E0413"]));
+}
+
+#[test]
+fn rows_that_all_meet_each_other_are_refused() {
+    let all = |count: usize| {
+        let body = |i: usize| {
+            let ports: Vec<String> = (0..count).map(|j| format!("port p{j}: ({j}, 0) m;")).collect();
+            format!("body b{i} {{ mass: 1 kg; inertia: 1 kg*m^2; {} }}\n", ports.concat())
+        };
+        let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
+        let joints: Vec<String> =
+            pairs.map(|(i, j)| format!("revolute r{i}_{j}(b{i}.p{j}, b{j}.p{i});\n")).collect();
+        let bodies: Vec<String> = (0..count).map(body).collect();
+        format!("pub All {{ {} {} }}", bodies.concat(), joints.concat())
+    };
+    assert_eq!(compiled(&all(25)), Err(vec!["E0413"]));
+}
