@@ -183,11 +183,13 @@ impl<'a> Resolver<'a> {
         let (code, message, help) = match fit(wanted, found, is_zero) {
             Fit::Fits => return Ok(()),
             Fit::Wrong => {
+                let is_rate = found.dimension.over(Dimension::TIME) == wanted;
+                let help = text.as_ref().filter(|_| is_rate).map(|text| format!("write `{text}/s`"));
                 let found = match text {
                     Some(text) => format!("{text}, {}", found.dimension.name()),
                     None => found.dimension.describe(),
                 };
-                (Code::WrongDimension, format!("expected {expected}, found {found}"), None)
+                (Code::WrongDimension, format!("expected {expected}, found {found}"), help)
             }
             Fit::NoUnit => {
                 let text = text.unwrap_or_else(|| "a number".to_string());

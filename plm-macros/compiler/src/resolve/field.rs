@@ -77,7 +77,13 @@ impl<'a> Resolver<'a> {
         if !known.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
-            help_similar(diagnostic, text, "parameter", "parameters", &known);
+            let meant = ELSEWHERE.iter().find(|(word, here)| *word == text && known.contains(here));
+            match meant {
+                Some((_, here)) => {
+                    diagnostic.help(format!("write `{here}: …`"));
+                }
+                None => help_similar(diagnostic, text, "parameter", "parameters", &known),
+            }
         } else if let Some(span) = field.locked.filter(|_| !is_state(&definition.items, text)) {
             self.error(
                 outer,
@@ -88,6 +94,21 @@ impl<'a> Resolver<'a> {
         }
     }
 }
+
+/// Parameters by the names that they have elsewhere.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("k", "stiffness"),
+    ("c", "damping"),
+    ("d", "damping"),
+    ("length", "free_length"),
+    ("l0", "free_length"),
+    ("rest_length", "free_length"),
+    ("rest", "free_angle"),
+    ("fx", "x"),
+    ("fy", "y"),
+    ("moment", "torque"),
+    ("tau", "torque"),
+];
 
 /// The kind of the part of a name among items.
 fn part_named<'a>(items: &'a [Item], name: &str) -> Option<&'a str> {

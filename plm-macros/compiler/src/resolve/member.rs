@@ -7,7 +7,7 @@ use super::function::normal;
 use super::instance::InstanceState;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
-use crate::diag::{Code, help_similar};
+use crate::diag::{Code, help_similar, nearest};
 use crate::model::FrameRef;
 use crate::syntax::ast::IndexedName;
 use crate::units::Dimension;
@@ -158,6 +158,9 @@ impl<'a> Resolver<'a> {
                 let message = format!("unknown port `{name}` of `{of}`");
                 let diagnostic = self.error(scope, Code::UnknownPort, span, message);
                 help_similar(diagnostic, name, "port", &format!("ports of `{of}`"), &names);
+                if body.is_some() && nearest(name, names.iter().copied()).is_none() {
+                    diagnostic.note(format!("beside its ports a body has {}", OF_BODY.join(", ")));
+                }
             }
             Value::Frame(_) => {
                 let diagnostic =

@@ -17,11 +17,12 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
     (&["fixed", "fix", "rigid", "lock", "clamp"], "a joint that holds is `weld`"),
     (&["slot", "slotted", "pin_in_slot"], "a pin that slides in a slot is `pin_slot`"),
     (
-        &["motor", "actuator", "torque", "drive", "servo"],
+        &["motor", "actuator", "drive", "servo"],
         "a joint is driven by its `drive`: `revolute name(a, b) { drive: 1 N*m; }`",
     ),
     (&["damper", "dashpot", "spring_damper"], "a damper is a `spring` with a `damping`"),
     (&["gear", "gears", "rack", "belt"], "a gear is a row: `constraint name: b.angle = ratio*a.angle;`"),
+    (&["torque", "moment", "couple"], "a torque on a body is `force name(body.port) { torque: 1 N*m; }`"),
     (&["load", "wrench", "thruster"], "a force at a port is `force`"),
     (&["mass", "link", "bar", "rod", "rigid_body"], "what has a mass is a `body`"),
     (&["fn", "def", "function"], "a formula is a `let`, and what acts on bodies a `part`"),
@@ -70,6 +71,7 @@ impl Resolver<'_> {
         }
         let meant = match text.as_str() {
             "PI" => Some("write `pi`".to_string()),
+            "time" => Some("the time is `t`".to_string()),
             _ if is_constant(text) && !is_near => Some(CONSTANTS.to_string()),
             _ => unit_help(text),
         };

@@ -48,6 +48,9 @@ impl Cursor<'_> {
         }
         self.word("then")?;
         let yes = self.expr()?;
+        if !self.is_word("else") {
+            return Err(self.expected_but("`else`", "there is always a value: `if a < b then c else d`"));
+        }
         self.word("else")?;
         let no = self.expr()?;
         let kind = ExprKind::If(Box::new(condition), Box::new(yes), Box::new(no));
@@ -205,6 +208,11 @@ impl Cursor<'_> {
         let (x, y) = self.group(Delimiter::Paren, "`(`", |cursor| {
             let x = cursor.expr()?;
             let y = if cursor.eat_punct(',') { Some(cursor.expr()?) } else { None };
+            if y.is_some() && cursor.is_punct(',') {
+                return Err(
+                    cursor.expected_but("the closing bracket", "in the plane a vector has two components")
+                );
+            }
             Ok((x, y))
         })?;
         let Some(y) = y else { return Ok(x) };

@@ -267,7 +267,9 @@ pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
         "var" | "val" | "mut" => {
             "a name for an expression is a `let`; what changes as it runs is a `state` or an `input`"
         }
+        "if" | "when" | "else" => "a condition stands in a value: `if t < 1 s then 1 N else 0 N`",
         "for" | "while" | "loop" => "repetitions are `repeat i in 0..8 { … }`",
+        "der" | "ddt" => "the rate of a state is `rate name = …;`",
         "fn" | "def" | "function" => "a formula is a `let`, and what acts on bodies a `part`",
         "use" | "import" | "include" => "`use path;` is the first word of a declaration",
         "struct" | "class" | "enum" | "type" => "a part of your own is `part name(a: frame) { … }`",
@@ -284,6 +286,8 @@ pub(super) fn behind_value(text: &str) -> Option<&'static str> {
     Some(match text {
         "?" => "a choice is written `if a < b then c else d`",
         "%" => "there is no remainder",
+        "," => "an item ends with `;`",
+        "locked" => "a comma stands before it: `30 deg, locked`",
         "°" => "write `deg`",
         "as" => "there is one kind of number: leave `as` out",
         _ => return None,
