@@ -32,8 +32,8 @@ pub struct Model {
     pub most_growth: Expr,
     /// Symbol of the part, one in so many, by which lengths that repeat each other may differ: the scalar's.
     pub agreement: Expr,
-    /// Gravity, m/s^2, positive downwards along -y.
-    pub gravity: Expr,
+    /// Acceleration of gravity along x and y, absolute axes, m/s^2.
+    pub gravity: [Expr; 2],
     /// The rung that the user ordered, and where.
     pub rung: Option<(Rung, Span)>,
     /// How constraints are kept.

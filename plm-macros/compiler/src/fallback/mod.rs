@@ -52,7 +52,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         time: graph.symbol("t"),
         most_growth: graph.symbol("most_growth"),
         agreement: graph.symbol("agreement"),
-        gravity: graph.zero(),
+        gravity: [graph.zero(); 2],
         rung: None,
         stabilisation: Stabilisation::Projection,
         params,
