@@ -1,4 +1,5 @@
-//! What the language of declarations says of a mechanism as a whole: its gravity.
+//! What the language of declarations says of a mechanism as a whole: its gravity, what it shows of its joints.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod gravity;
+mod joints;

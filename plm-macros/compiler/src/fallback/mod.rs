@@ -129,10 +129,16 @@ impl<'a> Names<'a> {
                     let names: Vec<Name> = list.iter().filter_map(|of| self.path(of)).collect();
                     self.observed.extend(names);
                 }
-                ItemKind::Node(node) if depth == 0 => {
-                    if let Some(name) = self.name("", &node.name) {
+                ItemKind::Node(node) => {
+                    if let Some(name) = self.name(prefix, &node.name) {
                         self.things.push((name.text, Thing::Node(node)));
                     }
+                }
+                ItemKind::Ground(ports) => {
+                    let names = ports.iter().filter_map(|port| self.name(prefix, &port.name));
+                    let ports: Vec<_> =
+                        names.map(|name| (format!("ground.{}", name.text), Thing::Port)).collect();
+                    self.things.extend(ports);
                 }
                 _ => {}
             }
