@@ -248,6 +248,32 @@ pub struct Part {
     pub declared: Option<Declared>,
     /// The frames that it joins, in the order of its arguments.
     pub frames: Vec<FrameRef>,
+    /// The mirror image that its use asks for, and where.
+    pub branch: Option<(Turn, Span)>,
+}
+
+/// Which way the second body of a revolute turns from the first. The mirror images of a loop differ in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// Positive.
+    Left,
+    /// Negative.
+    Right,
+}
+
+impl Turn {
+    /// Both, as the language names them.
+    pub const NAMES: [(&'static str, Turn); 2] = [("left", Turn::Left), ("right", Turn::Right)];
+
+    /// Its name in the language.
+    pub fn name(self) -> &'static str {
+        Turn::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
+    }
+
+    /// That of the other mirror image.
+    pub fn other(self) -> Turn {
+        if self == Turn::Left { Turn::Right } else { Turn::Left }
+    }
 }
 
 /// Kinematic pairs that upper rungs know how to walk through.

@@ -83,7 +83,14 @@ impl<'a> Resolver<'a> {
         let part = part.unwrap_or_else(|| {
             let name = Name { text: full.clone(), span };
             let kind = "constraint".to_string();
-            self.parts.push(Part { name, kind, pair: None, declared: None, frames: Vec::new() });
+            self.parts.push(Part {
+                name,
+                kind,
+                pair: None,
+                declared: None,
+                frames: Vec::new(),
+                branch: None,
+            });
             self.parts.len() - 1
         });
         let lambda = self.graph.symbol(&format!("lambda_{full}"));
