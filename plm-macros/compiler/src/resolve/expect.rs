@@ -235,8 +235,12 @@ impl<'a> Resolver<'a> {
             return Ok(());
         }
         let message = format!("this reads {}", beyond.describe());
-        self.error(scope, Code::NotConstant, expr.span, message)
+        let diagnostic = self
+            .error(scope, Code::NotConstant, expr.span, message)
             .note(format!("what stands here may read {}", allowed.describe()));
+        if let Some([why, instead]) = beyond.no_place().filter(|_| allowed == Reads::SCHEDULED) {
+            diagnostic.note(why).help(instead);
+        }
         Err(Failed)
     }
 }
