@@ -271,6 +271,7 @@ impl Turn {
     }
 
     /// That of the other mirror image.
+    #[must_use]
     pub fn other(self) -> Turn {
         if self == Turn::Left { Turn::Right } else { Turn::Left }
     }

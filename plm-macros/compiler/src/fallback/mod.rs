@@ -114,6 +114,9 @@ impl<'a> Names<'a> {
             match &item.kind {
                 ItemKind::Body(of) => {
                     if let Some(name) = self.name(prefix, &of.name) {
+                        let ports = of.ports.iter().map(|port| &port.name.ident.text);
+                        let ports = ports.map(|port| (format!("{}.{port}", name.text), Thing::Port));
+                        self.things.extend(ports);
                         self.things.push((name.text.clone(), Thing::Body(of)));
                         let body = body(&mut self.found.graph, name);
                         self.found.bodies.push(body);

@@ -10,14 +10,14 @@ use crate::syntax::ast::{self, Definition, ExprKind, ItemKind};
 #[derive(Clone, Copy)]
 pub(super) enum Thing<'a> {
     Body(&'a ast::Body),
-    /// A port of the ground.
+    /// A port of a body or of the ground.
     Port,
     Part(&'a Definition),
     Node(&'a ast::Node),
 }
 
 impl Thing<'_> {
-    /// Where `all` has it: bodies, the ground, nodes, parts.
+    /// Where `all` has it: bodies with their ports, the ground, nodes, parts.
     fn place(self) -> usize {
         match self {
             Thing::Body(_) => 0,
@@ -35,15 +35,9 @@ impl<'a> Names<'a> {
         things.sort_by_key(|(_, thing)| thing.place());
         for Name { text, span } in std::mem::take(&mut self.observed) {
             for (name, thing) in &things {
-                let is_of_ground = text == "ground" && matches!(thing, Thing::Port);
+                let is_of_ground = text == "ground" && name.starts_with("ground.");
                 if text == "all" || text == *name || is_of_ground {
                     self.show(name, *thing, span);
-                } else if let (Thing::Body(body), Some(port)) =
-                    (thing, text.strip_prefix(&format!("{name}.")))
-                {
-                    if body.ports.iter().any(|known| known.name.ident.text == port) {
-                        self.show_port(&text, span);
-                    }
                 }
             }
         }
