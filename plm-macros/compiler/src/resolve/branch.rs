@@ -2,23 +2,25 @@
 
 use super::Resolver;
 use crate::diag::Code;
-use crate::model::{Pair, Turn};
-use crate::syntax::ast::ExprKind;
+use crate::model::Turn;
+use crate::syntax::ast::{Definition, ExprKind, ItemKind};
 
 /// The word that asks for it.
 pub(super) const BRANCH: &str = "branch";
 
+/// Is it a joint that turns, whose turn may tell mirror images apart?
+pub(super) fn tells_branches(definition: &Definition) -> bool {
+    definition.items.iter().any(|item| matches!(&item.kind, ItemKind::Pair(pair) if pair.text == "revolute"))
+}
+
 impl Resolver<'_> {
-    /// `{ branch: left; }`
+    /// `{ branch: left; }`; where no branch can be asked for, that has been told.
     pub(super) fn ask_for_branch(&mut self, id: usize) {
         let Some((outer, field)) = self.word(id, BRANCH) else { return };
-        let (part, is_part) = (self.instances[id].part, self.instances[id].is_part);
-        if !is_part || self.parts[part].pair != Some(Pair::Revolute) {
-            let message =
-                format!("`{}` is no revolute joint, which could have a `{BRANCH}`", self.instances[id].name);
-            self.error(outer, Code::UnknownField, field.span(), message);
+        if !tells_branches(self.instances[id].definition) {
             return;
         }
+        let part = self.instances[id].part;
         let names = Turn::NAMES.map(|(name, _)| name);
         let ExprKind::Name(name) = &field.value.kind else {
             let message = format!("expected one of {}", names.join(", "));

@@ -38,7 +38,7 @@ pub(super) struct InstanceState<'a> {
     /// The part of the mechanism that it is, or belongs to.
     pub(super) part: usize,
     /// Is it that part itself?
-    pub(super) is_part: bool,
+    is_part: bool,
     pub(super) arguments: Vec<SlotId>,
 }
 
