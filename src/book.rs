@@ -13,6 +13,7 @@ pages! {
     Readme = "../../README.md";
     GettingStarted = "getting-started.md";
     GeneratedCode = "generated-code.md";
+    Bodies = "language/bodies.md";
     Outputs = "language/outputs.md";
     Parts = "language/parts.md";
     Declaration = "language/declaration.md";

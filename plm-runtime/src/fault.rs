@@ -143,6 +143,16 @@ pub enum Cause {
         /// What remains, m or rad.
         gap: f64,
     },
+    /// The mechanism was assembled on another mirror image than the joint, which is the part, asks for; that one was not
+    /// found.
+    OtherBranch {
+        /// The first body of the joint.
+        first: &'static str,
+        /// The second.
+        second: &'static str,
+        /// The second turns left from the first where it is to turn right; else the other way round.
+        left: bool,
+    },
     /// Locks repeat what joints or other locks already say about the start velocity.
     VelocityRedundant {
         /// How many locks are too many.
@@ -274,6 +284,13 @@ impl fmt::Display for Cause {
                  such parameters as defaults, or take `rung: absolute`"
             ),
             Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
+            Self::OtherBranch { first, second, left } => {
+                let (found, asked) = if *left { ("left", "right") } else { ("right", "left") };
+                write!(
+                    f,
+                    "{second} turns {found} from {first}, and no pose was found where it turns {asked}; start nearer to it"
+                )
+            }
             Self::VelocityOpen { gap } => {
                 write!(f, "the start velocities contradict the joints by {gap:e} m/s or rad/s")
             }

@@ -87,6 +87,7 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     }
     let mut lowered = lower(derived, observed);
     check_feedback(&lowered.model, &mut lowered.graph, sink);
+    check::check_branches(&lowered.model, &lowered.equations, sink);
     check::check_jumps(&lowered.model, &lowered.graph, sink);
     if sink.has_errors() {
         return Expansion::default();

@@ -32,8 +32,8 @@ pub struct Model {
     pub most_growth: Expr,
     /// Symbol of the part, one in so many, by which lengths that repeat each other may differ: the scalar's.
     pub agreement: Expr,
-    /// Gravity, m/s^2, positive downwards along -y.
-    pub gravity: Expr,
+    /// Acceleration of gravity along x and y, absolute axes, m/s^2.
+    pub gravity: [Expr; 2],
     /// The rung that the user ordered, and where.
     pub rung: Option<(Rung, Span)>,
     /// How constraints are kept.
@@ -248,6 +248,33 @@ pub struct Part {
     pub declared: Option<Declared>,
     /// The frames that it joins, in the order of its arguments.
     pub frames: Vec<FrameRef>,
+    /// The mirror image that its use asks for, and where.
+    pub branch: Option<(Turn, Span)>,
+}
+
+/// Which way the second body of a revolute turns from the first. The mirror images of a loop differ in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// Positive.
+    Left,
+    /// Negative.
+    Right,
+}
+
+impl Turn {
+    /// Both, as the language names them.
+    pub const NAMES: [(&'static str, Turn); 2] = [("left", Turn::Left), ("right", Turn::Right)];
+
+    /// Its name in the language.
+    pub fn name(self) -> &'static str {
+        Turn::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
+    }
+
+    /// That of the other mirror image.
+    #[must_use]
+    pub fn other(self) -> Turn {
+        if self == Turn::Left { Turn::Right } else { Turn::Left }
+    }
 }
 
 /// Kinematic pairs that upper rungs know how to walk through.

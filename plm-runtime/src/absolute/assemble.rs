@@ -6,6 +6,7 @@
 
 use super::Absolute;
 use super::assembly::{Assembly, Status};
+use super::branch;
 use super::newton::{assembly_step, refused};
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
@@ -31,7 +32,7 @@ const ITERATIONS: u32 = 100;
 /// Joints that repeat each other are accepted and flagged. Locks that repeat joints or other locks are not.
 ///
 /// # Errors
-/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::VelocityRedundant`],
+/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::OtherBranch`], [`Cause::VelocityRedundant`],
 /// [`Cause::VelocityOpen`]; the part is the joint that stays open widest. [`Cause::Workspace`].
 pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -40,6 +41,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let start = m.start_position();
     let free = start.map(freedom_of);
     let pose = close(m, t, &start, &free)?;
+    let pose = branch::find(m, t, pose, (&start, &free))?;
     let q = pose.q;
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
     reject_locks(m, t, &q, &free, &here, POSITION)?;
@@ -79,7 +81,7 @@ pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
-    fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
+    pub(super) fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
         Scale::of_position(m, &self.q).is_closed::<M, NQ, NC>(&self.residual)
     }
 }

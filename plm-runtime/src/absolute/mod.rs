@@ -12,6 +12,7 @@
 mod accelerate;
 mod assemble;
 mod assembly;
+mod branch;
 mod carry;
 mod independent;
 mod jump;
@@ -25,6 +26,7 @@ mod settle;
 pub use accelerate::{Acceleration, accelerate};
 pub use assemble::assemble;
 pub use assembly::{Assembly, Status};
+pub use branch::Branch;
 pub use carry::check_carried;
 pub use jump::{Crossing, jump};
 pub use nearest::flat_part;
@@ -74,6 +76,12 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
 
     /// Size of the mechanism, m.
     fn length(&self) -> S;
+
+    /// The mirror images that joints ask for, from 0; behind the last one there is none.
+    fn branch(&self, index: usize) -> Option<Branch<S>> {
+        let _ = index;
+        None
+    }
 }
 
 /// Puts the entries of phi_q into a matrix of zeros.

@@ -39,7 +39,7 @@ plm::mechanism! {
         body rod { mass: 0.6 kg; inertia: 0.018 kg*m^2; port pin: (-0.3, 0) m; port wrist: (0.3, 0) m; start angle: -17 deg; }
         body slider { mass: 0.5 kg; inertia: 0.001 kg*m^2; port wrist: (0, 0) m; start x: 0.67 m; }
         revolute drive(ground.o, crank.o) { damping: 0.01 N*m*s/rad; }
-        revolute crank_pin(crank.pin, rod.pin);
+        revolute crank_pin(crank.pin, rod.pin) { branch: right; }
         revolute wrist_pin(rod.wrist, slider.wrist);
         prismatic guide(ground.rail, slider.wrist) { stiffness: stiff; free_length: 0.5 m; }
         force load(slider.wrist) { x: -level*exp(-t/1 s) - sqrt(1 + abs(slider.vx/1 m*1 s))*1 N; }

@@ -5,6 +5,7 @@
 
 use plm_cas::{Expr, Graph, Tape};
 
+use super::branch;
 use super::pseudo_inverse;
 use super::rank::{Rank, Row, rank};
 use crate::derive::Equations;
@@ -77,7 +78,13 @@ pub(crate) fn assemble(
     let scene = Scene::new(equations, program, graph, values);
     let (start, locked) = start_position(model, graph, values);
     let length = crate::report::length(model, graph, values);
-    let (q, phi, steps) = scene.close(start.clone(), &locked, &|q| limits(model, length, q));
+    let limits = |q: &[f64]| limits(model, length, q);
+    let closed = scene.close(start.clone(), &locked, &limits);
+    let asked = branch::asked(model, equations, graph, values);
+    let (q, phi, steps) = branch::find(&asked, closed, (&start, &locked), |q| {
+        let (q, phi, steps) = scene.close(q, &locked, &limits);
+        are_closed(&phi, &limits(&q)).then_some((q, phi, steps))
+    });
     let (mut v, velocity_locked) = start_velocity(model, graph, values, &q);
     let residual = scene.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(scene.step(&q, &velocity_locked, &residual)) {
@@ -90,7 +97,7 @@ pub(crate) fn assemble(
         rank: if at_end.value() >= at_start.value() { at_end } else { at_start },
         velocity_rank: rank_with_locks(&scene, &q, &velocity_locked),
         phi_dot: scene.phi_dot(&q, &v),
-        closed: limits(model, length, &q),
+        closed: limits(&q),
         start,
         q,
         v,

@@ -1,6 +1,7 @@
 //! Checks of the whole mechanism: reach, mobility, assembly, the first evaluation.
 
 mod assembly;
+mod branch;
 mod jumps;
 mod names;
 mod pairs;
@@ -17,6 +18,7 @@ use std::collections::BTreeSet;
 use plm_cas::{Expr, Graph, Tape};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use branch::check_branches;
 pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
@@ -184,6 +186,7 @@ pub(crate) fn check_assembly(
     } else if !found.is_closed() {
         not_closed(model, found, report.length, diagnostics);
     } else {
+        branch::not_found(&branch::asked(model, equations, graph, &values), &found.q, model, diagnostics);
         redundant_joints(model, &joints, diagnostics);
         check_velocities(model, found, diagnostics);
         let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();

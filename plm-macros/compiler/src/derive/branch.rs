@@ -14,6 +14,9 @@ pub(crate) struct Branch {
     pub(crate) part: usize,
     /// Indices of the bodies.
     pub(crate) bodies: [usize; 2],
+    /// Of each body, from where it is seen to where, from G in its axes, m: the far joint and the pivot of the first, the
+    /// pivot and the far joint of the second.
+    pub(crate) ends: [[[Expr; 2]; 2]; 2],
     /// The turn in (-pi, pi], rad; positive to the left.
     pub(crate) turn: Expr,
 }
@@ -41,45 +44,48 @@ fn branch(model: &Model, joints: &Joints, graph: &mut Graph, index: usize, part:
     if part.pair != Some(Pair::Revolute) {
         return None;
     }
-    let pivot = point(model, graph, a)?;
+    let [pivot, on_second] = [port(model, a)?, port(model, b)?];
     let before = far_point(model, joints, graph, index, a)?;
     let after = far_point(model, joints, graph, index, b)?;
-    let along = difference(graph, pivot, before);
-    let onward = difference(graph, after, pivot);
+    let mut absolute = |body: usize, at: [Expr; 2]| point(model, graph, body, at);
+    let [first, second] = bodies;
+    let (from, middle, to) = (absolute(first, before), absolute(first, pivot), absolute(second, after));
+    let along = difference(graph, middle, from);
+    let onward = difference(graph, to, middle);
     let cross = bilinear(graph, along, [onward[1], onward[0]], true);
     let dot = bilinear(graph, along, onward, false);
-    Some(Branch { part: index, bodies, turn: graph.atan2(cross, dot) })
+    let ends = [[before, pivot], [on_second, after]];
+    Some(Branch { part: index, bodies, ends, turn: graph.atan2(cross, dot) })
 }
 
-/// The port of another joint on the body, or its G; nothing if all are where the joint is, as on a slider that is a point.
+/// The port of another joint on the body, or its G, from G in the axes of the body; nothing if all are where the joint is, as
+/// on a slider that is a point.
 fn far_point(
     model: &Model,
     joints: &Joints,
-    graph: &mut Graph,
+    graph: &Graph,
     joint: usize,
     own: FrameRef,
 ) -> Option<[Expr; 2]> {
-    let of_body = &model.bodies[own.body?];
-    let pivot = of_body.ports.get(own.port)?.at;
-    let apart = |frame: &FrameRef| of_body.ports.get(frame.port).is_some_and(|port| port.at != pivot);
+    let pivot = port(model, own)?;
     let others = joints[own.body?].iter().filter(|(index, _)| *index != joint);
-    if let Some((_, frame)) = others.into_iter().find(|(_, frame)| apart(frame)) {
-        return point(model, graph, *frame);
-    }
-    let [x, y, _] = of_body.q;
+    let mut others = others.filter_map(|(_, frame)| port(model, *frame));
     let centre = [graph.zero(); 2];
-    (pivot != centre).then_some([x, y])
+    others.find(|at| *at != pivot).or_else(|| (pivot != centre).then_some(centre))
 }
 
-/// Absolute position of a port of a body.
-fn point(model: &Model, graph: &mut Graph, frame: FrameRef) -> Option<[Expr; 2]> {
-    let body = &model.bodies[frame.body?];
-    let [px, py] = body.ports.get(frame.port)?.at;
-    let [x, y, angle] = body.q;
+/// A port of a body from G in its axes.
+fn port(model: &Model, frame: FrameRef) -> Option<[Expr; 2]> {
+    Some(model.bodies[frame.body?].ports.get(frame.port)?.at)
+}
+
+/// Absolute position of a point of a body.
+fn point(model: &Model, graph: &mut Graph, body: usize, [px, py]: [Expr; 2]) -> [Expr; 2] {
+    let [x, y, angle] = model.bodies[body].q;
     let (sin, cos) = (graph.sin(angle), graph.cos(angle));
     let dx = bilinear(graph, [cos, sin], [px, py], true);
     let dy = bilinear(graph, [sin, cos], [px, py], false);
-    Some([graph.add(x, dx), graph.add(y, dy)])
+    [graph.add(x, dx), graph.add(y, dy)]
 }
 
 fn difference(graph: &mut Graph, a: [Expr; 2], b: [Expr; 2]) -> [Expr; 2] {

@@ -105,8 +105,9 @@ pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
 fn applied_force(model: &Model, graph: &mut Graph) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); 3 * model.bodies.len()];
     for (i, body) in model.bodies.iter().enumerate() {
-        let weight = graph.mul(body.mass, model.gravity);
-        terms[3 * i + 1].push(graph.neg(weight));
+        for (k, &gravity) in model.gravity.iter().enumerate() {
+            terms[3 * i + k].push(graph.mul(body.mass, gravity));
+        }
     }
     for load in &model.loads {
         for (k, &component) in load.force.iter().enumerate() {

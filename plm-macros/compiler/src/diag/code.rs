@@ -87,6 +87,7 @@ catalogue! {
     NoBody = "E0504", "the mechanism has no body";
     NoRung = "E0505", "a formulation that does not hold the mechanism";
     PairDisagrees = "E0506", "a joint's constraints are not those of its pair";
+    OtherBranch = "E0507", "the mirror image that a joint asks for was not found";
 
     // W0: warnings.
     RedundantConstraint = "W0001", "a constraint says what others say already";

@@ -19,7 +19,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
     let outputs = &emission.program.outputs;
     let energies = [
         ("kinetic_energy", "Kinetic energy of all bodies, J.", &outputs.kinetic_energy),
-        ("gravity_energy", "Potential energy of gravity above y = 0, J.", &outputs.gravity_energy),
+        ("gravity_energy", "Potential energy of gravity above the origin, J.", &outputs.gravity_energy),
         ("load_power", "Power of all forces and torques but gravity and reactions, W.", &outputs.load_power),
     ];
     for (name, doc, function) in energies {

@@ -4,7 +4,7 @@ use plm_cas::Expr;
 
 use super::{Emission, defaults, mechanism, push, reduced, sides, singular, solved};
 use crate::formulate::coordinate_name;
-use crate::model::{Stabilisation, State};
+use crate::model::{Stabilisation, State, Turn};
 
 pub(crate) fn emit(emission: &Emission) -> String {
     let mut text = String::new();
@@ -272,7 +272,56 @@ fn constraints(text: &mut String, emission: &Emission) {
         length = report.length
     ));
     starts(text, emission);
+    branches(text, emission);
     text.push_str("    }\n\n");
+}
+
+/// The mirror images that joints ask for.
+fn branches(text: &mut String, emission: &Emission) {
+    let Emission { model, equations, .. } = emission;
+    let bindings = emission.parameters();
+    let mut arms = String::new();
+    let asked =
+        equations.branches.iter().filter_map(|branch| Some((branch, model.parts[branch.part].branch?)));
+    for (k, (branch, (turn, _))) in asked.enumerate() {
+        let end = |end: [Expr; 2]| {
+            let [x, y] = end.map(|component| defaults::inline(emission, component, &bindings));
+            format!("[{x}, {y}]")
+        };
+        let ends = branch.ends.map(|ends| format!("[{}]", ends.map(end).join(", "))).join(", ");
+        let ([first, second], part) = (branch.bodies, &model.parts[branch.part].name.text);
+        let [of_first, of_second] = branch.bodies.map(|body| &model.bodies[body].name.text);
+        let left = turn == Turn::Left;
+        push(
+            &mut arms,
+            format_args!(
+                "                {k} => Some(absolute::Branch {{
+                    part: {part:?},
+                    bodies: [{first}, {second}],
+                    names: [{of_first:?}, {of_second:?}],
+                    ends: [{ends}],
+                    left: {left},
+                }}),
+"
+            ),
+        );
+    }
+    if arms.is_empty() {
+        return;
+    }
+    push(
+        text,
+        format_args!(
+            "        fn branch(&self, index: usize) -> Option<absolute::Branch<S>> {{
+            #[allow(unused_variables)] // where no end is a formula
+            let lit = S::lit;
+            match index {{
+{arms}                _ => None,
+            }}
+        }}
+"
+        ),
+    );
 }
 
 /// Starts of G from those of O.

@@ -52,7 +52,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         time: graph.symbol("t"),
         most_growth: graph.symbol("most_growth"),
         agreement: graph.symbol("agreement"),
-        gravity: graph.zero(),
+        gravity: [graph.zero(); 2],
         rung: None,
         stabilisation: Stabilisation::Projection,
         params,
@@ -114,6 +114,9 @@ impl<'a> Names<'a> {
             match &item.kind {
                 ItemKind::Body(of) => {
                     if let Some(name) = self.name(prefix, &of.name) {
+                        let ports = of.ports.iter().map(|port| &port.name.ident.text);
+                        let ports = ports.map(|port| (format!("{}.{port}", name.text), Thing::Port));
+                        self.things.extend(ports);
                         self.things.push((name.text.clone(), Thing::Body(of)));
                         let body = body(&mut self.found.graph, name);
                         self.found.bodies.push(body);
@@ -129,10 +132,16 @@ impl<'a> Names<'a> {
                     let names: Vec<Name> = list.iter().filter_map(|of| self.path(of)).collect();
                     self.observed.extend(names);
                 }
-                ItemKind::Node(node) if depth == 0 => {
-                    if let Some(name) = self.name("", &node.name) {
+                ItemKind::Node(node) => {
+                    if let Some(name) = self.name(prefix, &node.name) {
                         self.things.push((name.text, Thing::Node(node)));
                     }
+                }
+                ItemKind::Ground(ports) => {
+                    let names = ports.iter().filter_map(|port| self.name(prefix, &port.name));
+                    let ports: Vec<_> =
+                        names.map(|name| (format!("ground.{}", name.text), Thing::Port)).collect();
+                    self.things.extend(ports);
                 }
                 _ => {}
             }

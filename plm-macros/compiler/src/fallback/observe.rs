@@ -10,20 +10,34 @@ use crate::syntax::ast::{self, Definition, ExprKind, ItemKind};
 #[derive(Clone, Copy)]
 pub(super) enum Thing<'a> {
     Body(&'a ast::Body),
+    /// A port of a body or of the ground.
+    Port,
     Part(&'a Definition),
     Node(&'a ast::Node),
+}
+
+impl Thing<'_> {
+    /// Where `all` has it: bodies with their ports, the ground, nodes, parts.
+    fn place(self) -> usize {
+        match self {
+            Thing::Body(_) => 0,
+            Thing::Port => 1,
+            Thing::Node(_) => 2,
+            Thing::Part(_) => 3,
+        }
+    }
 }
 
 impl<'a> Names<'a> {
     /// Adds the outputs of all that is observed.
     pub(super) fn show_observed(&mut self) {
-        let things = std::mem::take(&mut self.things);
+        let mut things = std::mem::take(&mut self.things);
+        things.sort_by_key(|(_, thing)| thing.place());
         for Name { text, span } in std::mem::take(&mut self.observed) {
             for (name, thing) in &things {
-                if text == "all" || text == *name {
+                let is_of_ground = text == "ground" && name.starts_with("ground.");
+                if text == "all" || text == *name || is_of_ground {
                     self.show(name, *thing, span);
-                } else if let Some(port) = text.strip_prefix(&format!("{name}.")) {
-                    self.show_one(&text, *thing, port, span);
                 }
             }
         }
@@ -39,28 +53,9 @@ impl<'a> Names<'a> {
                     self.show_port(&format!("{of}.{}", port.name.ident.text), span);
                 }
             }
+            Thing::Port => self.show_port(of, span),
             Thing::Node(node) => self.show_node(of, node, span),
             Thing::Part(definition) => self.show_part(of, definition, span),
-        }
-    }
-
-    /// A port of a body, a node of a part.
-    fn show_one(&mut self, of: &str, thing: Thing<'a>, port: &str, span: Span) {
-        match thing {
-            Thing::Body(body) if body.ports.iter().any(|known| known.name.ident.text == port) => {
-                self.show_port(of, span);
-            }
-            Thing::Part(definition) => {
-                for item in &definition.items {
-                    match &item.kind {
-                        ItemKind::Node(node) if node.name.ident.text == port => {
-                            self.show_node(of, node, span);
-                        }
-                        _ => {}
-                    }
-                }
-            }
-            _ => {}
         }
     }
 

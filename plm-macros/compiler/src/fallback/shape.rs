@@ -53,6 +53,13 @@ impl<'a> Shapes<'a> {
                 "rate" => arguments.first().is_some_and(|argument| self.of(items, argument)),
                 _ => false,
             },
+            ExprKind::Name(name) if name.ident.text == "gravity" => {
+                let mut declared = self.items.iter().filter_map(|item| match &item.kind {
+                    ItemKind::Gravity(value) => Some(value),
+                    _ => None,
+                });
+                declared.next().is_some_and(|value| self.follow(self.items, value))
+            }
             ExprKind::Name(name) => {
                 let mut lets = all(items).filter_map(|item| match &item.kind {
                     ItemKind::Let(of, value) if of.ident.text == name.ident.text => Some(value),

@@ -22,7 +22,7 @@ pub(crate) struct Outputs {
     pub(crate) user: Vec<Output>,
     /// Kinetic energy, J.
     pub(crate) kinetic_energy: Function,
-    /// Potential energy of gravity above y = 0, J.
+    /// Potential energy of gravity above the origin, J.
     pub(crate) gravity_energy: Function,
     /// Turns at the revolutes between bodies, rad.
     pub(crate) branches: Function,
@@ -83,13 +83,16 @@ fn kinetic_energy(equations: &Equations, graph: &mut Graph) -> Expr {
     graph.div(sum, two)
 }
 
-/// `sum m g y`.
+/// `-sum m g . r`.
 fn gravity_energy(model: &Model, graph: &mut Graph) -> Expr {
-    let terms = model.bodies.iter().map(|body| {
-        let weight = graph.mul(body.mass, model.gravity);
-        graph.mul(weight, body.q[1])
-    });
-    let terms: Vec<Expr> = terms.collect();
+    let mut terms = Vec::new();
+    for body in &model.bodies {
+        for (&gravity, &place) in model.gravity.iter().zip(&body.q) {
+            let weight = graph.mul(body.mass, gravity);
+            let against = graph.neg(weight);
+            terms.push(graph.mul(against, place));
+        }
+    }
     graph.sum(&terms)
 }
 

@@ -171,7 +171,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A word that is set where a joint is used, unless its definition has a parameter of that name.
-    fn word(&self, instance: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
+    pub(super) fn word(&self, instance: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
         let is_word = self.instances[instance].definition.is_joint && !self.has_field(instance, word);
         if is_word { self.field(instance, word) } else { None }
     }

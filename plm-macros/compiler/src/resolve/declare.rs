@@ -56,7 +56,8 @@ impl<'a> Resolver<'a> {
 
     fn declare_gravity(&mut self, scope: ScopeId, item: &'a Item, value: &'a Expr) {
         let reads = Reads::SCHEDULED.and(Reads::INPUT);
-        let thunk = Thunk { scope, expr: value, wanted: Wanted::Number(Dimension::ACCELERATION, reads) };
+        let thunk =
+            Thunk { scope, expr: value, wanted: Wanted::NumberOrVector(Dimension::ACCELERATION, reads) };
         if self.gravity_is_declared {
             let first = self.slots[self.gravity].span;
             self.error(scope, Code::RepeatedItem, item.span, "gravity is declared twice")

@@ -24,6 +24,8 @@ pub(super) enum Wanted {
     Node(usize),
     /// A number of a dimension that reads no more than it may.
     Number(Dimension, Reads),
+    /// Such a number, or a vector of two.
+    NumberOrVector(Dimension, Reads),
 }
 
 /// Does a quantity fit a dimension?
@@ -71,10 +73,22 @@ impl<'a> Resolver<'a> {
             (Wanted::Body, _) => Err(self.wrong_kind(scope, expr, "a body", &value)),
             (Wanted::Port(domain), _) => self.port_of_domain(scope, expr, value, domain),
             (Wanted::Node(node), _) => self.value_of_node(scope, expr, value, node),
-            (Wanted::Number(dimension, reads), Value::Scalar(found, nature)) => {
+            (
+                Wanted::Number(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
+                Value::Scalar(found, nature),
+            ) => {
                 self.fits(scope, expr, self.graph.is_zero(*found), *nature, dimension)?;
                 self.reads_only(scope, expr, nature.reads, reads)?;
                 Ok(Value::Scalar(*found, Nature::written(dimension, nature.reads)))
+            }
+            (Wanted::NumberOrVector(dimension, reads), Value::Vector(found, nature)) => {
+                let is_zero = found.iter().all(|component| self.graph.is_zero(*component));
+                self.fits(scope, expr, is_zero, *nature, dimension)?;
+                self.reads_only(scope, expr, nature.reads, reads)?;
+                Ok(Value::Vector(*found, Nature::written(dimension, nature.reads)))
+            }
+            (Wanted::NumberOrVector(..), _) => {
+                Err(self.wrong_kind(scope, expr, "a number or a vector", &value))
             }
             (Wanted::Number(..), _) => Err(self.wrong_kind(scope, expr, "a number", &value)),
         }
@@ -223,8 +237,12 @@ impl<'a> Resolver<'a> {
             return Ok(());
         }
         let message = format!("this reads {}", beyond.describe());
-        self.error(scope, Code::NotConstant, expr.span, message)
+        let diagnostic = self
+            .error(scope, Code::NotConstant, expr.span, message)
             .note(format!("what stands here may read {}", allowed.describe()));
+        if let Some([why, instead]) = beyond.no_place().filter(|_| allowed == Reads::SCHEDULED) {
+            diagnostic.note(why).help(instead);
+        }
         Err(Failed)
     }
 }

@@ -1,6 +1,7 @@
 //! What the use of a part sets: parameters, inputs, choices and starts of states, also of the parts that it contains.
 
 use super::Resolver;
+use super::branch::{BRANCH, tells_branches};
 use super::compliance::WORDS;
 use super::scope::ScopeId;
 use crate::diag::{Code, help_similar};
@@ -73,6 +74,9 @@ impl<'a> Resolver<'a> {
             definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
         if definition.is_joint {
             known.extend(WORDS);
+        }
+        if tells_branches(definition) {
+            known.push(BRANCH);
         }
         if !known.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);

@@ -103,10 +103,12 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    pub(super) fn finish_gravity(&mut self) -> Eval<Expr> {
+    /// The acceleration of gravity; a number is its size downwards.
+    pub(super) fn finish_gravity(&mut self) -> Eval<[Expr; 2]> {
         let span = self.slots[self.gravity].span;
         match self.force(self.gravity, 0, span)? {
-            Value::Scalar(gravity, _) => Ok(gravity),
+            Value::Scalar(gravity, _) => Ok([self.graph.zero(), self.graph.neg(gravity)]),
+            Value::Vector(gravity, _) => Ok(gravity),
             _ => Err(Failed),
         }
     }

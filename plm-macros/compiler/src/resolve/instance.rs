@@ -36,7 +36,7 @@ pub(super) struct InstanceState<'a> {
     /// What its use sets, by path.
     pub(super) fields: Vec<(String, &'a Field)>,
     /// The part of the mechanism that it is, or belongs to.
-    part: usize,
+    pub(super) part: usize,
     /// Is it that part itself?
     is_part: bool,
     pub(super) arguments: Vec<SlotId>,
@@ -93,6 +93,7 @@ impl<'a> Resolver<'a> {
         self.bind(scope, &ast.name.ident, key, slot);
         self.bind_arguments(id, inside);
         self.check_fields(id);
+        self.ask_for_branch(id);
         if let Some((_, span)) = stated {
             self.parts[index].declared = Some(Declared { span, uses: self.uses(inside) });
         }
@@ -143,7 +144,7 @@ impl<'a> Resolver<'a> {
     fn new_part(&mut self, name: &str, span: Span, definition: &Definition, pair: Option<Pair>) -> usize {
         let name = Name { text: name.to_string(), span };
         let kind = definition.name.text.clone();
-        self.parts.push(Part { name, kind, pair, declared: None, frames: Vec::new() });
+        self.parts.push(Part { name, kind, pair, declared: None, frames: Vec::new(), branch: None });
         self.parts.len() - 1
     }
 

@@ -7,6 +7,7 @@
 //! them (`late`).
 
 mod body;
+mod branch;
 mod compliance;
 mod condition;
 mod declare;

@@ -21,8 +21,8 @@ pub(super) struct NodeState<'a> {
     pub(super) name: String,
     pub(super) scope: ScopeId,
     pub(super) span: Span,
-    /// Its across quantity, once it has been evaluated.
-    across: Option<(Expr, Nature)>,
+    /// Its across quantity, once it has been evaluated; another name of a node has none.
+    pub(super) across: Option<(Expr, Nature)>,
     /// In the order of its domain.
     pub(super) through: Vec<ThroughState>,
 }

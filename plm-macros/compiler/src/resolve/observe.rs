@@ -70,7 +70,7 @@ impl<'a> Resolver<'a> {
         for (target, span) in targets {
             shown.span = span;
             let _ = match target {
-                Value::Body(Some(body)) => self.show_body(body, &mut shown),
+                Value::Body(body) => self.show_body(body, &mut shown),
                 Value::Frame(frame) => self.show_port(frame, &mut shown),
                 Value::Node(node) => {
                     self.show_node(node, &mut shown);
@@ -83,43 +83,44 @@ impl<'a> Resolver<'a> {
         *outputs = shown.outputs;
     }
 
-    /// What an `observe` names; `all` is every body and every part, those inside of parts too, and the nodes of the mechanism.
+    /// What an `observe` names; `all` is every body, the ground, every node and every part, those inside of parts too.
     fn targets(&mut self, scope: ScopeId, expr: &'a Written, targets: &mut Vec<(Value, Span)>) -> Eval<()> {
         let is_all = matches!(&expr.kind, ExprKind::Name(name) if name.ident.text == "all");
         if is_all && self.find(scope, "all").is_none() {
-            let nodes = (0..self.nodes.len()).filter(|&node| {
-                let home = self.home(self.nodes[node].scope);
-                self.scopes[home].instance.is_none()
-            });
-            let nodes: Vec<Value> = nodes.map(Value::Node).collect();
-            let bodies = (0..self.bodies.len()).map(|body| Value::Body(Some(body)));
+            // One that is another name of a node has no quantities of its own.
+            let nodes = (0..self.nodes.len()).filter(|&node| self.nodes[node].across.is_some());
+            let nodes = nodes.map(Value::Node);
+            let bodies = (0..self.bodies.len()).map(Some).chain([None]).map(Value::Body);
             let parts = (0..self.instances.len()).map(Value::Instance);
             targets.extend(bodies.chain(nodes).chain(parts).map(|target| (target, expr.span)));
             return Ok(());
         }
         let value = self.eval(scope, expr)?;
         let help = match &value {
-            Value::Body(Some(_)) | Value::Frame(_) | Value::Node(_) | Value::Instance(_) => {
+            Value::Body(_) | Value::Frame(_) | Value::Node(_) | Value::Instance(_) => {
                 targets.push((value, expr.span));
                 return Ok(());
             }
             Value::Scalar(..) | Value::Vector(..) => "a single quantity is shown by `output`",
-            _ => "name a body, a port, a node, a part, or `all`",
+            _ => "name a body, the ground, a port, a node, a part, or `all`",
         };
         let message = format!("{} cannot be observed", value.kind());
         self.error(scope, Code::WrongKind, expr.span, message).help(help);
         Err(Failed)
     }
 
-    fn show_body(&mut self, body: usize, shown: &mut Shown) -> Eval<()> {
-        let name = self.bodies[body].name.text.clone();
-        for member in OF_CENTRE {
-            if let Some(value) = self.body_member(Some(body), member)? {
-                shown.push(format!("{name}.{member}"), &value, String::new());
+    /// A body and its ports; the ground has no more than ports.
+    fn show_body(&mut self, body: Option<usize>, shown: &mut Shown) -> Eval<()> {
+        if let Some(moving) = body {
+            let name = self.bodies[moving].name.text.clone();
+            for member in OF_CENTRE {
+                if let Some(value) = self.body_member(body, member)? {
+                    shown.push(format!("{name}.{member}"), &value, String::new());
+                }
             }
         }
-        (0..self.bodies[body].ports.len())
-            .try_for_each(|port| self.show_port(FrameRef { body: Some(body), port }, shown))
+        let ports = body.map_or(self.ground.len(), |body| self.bodies[body].ports.len());
+        (0..ports).try_for_each(|port| self.show_port(FrameRef { body, port }, shown))
     }
 
     fn show_port(&mut self, frame: FrameRef, shown: &mut Shown) -> Eval<()> {
@@ -141,8 +142,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What the definition of a part shows, in its order; then what it does to each of its frames. Its nodes have names of
-    /// their own.
+    /// What the definition of a part shows, in its order; then what it does to each of its frames. Its nodes are shown by
+    /// themselves.
     fn show_part(&mut self, id: usize, actions: &Actions, shown: &mut Shown) -> Eval<()> {
         let (inside, name) = (self.instances[id].scope, self.instances[id].name.clone());
         let outputs = self.scopes[inside].outputs.iter();

@@ -83,7 +83,14 @@ impl<'a> Resolver<'a> {
         let part = part.unwrap_or_else(|| {
             let name = Name { text: full.clone(), span };
             let kind = "constraint".to_string();
-            self.parts.push(Part { name, kind, pair: None, declared: None, frames: Vec::new() });
+            self.parts.push(Part {
+                name,
+                kind,
+                pair: None,
+                declared: None,
+                frames: Vec::new(),
+                branch: None,
+            });
             self.parts.len() - 1
         });
         let lambda = self.graph.symbol(&format!("lambda_{full}"));
@@ -119,8 +126,12 @@ impl<'a> Resolver<'a> {
         let beyond = nature.reads.beyond(Reads::GEOMETRY);
         if beyond != Reads::NOTHING {
             let message = format!("a constraint reads {}", beyond.describe());
-            self.error(scope, Code::NotConstant, left.span.to(right.span), message)
+            let diagnostic = self
+                .error(scope, Code::NotConstant, left.span.to(right.span), message)
                 .note(format!("it may read {}", Reads::GEOMETRY.describe()));
+            if let Some([why, instead]) = beyond.no_place() {
+                diagnostic.note(why).help(instead);
+            }
             return Err(Failed);
         }
         let phi = self.graph.sub(a, b);

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::Resolver;
 use super::expect::literal_text;
 use super::scope::SlotId;
+use super::value::Value;
 use crate::diag::Code;
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, ItemKind, Mechanism};
@@ -40,16 +41,18 @@ impl<'a> Resolver<'a> {
             ItemKind::Gravity(value) => Some(value),
             _ => None,
         });
-        let (Some(declared), Ok(gravity)) = (declared, self.finish_gravity()) else { return };
-        if !self.graph.as_number(gravity).is_some_and(plm_cas::Number::is_negative) {
+        let (Some(declared), Ok([x, y])) = (declared, self.finish_gravity()) else { return };
+        let down = self.graph.neg(y);
+        let is_upwards = self.graph.as_number(down).is_some_and(plm_cas::Number::is_negative);
+        if !is_upwards || !self.graph.is_zero(x) {
             return;
         }
-        let upwards = match &declared.kind {
-            ExprKind::Neg(inner) => literal_text(inner),
-            _ => None,
+        let message = match self.force(self.gravity, 0, declared.span) {
+            Ok(Value::Vector(..)) => "this gravity points along y, so that it pulls upwards",
+            _ => "gravity acts along -y, so that a negative one pulls upwards",
         };
-        let help = upwards.map_or("turn its sign".to_string(), |value| format!("write `{value}`"));
-        let message = "gravity acts along -y, so that a negative one pulls upwards";
+        let help =
+            downwards(declared).map_or("turn its sign".to_string(), |value| format!("write `{value}`"));
         self.sink.warning(Code::Upwards, declared.span, message).help(help);
     }
 
@@ -107,6 +110,20 @@ impl<'a> Resolver<'a> {
                 .warning(Code::Unread, span, format!("nothing reads the {what} `{name}`"))
                 .help(format!("leave it out, or call it `_{name}`"));
         }
+    }
+}
+
+/// A literal gravity that points upwards, turned.
+fn downwards(declared: &ast::Expr) -> Option<String> {
+    match &declared.kind {
+        ExprKind::Neg(inner) => literal_text(inner),
+        ExprKind::Quantity(inner, unit) => match &inner.kind {
+            ExprKind::Pair(x, y) => {
+                Some(format!("({}, -{}) {}", literal_text(x)?, literal_text(y)?, unit.text))
+            }
+            _ => None,
+        },
+        _ => None,
     }
 }
 

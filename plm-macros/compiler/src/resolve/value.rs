@@ -55,6 +55,21 @@ impl Reads {
         Reads(self.0 & !allowed.0)
     }
 
+    /// Why inputs or states tell no place, and what to do instead.
+    pub(super) fn no_place(self) -> Option<[&'static str; 2]> {
+        if self.has(Reads::INPUT) {
+            return Some([
+                "an input is held over a step and has no rate: what it places would rest in every step and jump between them",
+                "to move it between steps make it a `param`: joints are assembled anew; to move it within them write a function \
+                 of the time, or place it on a body whose joint has a `drive` that follows the input",
+            ]);
+        }
+        self.has(Reads::STATE).then_some([
+            "joints are closed by places alone, before states are known",
+            "place it on a body whose joint has a `drive` that follows the state",
+        ])
+    }
+
     /// `positions and the time`
     pub(super) fn describe(self) -> String {
         let names: Vec<&str> =

@@ -147,7 +147,7 @@ fn nothing_is_shown_twice_and_what_is_declared_comes_first() {
     assert_eq!(model.outputs[0].unit.text, "kN*m");
 }
 
-/// Repetitions and what is inside of parts; nodes of parts by their own names.
+/// Repetitions, what is inside of parts, nodes of joints, the ground.
 #[test]
 fn all_is_what_can_be_seen_anywhere() {
     let model = resolve(
@@ -162,16 +162,24 @@ fn all_is_what_can_be_seen_anywhere() {
             body wheel { mass: 1 kg; inertia: 1 kg*m^2; port hub: (0, 0) m; }
             revolute axle(ground.o, wheel.hub);
             motor drive(axle.shaft);
-            observe all, axle.shaft;
+            node crossing: shaft = axle.shaft;
+            observe all;
         }",
     );
     let names = names(&model);
-    for expected in
-        ["link[1].bar.tip.velocity", "link[0].pin.force_on_b", "link[1].force_on_a", "axle.shaft.torque"]
-    {
+    for expected in [
+        "link[1].bar.tip.velocity",
+        "link[0].pin.force_on_b",
+        "link[1].force_on_a",
+        "link[1].pin.acceleration",
+        "axle.shaft.angle",
+        "axle.shaft.torque",
+        "link[0].pin.shaft.torque",
+        "ground.o.position",
+    ] {
         assert!(names.contains(&expected), "{expected}: {names:?}");
     }
-    assert!(!names.contains(&"link[0].pin.shaft.torque"), "a node of a part");
+    assert!(!names.contains(&"crossing.torque"), "another name of a node");
     let values = Values::of(&model);
     assert_near(output(&model, &values, "axle.shaft.torque")[0], 3.0, "shaft");
     assert_near(output(&model, &values, "axle.torque_on_b")[0], 3.0, "what the joint hands on");
@@ -187,7 +195,7 @@ fn names_outlive_mistakes() {
             ground { port o: (0, 0) m; }
             body arm { mass: 1 m; inertia: 1 kg*m^2; port p: (0, 0) m; }
             revolute pin(ground.o, arm.p);
-            observe arm, pin;
+            observe arm, pin, pin.shaft, ground;
         }",
     );
     let expansion = compile(&mut sources);
@@ -196,6 +204,8 @@ fn names_outlive_mistakes() {
     for signature in [
         "pub fn arm_alpha(&self) -> S {",
         "pub fn arm_p_velocity(&self) -> [S; 2] {",
+        "pub fn pin_shaft_torque(&self) -> S {",
+        "pub fn ground_o_position(&self) -> [S; 2] {",
         "pub fn pin_force(&self) -> [S; 2] {",
         "pub fn pin_force_on_b(&self) -> [S; 2] {",
         "pub fn pin_torque_on_a(&self) -> S {",

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
-//! terms in a revolute; gravity is an upward acceleration of the ground.
+//! terms in a revolute; gravity is an acceleration of the ground against it.
 
 use plm_cas::{Expr, Graph};
 
@@ -69,7 +69,8 @@ pub(crate) fn accelerations(
     };
     let squares = motion.omega.iter().map(squared).collect();
     let mut work = Elimination { model, coordinates, motion, squares, graph, trace: Vec::new() };
-    let (zero, gravity) = (work.graph.zero(), model.gravity);
+    let zero = work.graph.zero();
+    let [x, y] = model.gravity.map(|gravity| work.graph.neg(gravity));
     let mut answers: Vec<Answer> =
         (0..model.bodies.len()).map(|body| work.alone(body, force[body])).collect();
     let mut held = Vec::new();
@@ -88,7 +89,7 @@ pub(crate) fn accelerations(
     let mut accelerations = vec![zero; coordinates.unknowns.len()];
     let mut reached = vec![[zero; 3]; model.bodies.len()];
     for (hold, link, eliminated) in held.iter().rev() {
-        let parent = hold.parent.map_or([zero, gravity, zero], |parent| reached[parent]);
+        let parent = hold.parent.map_or([x, y, zero], |parent| reached[parent]);
         reached[hold.body] = work.follow(parent, link, eliminated, &mut accelerations);
     }
     (accelerations, vec![inward, Section::new("From the ground outwards: accelerations", work.trace)])

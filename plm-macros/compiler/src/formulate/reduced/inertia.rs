@@ -52,7 +52,7 @@ pub(crate) fn dense(
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
         let columns = partial_velocities(coordinates, motion, &coordinates.centres[body], graph);
-        let weight = [Term { class: 0, factor: model.gravity, vector: [graph.zero(), graph.one()] }];
+        let weight = [against_gravity(model, graph)];
         let bias = bias(model, motion, &coordinates.centres[body], graph);
         for (k, (i, left)) in columns.iter().enumerate() {
             for (j, right) in &columns[..=k] {
@@ -151,6 +151,19 @@ fn times(dense: &Dense, u: &[Expr], graph: &mut Graph) -> Vec<Expr> {
 fn product(graph: &mut Graph, a: &[Expr], b: &[Expr]) -> Expr {
     let terms: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| graph.mul(a, b)).collect();
     graph.sum(&terms)
+}
+
+/// The acceleration with which the ground would have to move instead of gravity. Where it lies along an axis its size is left
+/// as a factor of whole sums.
+fn against_gravity(model: &Model, graph: &mut Graph) -> Term {
+    let [x, y] = model.gravity.map(|gravity| graph.neg(gravity));
+    let (zero, one) = (graph.zero(), graph.one());
+    let (factor, vector) = match (x == zero, y == zero) {
+        (true, _) => (y, [zero, one]),
+        (_, true) => (x, [one, zero]),
+        _ => (one, [x, y]),
+    };
+    Term { class: 0, factor, vector }
 }
 
 /// `dp/dy_i` of a place, for every coordinate that moves it, ascending.

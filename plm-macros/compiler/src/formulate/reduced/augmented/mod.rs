@@ -131,8 +131,7 @@ fn known(
     for hold in coordinates.order.iter().rev() {
         let body = hold.body;
         for i in 0..2 {
-            let gravity = if i == 1 { model.gravity } else { zero };
-            let against = graph.add(reached[body][i], gravity);
+            let against = graph.sub(reached[body][i], model.gravity[i]);
             let inertial = graph.mul(model.bodies[body].mass, against);
             let own = graph.sub(inertial, applied[body][i]);
             let sum = graph.add(passed[body][i], own);

@@ -1,0 +1,134 @@
+//! The mirror images of loops that a declaration asks for.
+//!
+//! A loop can mostly be closed in two ways. Newton's iteration finds the one that is nearer to the start; from there the other
+//! one is mirrored: both bodies of the joint at the line through their far ends, which is the other solution of a dyad, or one
+//! of them alone, where the other one is locked. Newton's iteration closes what that has opened.
+
+use super::Absolute;
+use super::assemble::{Pose, newton};
+use crate::fault::{Cause, Fault};
+use crate::scalar::Real;
+use crate::start::Start;
+use crate::vector::Vector;
+
+/// A sine below this is that of a flat loop, where both images meet.
+const FLAT: f64 = 1e-9;
+/// Ways to look for another image.
+const WAYS: [Way; 3] = [Way::Mirrored, Way::Second, Way::First];
+
+/// A revolute that asks for one of the mirror images of its loop: which way its second body turns from the first.
+#[derive(Clone, Copy, Debug)]
+pub struct Branch<S> {
+    /// Name of the joint.
+    pub part: &'static str,
+    /// The bodies.
+    pub bodies: [usize; 2],
+    /// Their names.
+    pub names: [&'static str; 2],
+    /// Of each body, from where it is seen to where, from G in its axes, m: far end and pivot of the first, pivot and far end
+    /// of the second.
+    pub ends: [[[S; 2]; 2]; 2],
+    /// The second is to turn left, so that the angle is positive.
+    pub left: bool,
+}
+
+/// What is moved.
+#[derive(Clone, Copy)]
+enum Way {
+    Mirrored,
+    Second,
+    First,
+}
+
+/// Goes over to the images that are asked for, one joint after the other; what is locked stays.
+pub(super) fn find<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    mut pose: Pose<S, NQ, NC>,
+    (start, free): (&[Start<S>; NQ], &[S; NQ]),
+) -> Result<Pose<S, NQ, NC>, Fault> {
+    while let Some(wrong) = all(m).find(|branch| !branch.is_met(&pose.q)) {
+        let before = missed(m, &pose.q);
+        let found = WAYS.into_iter().find_map(|way| {
+            let mut q = wrong.other(&pose.q, way);
+            for (i, start) in start.iter().enumerate() {
+                if free.at(i) == S::ZERO {
+                    q.set(i, start.value);
+                }
+            }
+            let found = newton(m, t, &q, free);
+            (found.is_closed(m) && missed(m, &found.q) < before).then_some(found)
+        });
+        let [first, second] = wrong.names;
+        let cause = Cause::OtherBranch { first, second, left: !wrong.left };
+        pose = found.ok_or(Fault::of_part(t.to_f64(), wrong.part, cause))?;
+    }
+    Ok(pose)
+}
+
+fn all<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+) -> impl Iterator<Item = Branch<S>> {
+    (0..).map_while(|index| m.branch(index))
+}
+
+/// How many joints are on another image than they ask for.
+fn missed<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(m: &M, q: &[S; NQ]) -> usize {
+    all(m).filter(|branch| !branch.is_met(q)).count()
+}
+
+impl<S: Real> Branch<S> {
+    /// Far end of the first body, pivot, far end of the second.
+    fn corners<const NQ: usize>(&self, q: &[S; NQ]) -> [[S; 2]; 3] {
+        let ([[from, middle], [_, to]], [first, second]) = (self.ends, self.bodies);
+        [place(q, first, from), place(q, first, middle), place(q, second, to)]
+    }
+
+    /// How far the second body turns from the first, rad.
+    fn turned<const NQ: usize>(&self, q: &[S; NQ]) -> S {
+        let [from, middle, to] = self.corners(q);
+        angle(middle, to) - angle(from, middle)
+    }
+
+    fn is_met<const NQ: usize>(&self, q: &[S; NQ]) -> bool {
+        let (sine, _) = self.turned(q).sin_cos();
+        let sine = if self.left { sine } else { -sine };
+        sine >= -S::lit(FLAT).max(S::lit(64.0) * S::EPSILON)
+    }
+
+    /// A pose near another image.
+    fn other<const NQ: usize>(&self, q: &[S; NQ], way: Way) -> [S; NQ] {
+        let ([from, middle, to], [first, second]) = (self.corners(q), self.bodies);
+        let (mut other, two) = (*q, S::lit(2.0));
+        match way {
+            Way::Mirrored => {
+                let line = angle(from, to);
+                rotate(&mut other, first, from, two * (line - angle(from, middle)));
+                rotate(&mut other, second, to, two * (line - angle(middle, to)));
+            }
+            Way::Second => rotate(&mut other, second, middle, -two * self.turned(q)),
+            Way::First => rotate(&mut other, first, middle, two * self.turned(q)),
+        }
+        other
+    }
+}
+
+/// A point of a body in absolute axes.
+fn place<S: Real, const NQ: usize>(q: &[S; NQ], body: usize, [x, y]: [S; 2]) -> [S; 2] {
+    let (sin, cos) = q.at(3 * body + 2).sin_cos();
+    [q.at(3 * body) + cos * x - sin * y, q.at(3 * body + 1) + sin * x + cos * y]
+}
+
+/// The direction from one point to another, rad.
+fn angle<S: Real>(from: [S; 2], to: [S; 2]) -> S {
+    (to[1] - from[1]).atan2(to[0] - from[0])
+}
+
+/// Turns a body about a point.
+fn rotate<S: Real, const NQ: usize>(q: &mut [S; NQ], body: usize, about: [S; 2], by: S) {
+    let (sin, cos) = by.sin_cos();
+    let [x, y] = [q.at(3 * body) - about[0], q.at(3 * body + 1) - about[1]];
+    q.set(3 * body, about[0] + cos * x - sin * y);
+    q.set(3 * body + 1, about[1] + sin * x + cos * y);
+    q.set(3 * body + 2, q.at(3 * body + 2) + by);
+}
