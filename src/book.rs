@@ -15,6 +15,7 @@ pages! {
     GeneratedCode = "generated-code.md";
     Outputs = "language/outputs.md";
     Parts = "language/parts.md";
+    Repeat = "language/repeat.md";
     Declaration = "language/declaration.md";
     Assembly = "running/assembly.md";
     Integrators = "running/integrators.md";

@@ -9,6 +9,7 @@ mod bodies;
 mod charts;
 mod defaults;
 mod docs;
+mod families;
 mod limits;
 mod linear;
 mod lines;
@@ -93,6 +94,8 @@ pub(crate) struct Fields {
     pub(crate) states: Vec<String>,
     /// Accessors of the outputs, beside those of the bodies.
     pub(crate) outputs: Vec<String>,
+    /// Accessors of both by their indices.
+    pub(crate) families: Vec<families::Family>,
 }
 
 /// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
@@ -147,6 +150,7 @@ impl Fields {
             inputs: model.inputs.iter().map(|input| inputs.unique(&input.name.text)).collect(),
             states: model.states.iter().map(|state| starts.unique(&state.name.text)).collect(),
             outputs,
+            families: families::find(model, &mut accessors),
             bodies,
         }
     }
