@@ -70,7 +70,8 @@ fn step<M: Mechanism, I: Method<M>>(
     observer: &mut impl Observer<M>,
     by_rescue: bool,
 ) -> Result<(), Fault> {
-    let (before, held) = ((course.time, course.x), course.held);
+    let before = (course.time, course.x);
+    let held = course.held;
     course.health = M::S::lit(1.0);
     let due = watch.step(method, course)?;
     if !by_rescue && came_near(course, before, watch) {
