@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use plm_runtime::method::Course;
+use plm_runtime::method::{Course, Path};
 use plm_runtime::system::Drift;
 use plm_runtime::{Dop853, Fault, Linear, Method, Moment, Sim};
 
@@ -207,6 +207,22 @@ impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
     }
     fn shorten(&mut self, h: f64) -> bool {
         whichever!(mut self, method => Method::<M>::shorten(method, h))
+    }
+    fn fresh(&self) -> Self {
+        let method = match &self.method {
+            Chosen::Explicit(method) => Chosen::Explicit(Method::<M>::fresh(method)),
+            Chosen::Stiff(method) => Chosen::Stiff(Method::<M>::fresh(method)),
+        };
+        Self { method, choice: self.choice }
+    }
+    fn path(&self) -> Option<Path<f64, M::X>> {
+        whichever!(self, method => Method::<M>::path(method))
+    }
+    fn tolerance(&self) -> Option<f64> {
+        whichever!(self, method => Method::<M>::tolerance(method))
+    }
+    fn limited_by(&self, system: &M) -> Option<usize> {
+        whichever!(self, method => Method::<M>::limited_by(method, system))
     }
     fn drift_limit(&self, system: &M) -> Drift<f64> {
         whichever!(self, method => method.drift_limit(system))

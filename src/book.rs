@@ -16,6 +16,7 @@ pages! {
     Bodies = "language/bodies.md";
     Outputs = "language/outputs.md";
     Parts = "language/parts.md";
+    Repeat = "language/repeat.md";
     Declaration = "language/declaration.md";
     Assembly = "running/assembly.md";
     Integrators = "running/integrators.md";

@@ -67,7 +67,7 @@ pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 #[cfg(feature = "analysis")]
-pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What};
+pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What, stabilise};
 #[cfg(feature = "std")]
 pub use starts::{BadStarts, StartProblem, read_starts};
 

@@ -56,14 +56,21 @@ fn list(stream: TokenStream) -> Trees {
     stream.into_iter().collect::<Vec<_>>().into_iter()
 }
 
-/// `None` for the invisible group around what a `macro_rules!` captured.
+/// `None` for the invisible group around what a `macro_rules!` captured, unless that is an operation: `2 + 1` in place of
+/// `$n` is one operand, while a path or a literal is what it is without a group.
 fn delimiter(group: &Group) -> Option<Delimiter> {
     match group.delimiter() {
         proc_macro::Delimiter::Parenthesis => Some(Delimiter::Paren),
         proc_macro::Delimiter::Bracket => Some(Delimiter::Bracket),
         proc_macro::Delimiter::Brace => Some(Delimiter::Brace),
-        proc_macro::Delimiter::None => None,
+        proc_macro::Delimiter::None => {
+            group.stream().into_iter().any(is_operator).then_some(Delimiter::Captured)
+        }
     }
+}
+
+fn is_operator(tree: TokenTree) -> bool {
+    matches!(tree, TokenTree::Punct(mark) if "+-*/<>&|^".contains(mark.as_char()))
 }
 
 /// Emitted source as tokens. Identifiers of its public part get the spans of their declarations, so that an editor

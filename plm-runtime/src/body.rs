@@ -20,6 +20,15 @@ impl<S> BodyState<S> {
     pub fn of([x, y, angle]: [S; 3], [vx, vy, omega]: [S; 3]) -> Self {
         Self(BodyMotion { x, y, angle, vx, vy, omega })
     }
+
+    /// Of the body with this number, from 0, among poses and velocities of all: three numbers each.
+    pub fn among(q: &[S], v: &[S], body: usize) -> Option<Self>
+    where
+        S: Copy,
+    {
+        let of = |all: &[S]| all.as_chunks::<3>().0.get(body).copied();
+        Some(Self::of(of(q)?, of(v)?))
+    }
 }
 
 impl<S> Deref for BodyState<S> {

@@ -3,11 +3,15 @@
 mod audit;
 mod changes;
 mod clock;
+mod count;
+mod kept;
 mod samples;
 mod steps;
+mod times;
 mod told;
 
 pub(crate) use self::clock::Clock;
+pub(crate) use self::kept::Kept;
 use self::samples::{Observer, Sampler, Unobserved};
 pub(crate) use self::steps::{Limits, alone, came_near, look};
 use self::steps::{pass, stretch};
@@ -36,6 +40,9 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) clock: Clock<M::S>,
     /// The longest step so far, s.
     pub(crate) longest_step: M::S,
+    kept: Kept<M>,
+    /// When it began, s.
+    start_time: M::S,
     /// Before this time an interval may end.
     latest: M::S,
     /// What the parameters were when they were looked at last.
@@ -51,6 +58,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     pub fn new(state: M::State, method: I) -> Self {
         Self {
             parameters: state.mechanism().fingerprint(),
+            start_time: state.time(),
+            kept: Kept::new(),
             state,
             method,
             stats: Stats::default(),
@@ -196,10 +205,11 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !(end >= time && end < self.latest) {
             self.begin(end, length)?;
         }
-        let Self { state, method, stats, watch, limits, longest_step, .. } = self;
+        let Self { state, method, stats, watch, limits, longest_step, kept, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course::new((system, held), (time, x), end, (stats, longest_step));
+        course.kept = Some(kept);
         let mut outcome = Ok(());
         while outcome.is_ok() && course.time < end {
             let instant = system.next_instant(course.time, &course.held);
@@ -221,5 +231,6 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     fn forget(&mut self) {
         self.method.restart();
         self.watch.forget();
+        self.kept.begun = None;
     }
 }

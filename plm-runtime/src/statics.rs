@@ -1,5 +1,6 @@
 //! A mechanism at rest: what must vanish at an equilibrium, in absolute coordinates on every rung.
 
+use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::start::StartValues;
 use crate::system::System;
@@ -34,6 +35,13 @@ pub trait Statics: Mechanism {
         lambda: &Self::Rows,
         each: &mut impl FnMut(Self::S),
     );
+
+    /// The assembled state at the time `t` as of [`start_state`](Mechanism::start_state), with the inputs of `held` in place of
+    /// those that are declared.
+    ///
+    /// # Errors
+    /// As those of [`start_state`](Mechanism::start_state).
+    fn start_with_inputs(&self, t: Self::S, held: &Self::U) -> Result<(Self::U, Self::X), Fault>;
 
     /// The start values as they are set: those of each body (x, y, angle, vx, vy, omega), then first-order states.
     fn starts_mut(&mut self) -> &mut Self::Starts;

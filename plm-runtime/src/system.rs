@@ -160,6 +160,11 @@ pub trait System {
         let _ = index;
         ""
     }
+
+    /// The name of the state with this index, `arm.omega`; in charts, of the coordinate that it is in each.
+    fn name_of_state(&self, index: usize) -> &'static str {
+        self.part_of_state(index)
+    }
 }
 
 /// What [`System::accept`] did to a state.

@@ -6,6 +6,7 @@
 //! linearised equations best, the shortest (A. Bjorck, Numerical Methods for Least Squares Problems, SIAM 1996, 9.2);
 //! the order of importance among equations is kept by solving the later ones in the null space of those before.
 
+mod equilibrium;
 mod invariant;
 mod look;
 mod rank;
@@ -13,15 +14,14 @@ mod report;
 mod rest;
 mod scales;
 
-use std::vec::Vec;
+use plm_runtime::{AsMoment, Cause, Fault, Linear, Mechanism, Moment, Statics, System, Vector};
 
-use plm_runtime::{Cause, Fault, Linear, Sim, Statics, System, Vector};
-
+pub use self::equilibrium::Equilibrium;
 use self::invariant::carry;
 use self::look::{Look, Task};
 use self::report::Found;
 pub use self::report::{Change, Freedom, Residual, Unbalanced, What};
-use self::rest::{Point, Rest};
+use self::rest::{Point, Rest, Setting};
 
 /// Steps after which no equilibrium is to be expected any more.
 const MOST_STEPS: u32 = 150;
@@ -44,73 +44,66 @@ pub trait Stabilise: Statics + Linear<Lifted<1>: Statics> + System<S = f64> {
     ///
     /// Locked coordinates and locked states stay as they are; what they would need for rest is said in the result, as is
     /// what nothing balances and what remains free. States whose rate is a multiple of a coordinate's rate are carried
-    /// along with the coordinates. Inputs are those of the declaration.
+    /// along with the coordinates. The time is zero, and the inputs are those of the declaration: with others, see
+    /// [`stabilise`].
     ///
     /// # Errors
     /// When the mechanism cannot be assembled; [`Cause::Singular`] when its equations are not finite there.
     fn stabilise(self) -> Result<Equilibrium<Self>, Fault> {
-        let singular = Fault::new(0.0, Cause::Singular { rows: Rest::<Self>::NC });
-        let (_, before) = Rest::at_start(self)?;
-        let (mut mechanism, mut iterations, mut stopped) = (self, 0, None);
-        for round in 1..=MOST_ROUNDS {
-            let (rest, start) = Rest::at_start(mechanism)?;
-            let task = Task::new(rest, &start).ok_or(singular)?;
-            // The last round only looks.
-            let most = if round < MOST_ROUNDS { MOST_STEPS.saturating_sub(iterations) } else { 0 };
-            let (look, steps) = descend(&task, start, most).ok_or(singular)?;
-            iterations += steps;
-            mechanism = task.rest.started_at(&look.point);
-            // Conditions are on the sides that the start had; where it ended they may be on others.
-            if steps > 0 && <Self::G as Vector<f64>>::LEN > 0 {
-                continue;
-            }
-            let found = Found { task: &task, look: &look, before: &before };
-            let found = found.equilibrium(mechanism, iterations);
-            if look.first <= BALANCED {
-                return Ok(found);
-            }
-            // No step helps where forces have a maximum, as on a pendulum held level. They still show a way.
-            stopped.get_or_insert(found);
-            let Some(point) = pushed(&task, &look) else { break };
-            mechanism = task.rest.started_at(&point);
-        }
-        stopped.ok_or(singular)
+        search(self, Setting { time: 0.0, inputs: None })
     }
 }
 
 impl<M> Stabilise for M where M: Statics + Linear<Lifted<1>: Statics> + System<S = f64> {}
 
-/// What a search for an equilibrium has found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Equilibrium<M> {
-    /// The mechanism with the equilibrium as its start; locks are those that it had.
-    pub mechanism: M,
-    /// What is not at rest, and what it would need.
-    pub residuals: Vec<Residual>,
-    /// What could be elsewhere and would rest as well; it was left as near to its start as it could be.
-    pub free: Vec<Freedom>,
-    /// Coordinates and states, and how far they are from where they started.
-    pub values: Vec<Change>,
-    /// Steps of the iteration.
-    pub iterations: u32,
+/// Looks for an equilibrium near the pose of a simulation, or of a state of a run, at its time and with its inputs, as
+/// [`Stabilise::stabilise`] does near the start of a mechanism. Locks are those of the mechanism's starts, and hold what
+/// they lock where it is.
+///
+/// # Errors
+/// Those of [`Stabilise::stabilise`].
+pub fn stabilise<A, T>(of: &A) -> Result<Equilibrium<T::M>, Fault>
+where
+    A: AsMoment<State = T>,
+    T: Moment<M: Stabilise + Mechanism<State = T>>,
+{
+    let state = of.as_moment();
+    let (mut mechanism, mut full) = (*state.mechanism(), <T::M as Statics>::full(state));
+    let coordinates = <T::M as Statics>::COORDINATES.len();
+    for velocity in coordinates..2 * coordinates {
+        full.set(velocity, 0.0);
+    }
+    *mechanism.starts_mut() = mechanism.starts_at(&full);
+    search(mechanism, Setting { time: state.time(), inputs: Some(state.held()) })
 }
 
-impl<M: Stabilise> Equilibrium<M> {
-    /// Starts a run from here, balanced or not: the manual's "stabilising + dynamic". Locks hold at the start alone.
-    ///
-    /// # Errors
-    /// As those of `start`.
-    pub fn start(self) -> Result<Sim<M>, Fault> {
-        self.mechanism.start()
+fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fault> {
+    let singular = Fault::new(setting.time, Cause::Singular { rows: Rest::<M>::NC });
+    let (_, before) = Rest::at_start(of, &setting)?;
+    let (mut mechanism, mut iterations, mut stopped) = (of, 0, None);
+    for round in 1..=MOST_ROUNDS {
+        let (rest, start) = Rest::at_start(mechanism, &setting)?;
+        let task = Task::new(rest, &start).ok_or(singular)?;
+        // The last round only looks.
+        let most = if round < MOST_ROUNDS { MOST_STEPS.saturating_sub(iterations) } else { 0 };
+        let (look, steps) = descend(&task, start, most).ok_or(singular)?;
+        iterations += steps;
+        mechanism = task.rest.started_at(&look.point);
+        // Conditions are on the sides that the start had; where it ended they may be on others.
+        if steps > 0 && <M::G as Vector<f64>>::LEN > 0 {
+            continue;
+        }
+        let found = Found { task: &task, look: &look, before: &before };
+        let found = found.equilibrium((mechanism, setting), iterations);
+        if look.first <= BALANCED {
+            return Ok(found);
+        }
+        // No step helps where forces have a maximum, as on a pendulum held level. They still show a way.
+        stopped.get_or_insert(found);
+        let Some(point) = pushed(&task, &look) else { break };
+        mechanism = task.rest.started_at(&point);
     }
-
-    /// Itself, if everything is at rest.
-    ///
-    /// # Errors
-    /// What is not.
-    pub fn balanced(self) -> Result<Self, Unbalanced> {
-        if self.residuals.is_empty() { Ok(self) } else { Err(Unbalanced { residuals: self.residuals }) }
-    }
+    stopped.ok_or(singular)
 }
 
 /// Steps from a start as long as they lead nearer to rest, and their number. None if something is not finite.

@@ -5,9 +5,10 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
+use plm_runtime::Statics;
 
 use super::look::{Look, Task};
-use super::rest::Point;
+use super::rest::{Point, Setting};
 use super::{BALANCED, Equilibrium, Stabilise};
 
 /// Something that is not at rest, or would not be without its lock.
@@ -110,7 +111,7 @@ impl fmt::Display for Freedom {
     }
 }
 
-impl<M> fmt::Display for Equilibrium<M> {
+impl<M: Statics> fmt::Display for Equilibrium<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let found = if self.residuals.is_empty() { "equilibrium" } else { "no equilibrium" };
         writeln!(f, "{found} after {} iterations", self.iterations)?;
@@ -119,6 +120,13 @@ impl<M> fmt::Display for Equilibrium<M> {
         }
         for freedom in &self.free {
             writeln!(f, "it rests in other places too: {freedom}")?;
+        }
+        if let Some(Change { name, moved, .. }) = self.far() {
+            let (moved, size) = (Short(*moved), Short(self.size));
+            writeln!(
+                f,
+                "far from the start: {name} moved by {moved} m, and the mechanism is {size} m large"
+            )?;
         }
         for Change { name, value, moved, unit } in &self.values {
             let unit = if *unit == "no unit" { "" } else { unit };
@@ -153,13 +161,18 @@ pub(super) struct Found<'a, M: Stabilise> {
 }
 
 impl<M: Stabilise> Found<'_, M> {
-    pub(super) fn equilibrium(&self, mechanism: M, iterations: u32) -> Equilibrium<M> {
+    pub(super) fn equilibrium(
+        &self,
+        (mechanism, setting): (M, Setting<M>),
+        iterations: u32,
+    ) -> Equilibrium<M> {
         let mut residuals = self.motions();
         residuals.extend(self.locks());
         residuals.extend(self.forces());
         residuals.extend(self.states());
         let (free, values) = (self.free(), self.values());
-        Equilibrium { mechanism, residuals, free, values, iterations }
+        let size = self.task.scales.length;
+        Equilibrium { mechanism, residuals, free, values, size, iterations, setting }
     }
 
     /// What is made to move, wherever it is.

@@ -3,7 +3,7 @@
 use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
-use plm_runtime::{Dual, Linear, Moment, Statics, Vector};
+use plm_runtime::{Dual, Fault, Linear, Moment, Statics, Vector};
 
 use super::Stabilise;
 
@@ -31,9 +31,30 @@ pub(super) struct Rows<T> {
     pub(super) rate: T,
 }
 
-/// A mechanism at time zero, with what it holds.
+/// When an equilibrium is looked for, and with which inputs.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<M: Statics> {
+    /// s.
+    pub(super) time: f64,
+    /// Where the inputs are taken from, if not from the declaration.
+    pub(super) inputs: Option<M::U>,
+}
+
+impl<M: Statics<S = f64>> Setting<M> {
+    /// The assembled start of a mechanism.
+    pub(super) fn start(&self, mechanism: M) -> Result<M::State, Fault> {
+        let (held, x) = match &self.inputs {
+            Some(inputs) => mechanism.start_with_inputs(self.time, inputs)?,
+            None => mechanism.start_state(self.time)?,
+        };
+        Ok(M::State::new(mechanism, held, self.time, x))
+    }
+}
+
+/// A mechanism at a time, with what it holds.
 pub(super) struct Rest<M: Stabilise> {
     mechanism: M,
+    time: f64,
     held: M::U,
 }
 
@@ -45,12 +66,13 @@ impl<M: Stabilise> Rest<M> {
     pub(super) const NX: usize = M::STATES.len();
 
     /// The assembled start.
-    pub(super) fn at_start(mechanism: M) -> Result<(Self, Point), plm_runtime::Fault> {
-        let (held, x) = mechanism.start_state(0.0)?;
-        let full = M::full(&M::State::new(mechanism, held, 0.0, x));
+    pub(super) fn at_start(mechanism: M, setting: &Setting<M>) -> Result<(Self, Point), Fault> {
+        let start = setting.start(mechanism)?;
+        let full = M::full(&start);
         let q = DVector::from_fn(Self::NQ, |i, _| full.at(i));
         let x = DVector::from_fn(Self::NX, |i, _| full.at(2 * Self::NQ + i));
-        Ok((Self { mechanism, held }, Point { q, x, lambda: DVector::zeros(Self::NC) }))
+        let rest = Self { mechanism, time: setting.time, held: start.held() };
+        Ok((rest, Point { q, x, lambda: DVector::zeros(Self::NC) }))
     }
 
     pub(super) fn mechanism(&self) -> &M {
@@ -75,7 +97,7 @@ impl<M: Stabilise> Rest<M> {
         let full = Vector::from_fn(|i| Self::entry(point, i, &v));
         let lambda = Vector::from_fn(|i| entry(&point.lambda, i));
         let mut values = Vec::new();
-        self.mechanism.equations(0.0, &self.held, &full, &lambda, &mut |value| values.push(value));
+        self.mechanism.equations(self.time, &self.held, &full, &lambda, &mut |value| values.push(value));
         Self::sorted(&DVector::from_vec(values))
     }
 
@@ -112,7 +134,7 @@ impl<M: Stabilise> Rest<M> {
             let mut i = 0;
             <Lifted<M> as Statics>::equations(
                 &lifted,
-                Dual::constant(0.0),
+                Dual::constant(self.time),
                 &held,
                 &full,
                 &lambda,

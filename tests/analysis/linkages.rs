@@ -54,7 +54,7 @@ fn a_loop_with_a_spring_rests_on_every_rung() {
 
 /// As a difference quotient tells it.
 #[track_caller]
-fn assert_needs_near<M>(found: &Equilibrium<M>, name: &str, force: f64) {
+fn assert_needs_near<M: Stabilise>(found: &Equilibrium<M>, name: &str, force: f64) {
     let [residual] = &found.residuals[..] else { panic!("{:?}", found.residuals) };
     assert_eq!((residual.name.as_str(), residual.what), (name, What::Lock));
     assert_close(residual.value, force, 1e-6);

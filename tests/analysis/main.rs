@@ -6,6 +6,7 @@ mod auto;
 mod linearise;
 mod linkages;
 mod pressures;
+mod settings;
 mod stabilise;
 
 use plm::runtime::{Dual, Health, Linear, Ports, System, Vector};

@@ -32,7 +32,7 @@ prismatic_joint!(two, { damping: 197.98 N/(m/s); drive: push; }, {
 });
 prismatic_joint!(three, { damping: 197.98 N/(m/s); drive: 10000 N/m*(0.5 m - guide.displacement); }, {});
 
-pub(super) fn value<M>(found: &Equilibrium<M>, name: &str) -> f64 {
+pub(super) fn value<M: Stabilise>(found: &Equilibrium<M>, name: &str) -> f64 {
     found.values.iter().find(|change| change.name == name).unwrap().value
 }
 
@@ -42,7 +42,7 @@ pub(super) fn assert_close(got: f64, want: f64, tolerance: f64) {
 
 /// A lock is named with the force that it has to give.
 #[track_caller]
-pub(super) fn assert_needs<M>(found: &Equilibrium<M>, name: &str, force: f64) {
+pub(super) fn assert_needs<M: Stabilise>(found: &Equilibrium<M>, name: &str, force: f64) {
     let [residual] = &found.residuals[..] else { panic!("{:?}", found.residuals) };
     assert_eq!((residual.name.as_str(), residual.what), (name, What::Lock));
     assert_close(residual.value, force, 1e-9);

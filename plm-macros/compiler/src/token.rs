@@ -16,6 +16,8 @@ pub enum Delimiter {
     Bracket,
     /// `{ }`
     Brace,
+    /// Brackets that nobody sees, around an expression that a `macro_rules!` has captured: it stays one operand.
+    Captured,
 }
 
 /// What a token is.
@@ -73,6 +75,7 @@ impl Token {
             Delimiter::Paren => "(",
             Delimiter::Bracket => "[",
             Delimiter::Brace => "{",
+            Delimiter::Captured => "",
         };
         Token::new(TokenKind::Open(delimiter), text)
     }
@@ -83,6 +86,7 @@ impl Token {
             Delimiter::Paren => ")",
             Delimiter::Bracket => "]",
             Delimiter::Brace => "}",
+            Delimiter::Captured => "",
         };
         Token::new(TokenKind::Close(delimiter), text)
     }

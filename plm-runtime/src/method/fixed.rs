@@ -176,6 +176,11 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         self.until_check = 0;
     }
 
+    fn fresh(&self) -> Self {
+        let Self { longest_step, tolerance, check_every, .. } = *self;
+        Self { tolerance, check_every, ..Self::new(longest_step) }
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
     }

@@ -46,7 +46,7 @@ use core::cmp::Ordering;
 
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::sim::Stats;
+use crate::sim::{Kept, Stats};
 use crate::system::{Drift, System};
 use crate::vector::Vector;
 
@@ -101,6 +101,17 @@ pub trait Method<M: System>: Copy {
         false
     }
 
+    /// The same method with its options, as it was before its first step.
+    #[must_use]
+    fn fresh(&self) -> Self;
+
+    /// The state with the largest part of the error estimate in the last step, by its index; none where something else
+    /// decided how long the step was: the end of the interval, a longest step, the drift.
+    fn limited_by(&self, system: &M) -> Option<usize> {
+        let _ = system;
+        None
+    }
+
     /// The relative tolerance of steps that are chosen by their error.
     fn tolerance(&self) -> Option<M::S> {
         None
@@ -128,6 +139,8 @@ pub struct Course<'a, M: System> {
     pub longest_step: &'a mut M::S,
     /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`](crate::Health).
     pub health: M::S,
+    /// What the simulation keeps of its steps.
+    pub(crate) kept: Option<&'a mut Kept<M>>,
     /// Steps are made without what the mechanism's own coordinates need, until this time at least.
     pub(crate) rescued: Option<M::S>,
 }
@@ -140,7 +153,18 @@ impl<'a, M: System> Course<'a, M> {
         end: M::S,
         (stats, longest_step): (&'a mut Stats, &'a mut M::S),
     ) -> Self {
-        Self { system, held, time, x, end, stats, longest_step, health: M::S::lit(1.0), rescued: None }
+        Self {
+            system,
+            held,
+            time,
+            x,
+            end,
+            stats,
+            longest_step,
+            health: M::S::lit(1.0),
+            kept: None,
+            rescued: None,
+        }
     }
 
     /// A fault at the time reached.

@@ -149,6 +149,11 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
 
     fn restart(&mut self) {}
 
+    fn fresh(&self) -> Self {
+        let Self { longest_step, tolerance, worst_error, .. } = *self;
+        Self { tolerance, worst_error, ..Self::new(longest_step) }
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
     }

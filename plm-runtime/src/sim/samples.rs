@@ -43,7 +43,7 @@ impl<M: Mechanism, T: Fn(M::S) -> M::S, F: FnMut(&M::State)> Observer<M> for Sam
 }
 
 /// Puts `moment` at a time within the last step, onto the constraints.
-fn sample_at<M: Mechanism, I: Method<M>>(
+pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     time: M::S,

@@ -1,6 +1,7 @@
 //! Steps one after the other: made by the method, looked at by the system, and by the rescue near singular poses.
 
 use super::audit::audit;
+use super::kept::Begun;
 use super::samples::{Observer, Unobserved};
 use crate::events::{self, Watch};
 use crate::fault::{Cause, Fault};
@@ -70,6 +71,7 @@ fn step<M: Mechanism, I: Method<M>>(
     by_rescue: bool,
 ) -> Result<(), Fault> {
     let before = (course.time, course.x);
+    let held = course.held;
     course.health = M::S::lit(1.0);
     let due = watch.step(method, course)?;
     if !by_rescue && came_near::<M, I>(course, before, watch) {
@@ -78,6 +80,10 @@ fn step<M: Mechanism, I: Method<M>>(
     let Some(next) = look(method, course, (watch, limits), before)? else { return Ok(()) };
     // Samples within the step belong to what was held over it.
     observer.see(method, course)?;
+    // What switches at once makes no step.
+    if let Some(kept) = course.kept.as_deref_mut().filter(|_| course.time > before.0) {
+        kept.see((&*method, course.system), || Begun { time: before.0, held, x: before.1 });
+    }
     next.hold(method, course);
     watch.switch(method, course, due)
 }

@@ -138,6 +138,9 @@ impl<M: Mechanism> Method<M> for Never<M> {
         crate::Vector::fill(M::S::ZERO)
     }
     fn restart(&mut self) {}
+    fn fresh(&self) -> Self {
+        *self
+    }
     fn drift_limit(&self, _system: &M) -> Drift<M::S> {
         Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
     }

@@ -244,6 +244,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         self.around.shorten(h)
     }
 
+    fn fresh(&self) -> Self {
+        Rescue::new()
+    }
+
     fn drift_limit(&self, _system: &M) -> Drift<M::S> {
         Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
     }

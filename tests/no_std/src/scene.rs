@@ -47,6 +47,20 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// Two bars whose bodies and outputs are read by index.
+    pub Row {
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        repeat i in 0..2 {
+            body bar[i] { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: (0.5 + i)*1 m; }
+            output bar[i].b.position;
+        }
+        revolute pin[0](ground.o, bar[0].a);
+        revolute pin[1](bar[0].b, bar[1].a);
+    }
+}
+
 /// Gives the bits of time and state at some moments of some runs.
 ///
 /// # Errors
@@ -72,6 +86,11 @@ fn by_every_method<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     for output in press.outputs() {
         emit(output.to_f64().to_bits());
     }
+    let mut row = Row::<S>::of().start()?;
+    row.step(S::lit(0.1))?;
+    for (body, place) in (0..3).filter_map(|i| Some((row.bar(i)?, row.bar_b_position(i)?))) {
+        [body.x, body.omega, place[0], place[1]].map(|number| emit(number.to_f64().to_bits()));
+    }
     Ok(())
 }
 
@@ -88,11 +107,24 @@ fn moments<M: Mechanism>(
         }
     };
     let mut sim = mechanism.start_with(method)?;
+    sim.count_states(true);
     sim.run(M::S::lit(0.5), M::S::lit(0.05), |state| emit_all(state.time(), state.x()))?;
+    for time in [0.499, 0.55] {
+        // Methods without dense output know nothing of the last step.
+        if let Ok(state) = sim.at(M::S::lit(time)) {
+            emit_all(state.time(), state.x());
+        }
+    }
+    for (name, count) in sim.state_count() {
+        emit_all(M::S::lit((name.len() as u64 + count) as f64), sim.state().x());
+    }
 
     let state = sim.state();
     let mut rate = *state.x();
     mechanism.rate_by_rank(state.time(), &state.held(), state.x(), &mut rate)?;
     emit_all(state.time(), &rate);
+    sim.reset()?;
+    sim.step_to(M::S::lit(0.05))?;
+    emit_all(sim.state().time(), sim.state().x());
     Ok(())
 }

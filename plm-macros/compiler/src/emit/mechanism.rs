@@ -4,7 +4,7 @@ use super::{Emission, limits, push, sides, singular};
 
 /// `Moment` for the state and `Mechanism` for the mechanism.
 pub(crate) fn emit(text: &mut String, emission: &Emission) {
-    let Emission { name, fields, .. } = emission;
+    let name = &emission.name;
     let (length, second_order) = emission.state_length();
     let loops = emission.loops().is_some();
     let inputs = emission.inputs_of_state();
@@ -63,20 +63,39 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
         const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
 
         fn start_state(&self, t: S) -> Result<({held_type}, [S; {length}]), Fault> {{
+            self.start_holding_(t, self.declared_input())
+        }}
+
+",
+        ),
+    );
+    limits::emit(text, emission);
+    text.push_str("    }\n\n");
+    start(text, emission, (length, second_order));
+}
+
+/// The assembled state with inputs.
+fn start(text: &mut String, emission: &Emission, (length, second_order): (usize, usize)) {
+    push(
+        text,
+        format_args!(
+            "    impl<S: Real> {name}<S> {{
+        fn start_holding_(&self, t: S, input: {inputs}) -> Result<({held}, [S; {length}]), Fault> {{
 {check}            let assembly = absolute::assemble(self, t)?;
 {carried}            let mut x = [S::lit(0.0); {length}];
 ",
+            name = emission.name,
+            inputs = emission.inputs("S"),
+            held = emission.held("S"),
             check = limits::call(emission),
             carried = limits::carried(emission),
         ),
     );
-    for (k, field) in fields.states.iter().enumerate() {
+    for (k, field) in emission.fields.states.iter().enumerate() {
         push(text, format_args!("            x[{}] = self.start.{field}.value;\n", second_order + k));
     }
     text.push_str(&begin(emission));
-    text.push_str("        }\n\n");
-    limits::emit(text, emission);
-    text.push_str("    }\n\n");
+    text.push_str("        }\n    }\n\n");
 }
 
 /// What ends a start at which rows repeat others although the charts count on all of them: they would leave out a freedom.
@@ -92,7 +111,7 @@ fn begin(emission: &Emission) -> String {
     if let Some(reduced) = emission.loops() {
         return format!(
             "            let memory = [S::lit(0.0); {}];
-{repeats}            let mut held = rt::charts::Held {{ input: self.declared_input(), chart: 0, memory }};
+{repeats}            let mut held = rt::charts::Held {{ input, chart: 0, memory }};
             rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
 {sides}            Ok((held, x))
 ",
@@ -106,7 +125,5 @@ fn begin(emission: &Emission) -> String {
         "absolute::join(&assembly.q, &assembly.v, &mut x)"
     };
     let mutable = if sides.is_empty() { "" } else { "mut " };
-    format!(
-        "            {call};\n            let {mutable}held = self.declared_input();\n{sides}            Ok((held, x))\n"
-    )
+    format!("            {call};\n            let {mutable}held = input;\n{sides}            Ok((held, x))\n")
 }

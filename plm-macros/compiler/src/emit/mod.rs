@@ -9,6 +9,7 @@ mod bodies;
 mod charts;
 mod defaults;
 mod docs;
+mod families;
 mod limits;
 mod linear;
 mod lines;
@@ -93,6 +94,8 @@ pub(crate) struct Fields {
     pub(crate) states: Vec<String>,
     /// Accessors of the outputs, beside those of the bodies.
     pub(crate) outputs: Vec<String>,
+    /// Accessors of both by their indices.
+    pub(crate) families: Vec<families::Family>,
 }
 
 /// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
@@ -109,6 +112,9 @@ pub(crate) const METHODS: &[&str] = &[
     "find",
     "observed",
     "step",
+    "step_to",
+    "at",
+    "reset",
     "run",
     "settle",
     "drift",
@@ -119,6 +125,8 @@ pub(crate) const METHODS: &[&str] = &[
     "notice",
     "stop_at_change_points",
     "watch_energy",
+    "count_states",
+    "state_count",
     "save",
     "resume",
     "clone",
@@ -136,11 +144,13 @@ impl Fields {
         let bodies: Vec<String> = model.bodies.iter().map(|body| accessors.unique(&body.name.text)).collect();
         let taken: Vec<&str> = bodies.iter().map(String::as_str).collect();
         let mut starts = names::Names::with_reserved(&taken);
+        let outputs = model.outputs.iter().map(|output| accessors.unique(&output.name.text)).collect();
         Fields {
             params: model.params.iter().map(|param| params.unique(&param.name.text)).collect(),
             inputs: model.inputs.iter().map(|input| inputs.unique(&input.name.text)).collect(),
             states: model.states.iter().map(|state| starts.unique(&state.name.text)).collect(),
-            outputs: model.outputs.iter().map(|output| accessors.unique(&output.name.text)).collect(),
+            outputs,
+            families: families::find(model, &mut accessors),
             bodies,
         }
     }

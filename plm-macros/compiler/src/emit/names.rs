@@ -156,6 +156,12 @@ impl Names {
         name
     }
 
+    /// The identifier of a path, if nothing else has it.
+    pub(crate) fn free(&mut self, path: &str) -> Option<String> {
+        let name = raw(&plain(path).to_lowercase());
+        self.taken.insert(name.clone()).then_some(name)
+    }
+
     /// The next of `t1`, `t2`, …
     pub(crate) fn numbered(&mut self, prefix: &str) -> String {
         loop {

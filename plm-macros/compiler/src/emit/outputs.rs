@@ -1,7 +1,7 @@
 //! What can be read from a state: poses, the user's outputs, energies.
 
 use super::lines;
-use super::{Emission, Origin, blocks, docs, push};
+use super::{Emission, Origin, blocks, docs, families, push};
 use crate::formulate::Function;
 use crate::model;
 use crate::units::DisplayUnit;
@@ -27,6 +27,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
         text.push_str(&function_body(emission, &bindings, function));
         text.push_str("        }\n\n");
     }
+    families::emit(&mut text, emission);
     branches(&mut text, emission, &bindings);
     table(&mut text, emission);
     if emission.model.outputs.iter().any(|output| !output.declared) {

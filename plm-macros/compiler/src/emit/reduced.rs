@@ -172,7 +172,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
                 None => \"\",
             }}
         }}
-    }}
+{names}    }}
 
     impl<S: Real> State<S> {{
         /// Pose and velocity of every body.
@@ -185,6 +185,7 @@ pub(crate) fn contract(text: &mut String, emission: &Emission) {
 ",
             sizes(emission, chart),
             parts(emission, chart),
+            names = system::name_of_state(emission),
         ),
     );
     absolute(text, emission);

@@ -136,6 +136,12 @@ fn contract(text: &mut String, emission: &Emission) {
     let states = states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit)));
     let states: Vec<String> = states.collect();
     let absolute = if emission.reduced.is_some() { "state.absolute_()" } else { "state.x" };
+    let given = match (emission.has_sides(), emission.loops().is_some()) {
+        (false, false) => "*held",
+        (false, true) => "held.input",
+        (true, false) => "Held { input: held.input, ..self.declared_input() }",
+        (true, true) => "Held { input: held.input.input, ..self.declared_input() }",
+    };
     let (held, input) = if emission.loops().is_some() { ("held", "&held.input") } else { ("held", "held") };
     push(
         text,
@@ -158,6 +164,9 @@ fn contract(text: &mut String, emission: &Emission) {
             absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force).into_iter().for_each(&mut *each);
             absolute::residuals::<S, Self, NQ, NC, {length}>(self, t, x, each);
             x_dot.into_iter().for_each(each);
+        }}
+        fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {{
+            self.start_holding_(t, {given})
         }}
         fn starts_mut(&mut self) -> &mut Starts<S> {{
             &mut self.start

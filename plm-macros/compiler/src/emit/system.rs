@@ -212,6 +212,53 @@ fn typical(text: &mut String, emission: &Emission) {
         bodies.join(", "),
         states.join(", ")
     ));
+    text.push_str(&name_of_state(emission));
+}
+
+/// `name_of_state`; a coordinate has a name in every chart.
+pub(crate) fn name_of_state(emission: &Emission) -> String {
+    let Emission { model, equations, reduced, .. } = emission;
+    let charts: Vec<Vec<String>> = match reduced {
+        Some(reduced) => reduced.charts.iter().map(|chart| chart.names.clone()).collect(),
+        None => vec![(0..equations.q.len()).map(|k| coordinate_name(model, k)).collect()],
+    };
+    let in_all = |k: usize, name: fn(&str) -> String| {
+        let mut known = Vec::new();
+        for name in charts.iter().filter_map(|names| names.get(k)).map(|of| name(of)) {
+            if !known.contains(&name) {
+                known.push(name);
+            }
+        }
+        known.join(" or ")
+    };
+    let count = charts.first().map_or(0, Vec::len);
+    let coordinates = (0..count).map(|k| in_all(k, str::to_owned));
+    let rates = (0..count).map(|k| in_all(k, rate_of));
+    let states = model.states.iter().map(|state| state.name.text.clone());
+    let names: Vec<String> = coordinates.chain(rates).chain(states).map(|name| format!("{name:?}")).collect();
+    format!(
+        "
+        fn name_of_state(&self, index: usize) -> &'static str {{
+            const NAMES: &[&str] = &[{}];
+            match NAMES.get(index) {{
+                Some(name) => name,
+                None => \"\",
+            }}
+        }}
+",
+        names.join(", ")
+    )
+}
+
+/// The name of the rate of a coordinate: that of `arm.angle` is `arm.omega`.
+fn rate_of(coordinate: &str) -> String {
+    let (owner, what) = coordinate.rsplit_once('.').unwrap_or(("", coordinate));
+    let rate = match what {
+        "angle" => "omega".to_owned(),
+        "displacement" => "speed".to_owned(),
+        axis => format!("v{axis}"),
+    };
+    format!("{owner}.{rate}")
 }
 
 /// `Absolute`: the constraints, for assembly, projection and the fallback.

@@ -86,6 +86,12 @@ impl<'a> Resolver<'a> {
     fn quantity(&mut self, scope: ScopeId, inner: &'a ast::Expr, unit: &DisplayUnit) -> Eval<Value> {
         let value = self.eval(scope, inner)?;
         Ok(match value {
+            Value::Scalar(_, nature) if nature.dimension != Dimension::NUMBER => {
+                let message = format!("a unit behind {}", nature.dimension.describe());
+                self.error(scope, Code::BadUnit, inner.span, message)
+                    .help("it has a unit: leave this one out");
+                return Err(Failed);
+            }
             Value::Scalar(number, nature) => {
                 let nature = Nature::written(unit.dimension, nature.reads);
                 Value::Scalar(self.graph.scale(unit.factor, number), nature)

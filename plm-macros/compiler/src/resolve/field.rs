@@ -1,11 +1,12 @@
-//! What the use of a part sets: parameters, inputs, choices and starts of states, also of the parts that it contains.
+//! What the use of a part sets: parameters, inputs, choices, starts of states and requirements, also of the parts that it
+//! contains.
 
 use super::Resolver;
 use super::branch::{BRANCH, tells_branches};
 use super::compliance::WORDS;
 use super::scope::ScopeId;
 use crate::diag::{Code, help_similar};
-use crate::syntax::ast::{Definition, Field, Instance, Item, ItemKind};
+use crate::syntax::ast::{Field, Instance, Item, ItemKind};
 
 impl<'a> Resolver<'a> {
     /// The fields of a use with their paths as text.
@@ -42,10 +43,10 @@ impl<'a> Resolver<'a> {
 
     /// Every field that is set must exist, and be set once.
     pub(super) fn check_fields(&mut self, id: usize) {
-        let (definition, outer) = (self.instances[id].definition, self.instances[id].outer);
+        let outer = self.instances[id].outer;
         let fields = self.instances[id].fields.clone();
         for (k, (path, field)) in fields.iter().enumerate() {
-            self.check_field(outer, definition, field);
+            self.check_field(id, (path, field));
             if let Some((_, first)) = fields[..k].iter().find(|(before, _)| before == path) {
                 let first = first.span();
                 self.error(outer, Code::RepeatedItem, field.span(), format!("`{path}` is set twice"))
@@ -54,9 +55,9 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn check_field(&mut self, outer: ScopeId, definition: &'a Definition, field: &'a Field) {
+    fn check_field(&mut self, id: usize, (path, field): (&str, &'a Field)) {
         let Some((last, parts)) = field.path.split_last() else { return };
-        let mut definition = definition;
+        let (mut definition, outer) = (self.instances[id].definition, self.instances[id].outer);
         for part in parts {
             let inner = part_named(&definition.items, &part.ident.text);
             let Some(inner) = inner.and_then(|kind| self.library.get(kind)) else {
@@ -70,6 +71,7 @@ impl<'a> Resolver<'a> {
             definition = inner;
         }
         let text = last.ident.text.as_str();
+        let required = requirements(&definition.items);
         let mut known: Vec<&str> =
             definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
         if definition.is_joint {
@@ -78,6 +80,11 @@ impl<'a> Resolver<'a> {
         if tells_branches(definition) {
             known.push(BRANCH);
         }
+        if required.contains(&text) && !known.contains(&text) {
+            let name = format!("{}.{path}", self.instances[id].name);
+            self.switch_requirement(outer, name, field);
+        }
+        known.extend(required);
         if !known.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
@@ -128,6 +135,16 @@ fn part_names(items: &[Item]) -> Vec<&str> {
     let names = items.iter().flat_map(|item| match &item.kind {
         ItemKind::Instance(instance) => vec![instance.name.ident.text.as_str()],
         ItemKind::Repeat(repeat) => part_names(&repeat.items),
+        _ => Vec::new(),
+    });
+    names.collect()
+}
+
+/// Names of the requirements among items.
+fn requirements(items: &[Item]) -> Vec<&str> {
+    let names = items.iter().flat_map(|item| match &item.kind {
+        ItemKind::Require(name, _) => vec![name.ident.text.as_str()],
+        ItemKind::Repeat(repeat) => requirements(&repeat.items),
         _ => Vec::new(),
     });
     names.collect()

@@ -51,7 +51,7 @@ use instance::InstanceState;
 use node::NodeState;
 pub(crate) use observe::{OF_CENTRE, OF_PORT};
 use picture::SizeItem;
-use require::Requirement;
+use require::{Requirement, Switched};
 use row::{Action, LoadItem, RowState};
 use scope::{Scope, ScopeId, Slot, SlotId};
 use silence::Readable;
@@ -114,6 +114,8 @@ struct Resolver<'a> {
     parts: Vec<model::Part>,
     rows: Vec<RowState<'a>>,
     requirements: Vec<Requirement<'a>>,
+    /// Requirements that uses of parts switch on or off.
+    switched: Vec<Switched>,
     /// Values that must be positive when parameters are known.
     limits: Vec<model::Limit>,
     loads: Vec<LoadItem<'a>>,
@@ -204,6 +206,7 @@ impl<'a> Resolver<'a> {
             parts: Vec::new(),
             rows: Vec::new(),
             requirements: Vec::new(),
+            switched: Vec::new(),
             limits: Vec::new(),
             loads: Vec::new(),
             late_rates: Vec::new(),

@@ -8,13 +8,24 @@ use super::value::{Condition, Eval, Failed, Reads};
 use crate::diag::Code;
 use crate::model::Side;
 use crate::span::Span;
-use crate::syntax::ast;
+use crate::syntax::ast::{self, ExprKind, Field};
 
 /// A requirement that was declared.
 pub(super) struct Requirement<'a> {
     scope: ScopeId,
     condition: &'a ast::Expr,
     /// Full name, `cylinder.cap.above_vacuum`.
+    name: String,
+    span: Span,
+    /// The use of the part does without it.
+    is_off: bool,
+}
+
+/// A requirement that the use of a part switches on or off.
+pub(super) struct Switched {
+    /// The scope of the use.
+    scope: ScopeId,
+    /// Full name of the requirement.
     name: String,
     span: Span,
 }
@@ -37,13 +48,39 @@ impl<'a> Resolver<'a> {
             self.duplicate(scope, &key, span, first);
             return;
         }
-        self.requirements.push(Requirement { scope, condition, name: full, span });
+        let set = self.scopes[self.home(scope)].instance.and_then(|instance| self.field(instance, &key));
+        let is_off = set.is_some_and(|(_, field)| word(field) == Some("off"));
+        self.requirements.push(Requirement { scope, condition, name: full, span, is_off });
+    }
+
+    /// `above_vacuum: off;` in the use of a part; `name` is the full name of the requirement.
+    pub(super) fn switch_requirement(&mut self, scope: ScopeId, name: String, field: &'a Field) {
+        if !matches!(word(field), Some("on" | "off")) {
+            let message = "a requirement is switched `on` or `off`";
+            self.error(scope, Code::UnknownOption, field.value.span, message);
+        }
+        self.switched.push(Switched { scope, name, span: field.span() });
+    }
+
+    /// With its indices a requirement must exist, which is known when all are declared.
+    fn check_switched(&mut self) {
+        for Switched { scope, name, span } in std::mem::take(&mut self.switched) {
+            if !self.requirements.iter().any(|known| known.name == name) {
+                self.error(scope, Code::BadIndex, span, format!("there is no requirement `{name}`"));
+            }
+        }
     }
 
     /// Requirements as sides that must not change.
     pub(super) fn finish_requirements(&mut self) -> Vec<Side> {
+        self.check_switched();
         let mut sides = Vec::new();
-        for Requirement { scope, condition, name, .. } in std::mem::take(&mut self.requirements) {
+        for Requirement { scope, condition, name, is_off, .. } in std::mem::take(&mut self.requirements) {
+            if is_off {
+                // Its mistakes are told all the same, and what it reads is not for nobody.
+                let _ = self.condition(scope, condition);
+                continue;
+            }
             // A mistake has been reported; what else is wrong is found all the same.
             let Ok(differences) = self.requirement(scope, condition) else { continue };
             for difference in differences {
@@ -94,5 +131,13 @@ impl<'a> Resolver<'a> {
             Condition::All(inner) => inner.iter().all(|one| self.positive(one, differences)),
             Condition::Any(_) => false,
         }
+    }
+}
+
+/// The word that a field is set to.
+fn word(field: &Field) -> Option<&str> {
+    match &field.value.kind {
+        ExprKind::Name(name) if name.indices.is_empty() => Some(&name.ident.text),
+        _ => None,
     }
 }

@@ -8,6 +8,8 @@
 //! quantity := NUMBER [unit] | "(" expr "," expr ")" [unit]
 //! index    := { "[" expr "]" }
 //! ```
+//!
+//! What a `macro_rules!` has captured is a primary too, and takes a unit as a number does.
 
 use plm_cas::Number;
 
@@ -142,6 +144,7 @@ impl Cursor<'_> {
         let start = self.position();
         let base = match self.peek().map(|token| token.kind) {
             Some(TokenKind::Number) => return self.quantity(),
+            Some(TokenKind::Open(Delimiter::Captured)) => return self.captured(),
             Some(TokenKind::Open(Delimiter::Paren)) => self.parenthesised()?,
             Some(TokenKind::Ident) => self.name_or_call()?,
             _ => return Err(self.expected("an expression")),
@@ -218,6 +221,13 @@ impl Cursor<'_> {
         let Some(y) = y else { return Ok(x) };
         let pair = Expr { kind: ExprKind::Pair(Box::new(x), Box::new(y)), span: self.span_from(start) };
         self.with_unit(pair, start)
+    }
+
+    /// An expression that a `macro_rules!` has captured; where it stands, a number could.
+    fn captured(&mut self) -> Parse<Expr> {
+        let start = self.position();
+        let inner = self.group(Delimiter::Captured, "an expression", Cursor::expr)?;
+        self.with_unit(inner, start)
     }
 
     fn with_unit(&mut self, bare: Expr, start: usize) -> Parse<Expr> {

@@ -255,8 +255,8 @@ impl Cursor<'_> {
 }
 
 /// Where a number of the user's program is wanted.
-pub(crate) const CONSTANTS: &str =
-    "a declaration cannot see Rust's constants: declare a `param`, and set it in the value of the mechanism";
+pub(crate) const CONSTANTS: &str = "a declaration cannot see Rust's constants: declare a `param`, and set it in the value of the mechanism; a bound of `repeat` \
+     comes by the argument of a `macro_rules!`";
 
 /// What a word that begins no item is here.
 pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {

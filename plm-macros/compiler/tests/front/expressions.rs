@@ -2,6 +2,11 @@
 
 use std::f64::consts::PI;
 
+use plm_compiler::diag::Diagnostics;
+use plm_compiler::front::parse_and_resolve;
+use plm_compiler::lex::lex;
+use plm_compiler::token::{Delimiter, Sources, Token};
+
 use crate::support::{Values, assert_near, evaluate, output, resolve};
 
 #[test]
@@ -213,4 +218,39 @@ fn rates_are_total_derivatives() {
     let second = output(&model, &values, "second");
     assert_near(second[0], a[0] - a[2] * arm[1] - v[2] * v[2] * arm[0], "x");
     assert_near(second[1], a[1] + a[2] * arm[0] - v[2] * v[2] * arm[1], "y");
+}
+
+/// An expression of the length 3 and of what a `macro_rules!` would have captured, which stands between `«` and `»`.
+fn captured(expr: &str) -> Result<f64, String> {
+    let text = format!("pub P {{ param a: m = 3 m; output value = {expr}; output other = a; }}");
+    let (tokens, _) = lex(&text);
+    let bracket = |token: Token| match token.text.as_str() {
+        "«" => Token::open(Delimiter::Captured),
+        "»" => Token::close(Delimiter::Captured),
+        _ => token,
+    };
+    let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+    sources.add_tokens("declaration", tokens.into_iter().map(bracket).collect());
+    let model = parse_and_resolve(&mut sources, &mut sink);
+    if let Some(diagnostic) = sink.sorted().first() {
+        return Err(diagnostic.message.clone());
+    }
+    let model = model.ok_or("no model")?;
+    Ok(Values::of(&model).at(&model, model.outputs[0].components[0]))
+}
+
+#[test]
+fn what_a_macro_captures_is_one_operand() {
+    for (text, expected) in [
+        ("2*« 1 + 2 »", 6.0),
+        ("1 - « 1 - 2 »", 2.0),
+        ("« -3 »^2", 9.0),
+        ("« 1 + 1 » m/a", 2.0 / 3.0),
+        ("« -2 » m + a", 1.0),
+        ("« « 1 + 2 » * 2 »", 6.0),
+        ("(« 1/2 », « 2/4 »).x", 0.5),
+    ] {
+        assert_near(captured(text).unwrap(), expected, text);
+    }
+    assert_eq!(captured("« a + a » m"), Err("a unit behind a length (m)".to_string()));
 }

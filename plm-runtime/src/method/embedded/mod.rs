@@ -46,6 +46,8 @@ pub struct Embedded<M: System, P: Pair> {
     /// Drift that the last projection could not remove, over the tolerance.
     residue: M::S,
     steps_left: u64,
+    /// The error decided how long the last step was.
+    by_error: bool,
 }
 
 /// Drift is settled above this fraction of the tolerance.
@@ -82,6 +84,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             careful: false,
             residue: M::S::lit(0.0),
             steps_left: 0,
+            by_error: false,
         }
     }
 
@@ -153,20 +156,27 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         (P::error(h, k, &weight), self.drift_ratio(course.system, course.time + h, end))
     }
 
-    /// The part of the state with the largest error, each component by itself.
+    /// The state with the largest error, each by itself over its size, which is at least typical.
     #[cold]
-    fn worst(course: &Course<'_, M>, k: &P::Stages<M::X>) -> &'static str {
-        let typical = course.system.typical();
-        let mut most = ("", M::S::ZERO);
+    fn largest_error(system: &M, k: &P::Stages<M::X>, size: impl Fn(usize) -> M::S) -> Option<usize> {
+        let typical = system.typical();
+        let mut most = (None, M::S::ZERO);
         for i in 0..M::X::LEN {
             let mut weight = M::X::fill(M::S::ZERO);
-            weight.set(i, M::S::lit(1.0) / (typical.at(i) + course.x.at(i).abs()));
+            weight.set(i, M::S::lit(1.0) / (typical.at(i) + size(i)));
             let error = P::error(M::S::lit(1.0), k, &weight);
             if error > most.1 {
-                most = (course.system.part_of_state(i), error);
+                most = (Some(i), error);
             }
         }
         most.0
+    }
+
+    /// The part that the state with the largest error belongs to.
+    #[cold]
+    fn worst(course: &Course<'_, M>, k: &P::Stages<M::X>) -> &'static str {
+        let worst = Self::largest_error(course.system, k, |i| course.x.at(i).abs());
+        worst.map_or("", |i| course.system.part_of_state(i))
     }
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
@@ -248,6 +258,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
                         let settles = drift > M::S::lit(SETTLED_ABOVE);
                         self.propose(proposal, h, (if settles { worst } else { error }, estimate));
+                        self.by_error = !last && h < self.longest_step && drift <= error;
                         course.stats.steps += 1;
                         *course.longest_step = course.longest_step.max(h);
                         (course.time, course.x) = (time, to);
@@ -299,6 +310,16 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         self.control.refuse();
         self.proposal = Some(M::S::lit(0.5) * h);
         true
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn limited_by(&self, system: &M) -> Option<usize> {
+        let (Some(step), Some(k), true) = (&self.span, &self.stages, self.by_error) else { return None };
+        Self::largest_error(system, k, |i| step.from.at(i).abs().max(step.to.at(i).abs()))
     }
 
     fn tolerance(&self) -> Option<M::S> {

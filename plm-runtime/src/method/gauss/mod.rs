@@ -195,6 +195,10 @@ where
         self.rounded = M::X::fill(M::S::ZERO);
     }
 
+    fn fresh(&self) -> Self {
+        Self::new(self.longest_step).with_tolerance(self.tolerance)
+    }
+
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
     }

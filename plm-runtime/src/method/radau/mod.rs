@@ -53,6 +53,8 @@ pub struct RadauIia5<M: Linear> {
     steps_left: u64,
     /// The component with the largest error in the last step that was tried.
     worst: usize,
+    /// That error decided how long the last step was.
+    by_error: bool,
 }
 
 /// What was set; the rest is on its way.
@@ -108,6 +110,7 @@ impl<M: Linear> RadauIia5<M> {
             residue: M::S::ZERO,
             steps_left: 0,
             worst: 0,
+            by_error: false,
         }
     }
 
@@ -294,6 +297,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                         let went_by_rank = course.stats.by_rank > by_rank;
                         let limit = if went_by_rank { 0.0 } else { SETTLED_ABOVE };
                         self.arrive(course, (time, h), &trial, M::S::lit(limit))?;
+                        self.by_error = !last && h < self.longest_step && drift <= error;
                         if h >= proposal {
                             self.steady.accept(h, estimate, ORDER);
                         }
@@ -328,6 +332,15 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         self.control.rejected = true;
         self.proposal = Some(M::S::lit(0.5) * h);
         true
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn limited_by(&self, _system: &M) -> Option<usize> {
+        self.by_error.then_some(self.worst)
     }
 
     fn tolerance(&self) -> Option<M::S> {
