@@ -16,36 +16,29 @@ mod figures;
 mod scenes;
 
 use std::error::Error;
-use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
-use figures::{Figure, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting};
+use figures::{
+    Figure, Page, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting,
+};
 use plm::Fault;
 
-fn main() -> Result<ExitCode, Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let out = arguments.iter().position(|word| word == "--out").and_then(|at| arguments.get(at + 1));
     let folder = PathBuf::from(out.map_or("target/plm/stability", String::as_str));
     let shorter = if arguments.iter().any(|word| word == "--quick") { 100 } else { 1 };
 
-    let (mut page, mut all_hold) = (String::new(), true);
+    let mut page = Page::default();
     for make in all(shorter) {
         let Figure { slug, chart, rows } = make()?;
         chart.write_svg(folder.join(format!("{slug}.svg")))?;
-        let mut table = "| | known | found |\n|---|---|---|\n".to_owned();
-        for row in rows {
-            let mark = if row.holds { "" } else { " **missed**" };
-            writeln!(table, "| {} | {} | {}{mark} |", row.quantity, row.known, row.found)?;
-            all_hold &= row.holds;
-        }
-        println!("{slug}\n{table}");
-        write!(page, "<!-- ANCHOR: {slug} -->\n{table}<!-- ANCHOR_END: {slug} -->\n\n")?;
+        println!("{slug}\n{}", page.add(slug, &rows));
     }
-    fs::write(folder.join("tables.txt"), page)?;
+    fs::write(folder.join("tables.txt"), &page.text)?;
     println!("written: {}", folder.display());
-    Ok(if all_hold { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(page.outcome()?)
 }
 
 /// Every picture; the long runs are so many times shorter.

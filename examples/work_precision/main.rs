@@ -31,35 +31,19 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use plm_peers::peers;
 
 use arguments::Arguments;
 use list::SCENES;
-use measure::{Bench, Scene};
-use report::Result as Measured;
-
-/// How many runs are made.
-pub struct Effort {
-    /// Tolerances and steps for each factor of ten.
-    pub per_decade: i32,
-    pub fewest_runs: u32,
-    pub most_runs: u32,
-    /// Time for the runs of one setting, s.
-    pub spent: f64,
-    /// No finer settings after a run as long as this, s.
-    pub longest_run: f64,
-}
+use measure::{Bench, Effort, Scene};
+use report::{Result as Measured, outcome};
 
 const FULL: Effort =
     Effort { per_decade: 4, fewest_runs: 7, most_runs: 1000, spent: 0.01, longest_run: 0.03 };
 const QUICK: Effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spent: 0.0, longest_run: 0.02 };
 
-/// Every line has to come that near to its reference, as a fraction of what is hopeless.
-const NEAR: f64 = 1e-4;
-
-fn main() -> Result<ExitCode, Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = Arguments::new();
     let effort = if arguments.flag("--quick") { &QUICK } else { &FULL };
     let folder = PathBuf::from(arguments.value("--out")?.as_deref().unwrap_or("target/plm/work-precision"));
@@ -68,12 +52,12 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 
     let mut csv = "scene,rung,method,setting,error,seconds,evaluations,fault\n".to_owned();
     let mut page = String::new();
-    let mut all_near = true;
+    let mut far = Vec::new();
     for scene in SCENES {
         let measured = run(scene, effort);
         let (mark, table) = (slug(scene), measured.table());
         println!("{table}");
-        all_near &= is_near(&measured, effort);
+        far.extend(measured.far(effort.longest_run));
         csv += &measured.csv();
         write!(page, "<!-- ANCHOR: {mark} -->\n{table}<!-- ANCHOR_END: {mark} -->\n\n")?;
         measured.chart().write_svg(folder.join(format!("{mark}.svg")))?;
@@ -81,7 +65,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     fs::write(folder.join("runs.csv"), csv)?;
     fs::write(folder.join("tables.txt"), page)?;
     println!("written: {}", folder.display());
-    Ok(if all_near { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(outcome(&far)?)
 }
 
 /// All lines of a scene, plm's first.
@@ -92,16 +76,6 @@ fn run(scene: &'static Scene, effort: &Effort) -> Measured {
     let others = peers().into_iter().filter(|peer| peer.scene == scene.id);
     lines.extend(others.enumerate().map(|(number, peer)| bench.peer(number, &peer)));
     Measured { scene, lines }
-}
-
-/// Tells which of plm's lines stay away from the reference, although their finest settings were run.
-fn is_near(measured: &Measured, effort: &Effort) -> bool {
-    let ours =
-        measured.lines.iter().filter(|line| !line.rung.is_empty() && line.slowest() <= effort.longest_run);
-    let far = ours.filter(|line| line.smallest_error() > NEAR * measured.scene.hopeless);
-    far.map(|line| println!("{}: {} on {} never comes near", measured.scene.id, line.method, line.rung))
-        .count()
-        == 0
 }
 
 /// `S1` as part of a file's name.

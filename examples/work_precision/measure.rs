@@ -7,7 +7,17 @@ use plm::runtime::Ports;
 use plm::{Fault, Mechanism, Method, Sim};
 use plm_peers::{Peer, Run, Setting};
 
-use crate::Effort;
+/// How many runs are made.
+pub struct Effort {
+    /// Tolerances and steps for each factor of ten.
+    pub per_decade: i32,
+    pub fewest_runs: u32,
+    pub most_runs: u32,
+    /// Time for the runs of one setting, s.
+    pub spent: f64,
+    /// No finer settings after a run as long as this, s.
+    pub longest_run: f64,
+}
 
 /// A scene: what is run, for how long, and what is measured.
 pub struct Scene {

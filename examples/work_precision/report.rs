@@ -9,6 +9,9 @@ use crate::measure::{Line, Look, Outcome, Scene};
 /// Errors for which the least time is told.
 const GOALS: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
+/// Every line has to come that near to its reference, as a fraction of what is hopeless.
+const NEAR: f64 = 1e-4;
+
 /// A scene and what was measured in it.
 pub struct Result {
     pub scene: &'static Scene,
@@ -97,6 +100,16 @@ impl Result {
         text + "\n"
     }
 
+    /// Which of plm's lines stay away from the reference, although their finest settings were run: none of their runs is longer
+    /// than `longest_run`, in s.
+    pub fn far(&self, longest_run: f64) -> Vec<String> {
+        let ours = self.lines.iter().filter(|line| !line.rung.is_empty() && line.slowest() <= longest_run);
+        // An error that is not a number is none that is near.
+        let is_near = |line: &&Line| line.smallest_error() <= NEAR * self.scene.hopeless;
+        let far = ours.filter(|line| !is_near(line));
+        far.map(|line| format!("{}: {} never comes near", self.scene.id, line.name())).collect()
+    }
+
     pub fn chart(&self) -> Chart {
         let of = if self.scene.relative {
             ("largest relative error", "")
@@ -123,6 +136,14 @@ impl Result {
         facts.dedup();
         format!("{}\nAn evaluation on {}.", self.scene.facts, facts.join("; on "))
     }
+}
+
+/// How the program ends.
+///
+/// # Errors
+/// The lines that never come near their references.
+pub fn outcome(far: &[String]) -> std::result::Result<(), String> {
+    if far.is_empty() { Ok(()) } else { Err(far.join("\n")) }
 }
 
 fn cell(outcome: Option<&Outcome>, best: f64) -> String {

@@ -1,6 +1,6 @@
 //! Kinks of forces that depend on the state: knots of tables, `max`.
 
-use plm::{Dop853, Dopri5, Method, RadauIia5};
+use plm::{Dop853, Dopri5, RadauIia5};
 
 /// A puck that passes a hat of 1 J in a table of its place, 0.1 m wide and less.
 macro_rules! gate {
@@ -45,33 +45,44 @@ fn a_hat_in_a_table_does_its_work_whatever_interval_is_asked_for() {
     }
 }
 
-/// A ball on a spring that only pushes, and a table of a thousand points of a smooth curve.
-mod bounce {
-    plm::mechanism! {
-        pub Bounce {
-            ground { port o: (0, 0) m, axis: 90 deg; }
-            body ball { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start y: 1 m; }
-            prismatic rail(ground.o, ball.o);
-            force floor(ball.o) { y: 1e4 N/m*max(-ball.y, 0) - 2 N; }
-        }
-    }
-}
+/// A ball on a spring that only pushes.
+macro_rules! bounce {
+    ($name:ident, $($spring:tt)*) => {
+        mod $name {
+            plm::mechanism! {
+                pub Bounce {
+                    ground { port o: (0, 0) m, axis: 90 deg; }
+                    body ball { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start y: 1 m; }
+                    prismatic rail(ground.o, ball.o);
+                    force floor(ball.o) { y: $($spring)* - 2 N; }
+                }
+            }
 
+            /// How far off the ball is after 10 s.
+            pub fn off<I: plm::Method<Bounce>>(method: I) -> (f64, plm::Stats) {
+                let mut sim = Bounce::new().start_with(method).unwrap();
+                sim.step(10.0).unwrap();
+                // 1 s down from rest under 2 m/s^2 to 2 m/s; then half a wave of 100 rad/s about -2e-4 m, and up again.
+                let (w, v) = (100.0_f64, 2.0_f64);
+                let contact = (core::f64::consts::PI + 2.0 * (2.0 / (w * v)).atan()) / w;
+                let period = 2.0 + contact;
+                let s = 10.0 - 4.0 * period - 1.0 - contact;
+                (sim.ball().y - (v * s - s * s), sim.stats())
+            }
+        }
+    };
+}
+bounce!(by_max, 1e4 N/m*max(-ball.y, 0));
+bounce!(by_if, (if ball.y < 0 m then -1e4 N/m*ball.y else 0 N));
+
+/// The force is continuous, so that nothing switches: steps end there, and that is all.
 #[test]
 fn a_kink_ends_a_step_where_it_matters_and_costs_little() {
-    fn off<I: Method<bounce::Bounce>>(method: I) -> (f64, plm::Stats) {
-        let mut sim = bounce::Bounce::new().start_with(method).unwrap();
-        sim.step(10.0).unwrap();
-        // 1 s down from rest under 2 m/s^2 to 2 m/s; then half a wave of 100 rad/s about -2e-4 m, and up again.
-        let (w, v) = (100.0_f64, 2.0_f64);
-        let contact = (core::f64::consts::PI + 2.0 * (2.0 / (w * v)).atan()) / w;
-        let period = 2.0 + contact;
-        let s = 10.0 - 4.0 * period - 1.0 - contact;
-        (sim.ball().y - (v * s - s * s), sim.stats())
-    }
     for rtol in [1e-6, 1e-9, 1e-12] {
-        let (off, stats) = off(Dop853::new(rtol));
-        println!("{rtol:e}: {off:e} {stats:?}");
-        assert!(off.abs() < 300.0 * rtol, "{rtol:e}: {off:e} {stats:?}");
+        for (off, stats) in [by_max::off(Dop853::new(rtol)), by_if::off(Dop853::new(rtol))] {
+            println!("{rtol:e}: {off:e} {stats:?}");
+            assert!(off.abs() < 300.0 * rtol, "{rtol:e}: {off:e} {stats:?}");
+            assert_eq!(stats.switches, 0, "{rtol:e}: {stats:?}");
+        }
     }
 }

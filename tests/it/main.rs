@@ -3,6 +3,7 @@
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 #![allow(clippy::approx_constant, reason = "the manual prints what it prints")]
 
+mod absolute;
 mod assembly;
 mod brief;
 mod carried;

@@ -35,9 +35,10 @@ fn the_reactions_of_a_tree_cost_a_few_dozen_operations_more_than_its_motion() {
 }
 
 /// A chain of so many uniform bars, 1 m and 1 kg in all.
-fn chain(bars: u32) -> String {
+fn chain(bars: u32, setting: &str) -> String {
     format!(
         "pub Chain {{
+            {setting}
             gravity: 9.81 m/s^2;
             ground {{ port o: (0, 0) m; }}
             repeat i in 0..{bars} {{
@@ -53,23 +54,27 @@ fn chain(bars: u32) -> String {
     )
 }
 
-#[test]
-fn operations_grow_linearly_along_a_chain() {
-    let count = |bars: u32| {
+/// The right-hand side, and another function: per bar from 16 to 32 bars, and from 32 to 64.
+fn grows_linearly(setting: &str, function: &str) {
+    let counts = [16, 32, 64].map(|bars| {
         let mut sources = Sources::new();
-        sources.add_text("declaration", &chain(bars));
+        sources.add_text("declaration", &chain(bars, setting));
         let report = compile(&mut sources).report.unwrap();
-        let reactions = report.functions.iter().find(|function| function.0 == "reactions").unwrap().1;
-        [report.rate.total(), reactions.total()]
-    };
-    let [few, some, many] = [16, 32, 64].map(count);
-    for k in 0..2 {
-        let (few, some, many) = (few[k], some[k], many[k]);
-        let per_bar = (some - few) as f64 / 16.0;
-        let later = (many - some) as f64 / 32.0;
+        let other = report.functions.iter().find(|of| of.0 == function).unwrap().1;
+        [report.rate.total(), other.total()]
+    });
+    for (k, name) in ["rate", function].into_iter().enumerate() {
+        let [few, some, many] = counts.map(|of| of[k]);
+        let (per_bar, later) = ((some - few) as f64 / 16.0, (many - some) as f64 / 32.0);
         assert!(
             (later / per_bar - 1.0).abs() < 0.02,
-            "{few}, {some}, {many}: {per_bar} then {later} per bar"
+            "{setting} {name}: {few}, {some}, {many}: {per_bar} then {later} per bar"
         );
     }
+}
+
+#[test]
+fn operations_grow_linearly_along_a_chain() {
+    grows_linearly("", "reactions");
+    grows_linearly("rung: absolute;", "closing step");
 }

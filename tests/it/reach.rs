@@ -3,6 +3,8 @@
 use plm::runtime::absolute::Absolute;
 use plm::{Cause, Dop853, Fault, Rk4};
 
+use crate::scenes::{s1, s1_baumgarte, s2};
+
 /// A four-bar whose three moving links can only rock: 0.7, 0.6 and 0.5 m over 1 m of ground.
 mod rocker {
     plm::mechanism! {
@@ -105,6 +107,21 @@ fn energy_out_of_nowhere_ends_the_run_if_it_is_watched() {
     let mut sim = rocker::TripleRocker::new().start().unwrap();
     sim.watch_energy(Some(0.01));
     sim.step(4.0).unwrap();
+}
+
+/// What gravity takes from the motion it stores.
+#[test]
+fn gravity_is_part_of_the_energy_that_is_watched() {
+    // Both swing through poses at rest and back, by the default method; its errors are below 1e-6 of the energy.
+    let mut tree = s1::DoublePendulum::new().start().unwrap();
+    tree.watch_energy(Some(1e-4));
+    tree.step(5.0).unwrap();
+    let mut rows = s1_baumgarte::DoublePendulum::new().start().unwrap();
+    rows.watch_energy(Some(1e-4));
+    rows.step(5.0).unwrap();
+    let mut linkage = s2::FourBar::new().start().unwrap();
+    linkage.watch_energy(Some(1e-4));
+    linkage.step(5.0).unwrap();
 }
 
 /// A damped bar on a spring that is too stiff for long steps.

@@ -1,16 +1,16 @@
 //! The benchmark scenes, declared as a user would.
 //!
-//! SI units, angles absolute from +x, uniform bars have `J = m L^2 / 12`.
+//! SI units, angles absolute from +x, uniform bars have `J = m L^2 / 12`. Each macro takes a setting, such as `rung: absolute`.
 
 /// S1: double pendulum of two bars, released at 45 and 0 deg.
 macro_rules! double_pendulum {
-    ($module:ident, $stabilisation:ident) => {
+    ($module:ident $(, $setting:ident: $value:ident)?) => {
         pub mod $module {
             plm::mechanism! {
                 /// Double pendulum without damping.
                 pub DoublePendulum {
                     gravity: 9.81 m/s^2;
-                    stabilisation: $stabilisation;
+                    $($setting: $value;)?
                     ground { port o0: (0, 0) m; }
                     body arm {
                         mass: 10 kg;
@@ -33,18 +33,19 @@ macro_rules! double_pendulum {
         }
     };
 }
-double_pendulum!(s1, projection);
-double_pendulum!(s1_baumgarte, baumgarte);
+double_pendulum!(s1);
+double_pendulum!(s1_baumgarte, stabilisation: baumgarte);
+pub(crate) use double_pendulum;
 
 /// S2: four-bar linkage, crank at 60 deg, elbow up.
 macro_rules! four_bar {
-    ($module:ident, $stabilisation:ident) => {
+    ($module:ident $(, $setting:ident: $value:ident)?) => {
         pub mod $module {
             plm::mechanism! {
                 /// Four-bar linkage: ground 1 m, crank 0.3 m, coupler 0.9 m, rocker 0.7 m.
                 pub FourBar {
                     gravity: 9.81 m/s^2;
-                    stabilisation: $stabilisation;
+                    $($setting: $value;)?
                     ground { port a: (0, 0) m; port d: (1, 0) m; }
                     body crank {
                         mass: 0.3 kg;
@@ -78,18 +79,19 @@ macro_rules! four_bar {
         }
     };
 }
-four_bar!(s2, projection);
-four_bar!(s2_baumgarte, baumgarte);
+four_bar!(s2);
+four_bar!(s2_baumgarte, stabilisation: baumgarte);
+pub(crate) use four_bar;
 
 /// S6: slider-crank with a torque on the crank.
 macro_rules! slider_crank {
-    ($module:ident, $stabilisation:ident) => {
+    ($module:ident $(, $setting:ident: $value:ident)?) => {
         pub mod $module {
             plm::mechanism! {
                 /// Slider-crank: crank 0.2 m, rod 0.6 m, slider on y = 0, 1 N m on the crank.
                 pub SliderCrank {
                     gravity: 9.81 m/s^2;
-                    stabilisation: $stabilisation;
+                    $($setting: $value;)?
                     ground { port o: (0, 0) m; }
                     body crank {
                         mass: 0.2 kg;
@@ -121,85 +123,93 @@ macro_rules! slider_crank {
         }
     };
 }
-slider_crank!(s6, projection);
-slider_crank!(s6_baumgarte, baumgarte);
+slider_crank!(s6);
+slider_crank!(s6_baumgarte, stabilisation: baumgarte);
+pub(crate) use slider_crank;
 
 /// S5: Andrews' squeezing mechanism (IVP test set; W. Schiehlen, Multibody Systems Handbook, 1990).
-pub mod s5 {
-    plm::mechanism! {
-        /// Andrews' squeezing mechanism: seven bodies, ten revolutes, a spring and a driving torque.
-        pub Andrews {
-            ground { port a: (0.0, 0.0) m; port b: (-0.03635, 0.03273) m; port c: (-0.06934, -0.00227) m; port d: (0.014, 0.072) m; }
-            body k1 {
-                mass: 0.04325 kg;
-                inertia: 2.194e-06 kg*m^2;
-                port a: (-0.00092, 0.0) m;
-                port b: (0.00608, 0.0) m;
-                start x: 0.0009182485980307614 m; start y: -5.674074562905483e-05 m;
-                start angle: -0.06171389001427645 rad, locked;
+macro_rules! andrews {
+    ($module:ident $(, $setting:ident: $value:ident)?) => {
+        pub mod $module {
+            plm::mechanism! {
+                /// Andrews' squeezing mechanism: seven bodies, ten revolutes, a spring and a driving torque.
+                pub Andrews {
+                    $($setting: $value;)?
+                    ground { port a: (0.0, 0.0) m; port b: (-0.03635, 0.03273) m; port c: (-0.06934, -0.00227) m; port d: (0.014, 0.072) m; }
+                    body k1 {
+                        mass: 0.04325 kg;
+                        inertia: 2.194e-06 kg*m^2;
+                        port a: (-0.00092, 0.0) m;
+                        port b: (0.00608, 0.0) m;
+                        start x: 0.0009182485980307614 m; start y: -5.674074562905483e-05 m;
+                        start angle: -0.06171389001427645 rad, locked;
+                    }
+                    body k2 {
+                        mass: 0.00365 kg;
+                        inertia: 4.41e-07 kg*m^2;
+                        port a: (0.0115, 0.0) m;
+                        port b: (-0.0165, 0.0) m;
+                        start x: -0.0044914333599330725 m; start y: 0.0002775362557942899 m;
+                        start angle: -0.06171389001427645 rad;
+                    }
+                    body k3 {
+                        mass: 0.02373 kg;
+                        inertia: 5.255e-06 kg*m^2;
+                        port a: (-0.01043, -0.01626) m;
+                        port b: (-0.01043, 0.01874) m;
+                        port c: (0.00957, 0.00074) m;
+                        start x: -0.018742186670315457 m; start y: 0.020485106789073934 m;
+                        start angle: 0.45527981916307037 rad;
+                    }
+                    body k4 {
+                        mass: 0.00706 kg;
+                        inertia: 5.667e-07 kg*m^2;
+                        port a: (0.0, -0.01421) m;
+                        port b: (0.0, 0.00579) m;
+                        start x: -0.030222939830158887 m; start y: 0.012071182356663938 m;
+                        start angle: 0.7100333697097284 rad;
+                    }
+                    body k5 {
+                        mass: 0.0705 kg;
+                        inertia: 1.169e-05 kg*m^2;
+                        port a: (0.01692, -0.00916) m;
+                        port b: (-0.02308, -0.00916) m;
+                        start x: -0.05323682815570414 m; start y: 0.016631847966616306 m;
+                        start angle: 0.48736497954384256 rad;
+                    }
+                    body k6 {
+                        mass: 0.00706 kg;
+                        inertia: 5.667e-07 kg*m^2;
+                        port a: (0.01421, 0.0) m;
+                        port b: (-0.00579, 0.0) m;
+                        start x: -0.028543268536783597 m; start y: -0.010722254707252287 m;
+                        start angle: 1.0078790543839353 rad;
+                    }
+                    body k7 {
+                        mass: 0.05498 kg;
+                        inertia: 1.912e-05 kg*m^2;
+                        port a: (-0.01228, -0.03551) m;
+                        port b: (-0.01228, 0.00449) m;
+                        start x: -0.06100930166728716 m; start y: 0.007807597198208284 m;
+                        start angle: 1.2305474445498212 rad;
+                    }
+                    revolute r1(ground.a, k1.a);
+                    revolute r2(k1.b, k2.a);
+                    revolute r3(k2.b, k3.a);
+                    revolute r4(ground.b, k3.b);
+                    revolute r5(k2.b, k4.a);
+                    revolute r6(k4.b, k5.a);
+                    revolute r7(ground.c, k5.b);
+                    revolute r8(k2.b, k6.a);
+                    revolute r9(k6.b, k7.a);
+                    revolute r10(ground.c, k7.b);
+                    force motor(k1.a) { torque: 0.033 N*m; }
+                    spring squeeze(ground.d, k3.c) { stiffness: 4530 N/m; free_length: 0.07785 m; }
+                    output r1.force, r2.force, r4.force;
+                }
             }
-            body k2 {
-                mass: 0.00365 kg;
-                inertia: 4.41e-07 kg*m^2;
-                port a: (0.0115, 0.0) m;
-                port b: (-0.0165, 0.0) m;
-                start x: -0.0044914333599330725 m; start y: 0.0002775362557942899 m;
-                start angle: -0.06171389001427645 rad;
-            }
-            body k3 {
-                mass: 0.02373 kg;
-                inertia: 5.255e-06 kg*m^2;
-                port a: (-0.01043, -0.01626) m;
-                port b: (-0.01043, 0.01874) m;
-                port c: (0.00957, 0.00074) m;
-                start x: -0.018742186670315457 m; start y: 0.020485106789073934 m;
-                start angle: 0.45527981916307037 rad;
-            }
-            body k4 {
-                mass: 0.00706 kg;
-                inertia: 5.667e-07 kg*m^2;
-                port a: (0.0, -0.01421) m;
-                port b: (0.0, 0.00579) m;
-                start x: -0.030222939830158887 m; start y: 0.012071182356663938 m;
-                start angle: 0.7100333697097284 rad;
-            }
-            body k5 {
-                mass: 0.0705 kg;
-                inertia: 1.169e-05 kg*m^2;
-                port a: (0.01692, -0.00916) m;
-                port b: (-0.02308, -0.00916) m;
-                start x: -0.05323682815570414 m; start y: 0.016631847966616306 m;
-                start angle: 0.48736497954384256 rad;
-            }
-            body k6 {
-                mass: 0.00706 kg;
-                inertia: 5.667e-07 kg*m^2;
-                port a: (0.01421, 0.0) m;
-                port b: (-0.00579, 0.0) m;
-                start x: -0.028543268536783597 m; start y: -0.010722254707252287 m;
-                start angle: 1.0078790543839353 rad;
-            }
-            body k7 {
-                mass: 0.05498 kg;
-                inertia: 1.912e-05 kg*m^2;
-                port a: (-0.01228, -0.03551) m;
-                port b: (-0.01228, 0.00449) m;
-                start x: -0.06100930166728716 m; start y: 0.007807597198208284 m;
-                start angle: 1.2305474445498212 rad;
-            }
-            revolute r1(ground.a, k1.a);
-            revolute r2(k1.b, k2.a);
-            revolute r3(k2.b, k3.a);
-            revolute r4(ground.b, k3.b);
-            revolute r5(k2.b, k4.a);
-            revolute r6(k4.b, k5.a);
-            revolute r7(ground.c, k5.b);
-            revolute r8(k2.b, k6.a);
-            revolute r9(k6.b, k7.a);
-            revolute r10(ground.c, k7.b);
-            force motor(k1.a) { torque: 0.033 N*m; }
-            spring squeeze(ground.d, k3.c) { stiffness: 4530 N/m; free_length: 0.07785 m; }
-            output r1.force, r2.force, r4.force;
         }
-    }
+    };
 }
+andrews!(s5);
+pub(crate) use andrews;

@@ -32,8 +32,22 @@ where
     M::U: std::fmt::Debug + PartialEq,
     M::X: PartialEq,
 {
-    let mut batch: Batch<M, F> = Batch::start(&mechanisms, method).unwrap();
-    let mut alone = mechanisms.map(|mechanism| mechanism.start_with(method).unwrap());
+    let batch = Batch::start(&mechanisms, method).unwrap();
+    agree_with(mechanisms.map(|mechanism| mechanism.start_with(method).unwrap()), batch, intervals, before)
+}
+
+/// The same of simulations with methods of their own.
+fn agree_with<M, F: Formula>(
+    mut alone: [Lane<M, F>; 8],
+    mut batch: Batch<M, F>,
+    intervals: &[f64],
+    before: impl Fn(usize, usize, &mut Lane<M, F>),
+) -> [Stats; 8]
+where
+    M: Pack<S = f64, G = [f64; 0]>,
+    M::U: std::fmt::Debug + PartialEq,
+    M::X: PartialEq,
+{
     for (interval, dt) in intervals.iter().enumerate() {
         for lane in 0..8 {
             before(interval, lane, &mut batch[lane]);
@@ -71,6 +85,17 @@ fn trees_with_eight_parameters_and_inputs() {
         sim.input.torque = AROUND[lane] * interval as f64;
     });
     agree(mechanisms, SemiImplicitEuler::new(1e-3), &[0.3, 0.3], unchanged);
+}
+
+/// Only those that make the same steps go together.
+#[test]
+fn lanes_with_steps_of_other_lengths_go_alone() {
+    let mechanisms = AROUND.map(|s| Driven { mass: 1.0 + s, ..Driven::new() });
+    let lengths = [1e-3, 4e-3, 1e-3, 1e-3, 3e-3, 1e-3, 5e-4, 1e-3];
+    let alone = std::array::from_fn(|lane| mechanisms[lane].start_with(Rk4::new(lengths[lane])).unwrap());
+    let stats = agree_with(alone, Batch::new(alone), &[0.1, 0.02, 0.2], unchanged);
+    // No interval is a whole number of steps of 3 ms: it takes one more.
+    assert_eq!(stats.map(|stats| stats.steps), [320, 80, 320, 320, 34 + 7 + 67, 320, 640, 320]);
 }
 
 #[test]

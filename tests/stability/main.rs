@@ -3,6 +3,8 @@
 #![allow(dead_code, reason = "the example shows more of the scenes")]
 #![allow(clippy::excessive_precision, reason = "references keep the digits that they were computed with")]
 
+#[path = "../../examples/stability/figures/mod.rs"]
+mod figures;
 #[path = "../../examples/stability/scenes/mod.rs"]
 mod scenes;
 
@@ -13,6 +15,7 @@ mod extremes;
 mod flat;
 mod long;
 mod near;
+mod page;
 mod stiff;
 mod theory;
 mod waiting;

@@ -18,8 +18,8 @@ pub fn fast_crank() -> Result<Figure, Fault> {
         list.iter().find(|(speed, _)| *speed == 1e4).map_or(f64::NAN, |(_, error)| *error)
     };
     let rows = vec![
-        Row::below("crank at 1e4 rad/s, default: angle after 20 turns", 1e-5, " rad", at(&angles)),
-        Row::below("crank at 1e4 rad/s, default: energy after 20 turns", 1e-6, "", at(&energies)),
+        Row::below("crank at 1e4 rad/s, default: angle after 20 turns", 1e-6, " rad", at(&angles)),
+        Row::below("crank at 1e4 rad/s, default: energy after 20 turns", 1e-7, "", at(&energies)),
     ];
     let chart = Chart::new(
         Axis::log("speed of the crank", "rad/s"),

@@ -12,6 +12,8 @@ pub mod stiff;
 pub mod theory;
 pub mod waiting;
 
+use std::fmt::Write as _;
+
 use plm::Fault;
 use plm_view::Chart;
 
@@ -52,6 +54,38 @@ impl Row {
     pub fn end(quantity: impl Into<String>, end: &Result<(), Fault>) -> Self {
         let found = end.as_ref().map_or_else(ToString::to_string, |()| "survives".to_owned());
         Self::new(quantity, "survives", found, end.is_ok())
+    }
+}
+
+/// The tables of all scenes, and what is not as it has to be.
+#[derive(Default)]
+pub struct Page {
+    /// Every table between its anchors.
+    pub text: String,
+    missed: Vec<String>,
+}
+
+impl Page {
+    /// Adds the lines of a scene; its table.
+    pub fn add(&mut self, slug: &str, rows: &[Row]) -> String {
+        let mut table = "| | known | found |\n|---|---|---|\n".to_owned();
+        for Row { quantity, known, found, holds } in rows {
+            let mark = if *holds { "" } else { " **missed**" };
+            let _ = writeln!(table, "| {quantity} | {known} | {found}{mark} |");
+            if !holds {
+                self.missed.push(format!("{slug}: {quantity}: {found} instead of {known}"));
+            }
+        }
+        let _ = write!(self.text, "<!-- ANCHOR: {slug} -->\n{table}<!-- ANCHOR_END: {slug} -->\n\n");
+        table
+    }
+
+    /// How the program ends.
+    ///
+    /// # Errors
+    /// The lines that are not as near to what is known as they have to be.
+    pub fn outcome(&self) -> Result<(), String> {
+        if self.missed.is_empty() { Ok(()) } else { Err(self.missed.join("\n")) }
     }
 }
 

@@ -45,8 +45,8 @@ pub fn end_stop() -> Figure {
     let resolved = error(bounce(Rk4::new(1e-6)));
     let coarse = error(bounce(Rk4::new(4e-4)));
     let rows = vec![
-        Row::below("1 kg against 1e8 N/m, default: error of the speed after", 1e-6, "", default),
-        Row::below("the same, RK4, 1 us", 1e-3, "", resolved),
+        Row::below("1 kg against 1e8 N/m, default: error of the speed after", 1e-7, "", default),
+        Row::below("the same, RK4, 1 us", 1e-5, "", resolved),
         Row::new("the same, RK4, 0.4 ms", "fails", format!("{coarse:.1e}"), coarse > 0.1),
         Row::new(
             "spring of 1e8 N/m: longest stable step of RK4",

@@ -19,13 +19,13 @@ pub enum Index {
 /// x, y, their rates, and the multiplier lambda of q'' = (0, -g) - lambda q.
 pub type Point = [f64; 5];
 
-const STAGES: usize = 3;
+pub const STAGES: usize = 3;
 /// Unknowns of a step: a point for every stage.
 const SIZE: usize = 5 * STAGES;
 
 const ROOT_6: f64 = 2.449_489_742_783_178;
 /// Radau IIA with three stages (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, table IV.5.6).
-const A: [[f64; STAGES]; STAGES] = [
+pub const A: [[f64; STAGES]; STAGES] = [
     [(88.0 - 7.0 * ROOT_6) / 360.0, (296.0 - 169.0 * ROOT_6) / 1800.0, (-2.0 + 3.0 * ROOT_6) / 225.0],
     [(296.0 + 169.0 * ROOT_6) / 1800.0, (88.0 + 7.0 * ROOT_6) / 360.0, (-2.0 - 3.0 * ROOT_6) / 225.0],
     [(16.0 - ROOT_6) / 36.0, (16.0 + ROOT_6) / 36.0, 1.0 / 9.0],

@@ -3,6 +3,7 @@
 pub mod brief;
 pub mod dead;
 #[path = "../../../tests/it/scenes.rs"]
+#[allow(unused_imports, reason = "the tests use more of it")]
 pub mod declared;
 pub mod dyads;
 pub mod flat;

@@ -4,7 +4,7 @@
 
 mod support;
 
-use plm_cas::{Condition, Graph, RULES, Tape};
+use plm_cas::{Condition, Graph, RULES, Tape, share};
 use support::{close, direct};
 
 const POINTS: [f64; 11] =
@@ -81,6 +81,70 @@ fn every_condition_is_needed() {
         };
         let found = POINTS.iter().any(|&x| POINTS.iter().any(|&y| POINTS.iter().any(|&z| fails(x, y, z))));
         assert!(found || exceptions.contains(&rule.name), "{}", rule.name);
+    }
+}
+
+/// Expressions that look like the pattern of a rule and are none: whatever the constructors make of them, it has their value.
+const BESIDE: [&str; 30] = [
+    // Pythagoras asks for one coefficient, one factor, one angle, one sign and squares.
+    "(+ (* 2 (^ (sin x) 2)) (* 3 (^ (cos x) 2)))",
+    "(+ (* 2 y (^ (sin x) 2)) (* 3 y (^ (cos x) 2)))",
+    "(+ (* y (^ (sin x) 2)) (* z (^ (cos x) 2)))",
+    "(+ (^ (sin x) 2) (^ (cos y) 2))",
+    "(- (^ (sin x) 2) (^ (cos x) 2))",
+    "(+ (^ (sin x) 2) (^ (cos x) 4))",
+    "(+ (sin x) (cos x))",
+    // Constant angles.
+    "(sin (+ (* 2 x) 1/3))",
+    "(cos (+ x y pi))",
+    "(sin (+ x y (* 1/3 pi)))",
+    // Functions of both signs keep their magnitude.
+    "(abs (asin x))",
+    "(abs (sin x))",
+    "(abs (ln (+ 4 x)))",
+    "(abs (atan2 (+ x 1/8) 2))",
+    "(abs (^ x 3))",
+    "(abs (* x (sin y)))",
+    "(abs (* x (asin (* 1/4 y)) (exp z)))",
+    // Powers that are negative, odd, or of a root.
+    "(^ (abs x) -2)",
+    "(^ (abs x) -3)",
+    "(^ (sqrt (+ 4 x)) -4)",
+    "(sqrt (^ x 6))",
+    "(sqrt (* x x y))",
+    "(^ (* x y) -2)",
+    // What is divided by a product, or by a quotient.
+    "(/ x (* y z))",
+    "(/ 2 (* 3 x y))",
+    "(/ x (/ y z))",
+    "(- x (/ y (* 5 z)))",
+    // An inverse in one direction only.
+    "(asin (sin (* 3 x)))",
+    "(acos (cos (* 3 x)))",
+    "(sign (+ x (* 2 y)))",
+];
+
+#[test]
+fn what_resembles_a_pattern_keeps_its_value() {
+    let points = POINTS.into_iter().filter(|point| point.is_finite());
+    for text in BESIDE {
+        let mut g = xyz();
+        let made = g.parse_sexpr(text).unwrap();
+        let shared = share(&mut g, &[made]);
+        let tapes = [Tape::new(&g, &[made]), Tape::new(&g, &shared)];
+        let symbols = ["x", "y", "z"].map(|name| g.find_name(name).unwrap());
+        for x in points.clone() {
+            for y in points.clone() {
+                let point = [x, y, 0.25];
+                let bindings: Vec<_> = symbols.into_iter().zip(point).collect();
+                let expected = direct::text(text, point);
+                for tape in &tapes {
+                    let found = tape.eval(&bindings).unwrap()[0];
+                    // Some ten roundings each.
+                    assert!(close(expected, found, 1e-13), "{text} at {point:?}: {expected} {found}");
+                }
+            }
+        }
     }
 }
 

@@ -235,6 +235,28 @@ fn what_stays_in_its_band_does_not_switch() {
     assert!((sim.x[2] - z).abs() < 1e-7, "{} {z}", sim.x[2]);
 }
 
+/// Steps of equal length look at where they end: within the band they leave every condition as it is.
+#[test]
+fn fixed_steps_switch_nothing_within_the_band() {
+    let switches = |band: f64| run(Scene { band, ..SPOOL }, Rk4::new(1e-3), 0.4).stats().switches;
+    assert_eq!(switches(1e-9), 4);
+    // Amplitudes 0.0152^k: the second crossing is the last that leads beyond 1e-5.
+    assert_eq!(switches(1e-5), 2);
+    assert_eq!(switches(0.1), 0);
+}
+
+/// A state that is set within the band stays on its side, and switches where it leaves it.
+#[test]
+fn a_state_that_is_set_within_the_band_holds_its_side() {
+    for (x, switches) in [(-0.009, 0), (-0.011, 1)] {
+        let mut sim =
+            Scene { band: 0.01, rate: |_, _, _| [0.0; 3], ..FORCE }.start_with(Rk4::new(0.1)).unwrap();
+        sim.x[0] = x;
+        sim.step(0.1).unwrap();
+        assert_eq!(sim.stats().switches, switches, "{x}");
+    }
+}
+
 /// x' = -x + (0 until 1, 1 until 2.5, then 3).
 const KNOWN: Scene = Scene {
     rate: |t, held, x| {

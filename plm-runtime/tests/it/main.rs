@@ -10,6 +10,7 @@ mod dense;
 mod dual;
 mod events;
 mod faults;
+mod followed;
 mod gauss;
 mod linalg;
 mod linear;

@@ -8,7 +8,7 @@ use crate::linkage::At;
 use crate::mechanisms::double_pendulum;
 use crate::oscillator::{Oscillator, error, oscillator};
 use crate::random::Random;
-use crate::smooth::{ProtheroRobinson, Spring, StiffPendulum};
+use crate::smooth::{Chirp, ProtheroRobinson, Spring, StiffPendulum};
 
 fn error_with<M: Mechanism<State = At<M>, X = [f64; 3], S = f64> + Linear>(mechanism: M, h: f64) -> f64 {
     let mut sim = mechanism.start_with(Ros34Pw2::new(h)).unwrap();
@@ -82,6 +82,59 @@ fn order_is_3_with_wrong_derivatives() {
     let order = (error_with(Wrong(oscillator()), 0.02) / error_with(Wrong(oscillator()), 0.01)).log2();
     println!("ROS34PW2 with wrong derivatives: {order:.3}");
     assert!((order - 3.0).abs() < 0.1, "{order}");
+}
+
+/// The table of Rang and Angermann: alpha_ij, then gamma_ij, with gamma on the diagonal.
+const TABLE: [[[f64; 4]; 4]; 2] = [
+    [
+        [0.0; 4],
+        [8.717_330_430_169_18e-1, 0.0, 0.0, 0.0],
+        [8.445_706_001_536_942e-1, -1.129_906_423_648_418_5e-1, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+    ],
+    [
+        [4.358_665_215_084_59e-1, 0.0, 0.0, 0.0],
+        [-8.717_330_430_169_18e-1, 4.358_665_215_084_59e-1, 0.0, 0.0],
+        [-9.033_805_701_304_408e-1, 5.418_067_238_809_532_6e-2, 4.358_665_215_084_59e-1, 0.0],
+        [
+            2.421_238_070_609_534_6e-1,
+            -1.223_250_583_904_514_7,
+            5.452_602_553_351_021e-1,
+            4.358_665_215_084_59e-1,
+        ],
+    ],
+];
+
+/// k_i = h f(t + alpha_i h, x + sum alpha_ij k_j) + h f_x sum gamma_ij k_j + gamma_i h^2 f_t (Hairer and Wanner II, IV.7,
+/// eq. (7.4a)) for x' = cos(w t x). No order tells of a derivative by time that is left out: it does not depend on it.
+fn step_of_the_formula(w: f64, t: f64, x: f64, h: f64) -> f64 {
+    let [alpha, gamma] = TABLE;
+    let (f_x, f_t) = (-w * t * (w * t * x).sin(), -w * x * (w * t * x).sin());
+    let mut k = [0.0; 4];
+    for i in 0..4 {
+        let dot = |row: &[f64; 4], k: &[f64; 4]| (0..i).map(|j| row[j] * k[j]).sum::<f64>();
+        let sum = |row: &[f64; 4]| row.iter().sum::<f64>();
+        let rate = (w * (t + sum(&alpha[i]) * h) * (x + dot(&alpha[i], &k))).cos();
+        let right = h * rate + h * f_x * dot(&gamma[i], &k) + sum(&gamma[i]) * h * h * f_t;
+        k[i] = right / (1.0 - h * gamma[i][i] * f_x);
+    }
+    x + (0..4).map(|i| (alpha[3][i] + gamma[3][i]) * k[i]).sum::<f64>()
+}
+
+#[test]
+fn steps_are_those_of_the_formula() {
+    for (w, h) in [(2.0, 0.1), (5.0, 0.2), (9.0, 0.05)] {
+        let mut method = Ros34Pw2::new(h);
+        method.worst_error = f64::INFINITY;
+        let mut sim = Chirp { w }.start_with(method).unwrap();
+        let mut x = 0.3;
+        for step in 0..8 {
+            x = step_of_the_formula(w, sim.time, x, h);
+            sim.step(h).unwrap();
+            // Rounding, in an order of its own, and what a step makes of that.
+            assert!((sim.x[0] - x).abs() < 1e-13, "w = {w}, step {step}: {} {x}", sim.x[0]);
+        }
+    }
 }
 
 /// R(z) = 1 + z b^T (I - z (alpha + gamma))^-1 1 at z = i w, from one step of an oscillator.

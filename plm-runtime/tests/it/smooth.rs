@@ -69,6 +69,13 @@ system! {
 }
 
 system! {
+    /// x' = cos(w t x): neither linear nor autonomous.
+    Chirp { w }, states 1, coordinates 0,
+    rate |m, t, x| [(m.w * t * x[0]).cos()],
+    start |_m| [S::lit(0.3)]
+}
+
+system! {
     /// The plane two-body problem with the eccentricity e, from the pericentre; period 2 pi.
     Kepler { e }, states 4, coordinates 2,
     rate |_m, _t, x| {

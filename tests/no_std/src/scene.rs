@@ -1,7 +1,10 @@
-//! What both programs run: assembly, each method of integration, and the solution by rank, in both precisions.
+//! What both programs run: assembly, each method of integration, conditions, an iteration, and the solution by rank.
 
 use plm::runtime::Vector;
-use plm::{Dop853, Dopri5, Fault, Mechanism, Method, Moment, Real, Rk4, Scalar, SemiImplicitEuler};
+use plm::{
+    Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, RadauIia5, Real, Rk4, Ros34Pw2, Scalar,
+    SemiImplicitEuler,
+};
 
 plm::mechanism! {
     /// The double pendulum of the manual, section 2.2.
@@ -61,16 +64,61 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// A block between two forces that jump in its middle and end at a known time, and a table that bends.
+    pub Shuttle {
+        ground { port o: (0, 0) m; }
+        body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 0.1 m; }
+        prismatic rail(ground.o, block.o);
+        force back(block.o) { x: if block.x < 0 m then 40 N else if t < 0.3 s then -20 N else -30 N; }
+        force soft(block.o) { x: table(block.x, (-1 m, 3 N), (0.05 m, 0 N), (1 m, -1 N)); }
+        require inside: block.x < 1 m;
+    }
+}
+
+plm::mechanism! {
+    /// A plate on the pins of three cranks that are geared: an angle and three slides by one iteration.
+    pub Plate {
+        rung: loops;
+        gravity: 9.81 m/s^2;
+        ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }
+        body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg, locked; start omega: 2 rad/s, locked; }
+        body crank[1] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 1.1 m; start angle: 20 deg; }
+        body crank[2] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.6 m; start y: 0.9 m; start angle: -20 deg; }
+        body plate { mass: 2 kg; inertia: 0.3 kg*m^2; port a: (-0.4, -0.3) m, angle: 35 deg; port b: (0.4, -0.3) m, angle: 140 deg; port c: (0, 0.4) m, angle: 100 deg; start x: 0.5 m; start y: 0.3 m; }
+        revolute o0(ground.a, crank[0].o);
+        revolute o1(ground.b, crank[1].o);
+        revolute o2(ground.c, crank[2].o);
+        pin_slot slot[0](plate.a, crank[0].p) { stiffness: 100 N/m; }
+        pin_slot slot[1](plate.b, crank[1].p);
+        pin_slot slot[2](plate.c, crank[2].p);
+        constraint gear: crank[1].angle - crank[0].angle = 0;
+        constraint back: crank[2].angle + 1.5*crank[0].angle = 10 deg;
+    }
+}
+
 /// Gives the bits of time and state at some moments of some runs.
 ///
 /// # Errors
 /// If the mechanism cannot be assembled or moved.
 pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
-    by_every_method::<f64>(&mut emit)?;
-    by_every_method::<f32>(&mut emit)
+    explicit::<f64>(&mut emit)?;
+    explicit::<f32>(&mut emit)?;
+    implicit(&mut emit)?;
+    moments(Shuttle::new(), Dop853::default(), &mut emit)?;
+    moments(Shuttle::new(), Rk4::new(1e-2), &mut emit)?;
+    moments(Plate::new(), Rk4::new(1e-2), &mut emit)
 }
 
-fn by_every_method<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
+/// Implicit methods, conditions and iterations run in double precision alone: twice the code takes twice the time to link.
+fn implicit(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
+    let pendulum = DoublePendulum::new();
+    moments(pendulum, Gauss::<_, 3>::new(1e-2), emit)?;
+    moments(pendulum, RadauIia5::new(1e-4), emit)?;
+    moments(pendulum, Ros34Pw2::new(1e-3), emit)
+}
+
+fn explicit<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     let locked = DoublePendulum::<S>::of();
     moments(locked, SemiImplicitEuler::new(S::lit(1e-3)), emit)?;
     moments(locked, Rk4::new(S::lit(1e-3)), emit)?;

@@ -67,3 +67,27 @@ fn invert_divisors(rows: &mut Rows) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `1/(x*y)` is not `x*y`, though only one product reads it.
+    #[test]
+    fn a_product_that_divides_keeps_its_row() {
+        let mut graph = Graph::new();
+        let symbols = ["a", "x", "y"].map(|name| graph.symbol(name));
+        let mut rows = Rows::load(&graph, &symbols);
+        let [a, x, y] = symbols.map(|symbol| rows.row_of(symbol) as u32);
+        let item = |row: u32, divides: bool| Item { id: literal(row, divides), coefficient: 0 };
+        let inner = rows.push(Kind::Product, &[item(x, false), item(y, false)]) as u32;
+        for divides in [true, false] {
+            let outer = rows.push(Kind::Product, &[item(a, false), item(inner, divides)]);
+            rows.roots = vec![outer as u32];
+            rows.inline_single_uses();
+            let expected = if divides { 2 } else { 3 };
+            assert_eq!(rows.items(outer).len(), expected, "{:?}", rows.items(outer));
+            rows.items_mut(outer)[1] = item(a, false);
+        }
+    }
+}

@@ -124,6 +124,15 @@ mod tests {
         assert_eq!(found.dependent, [(3, vec![0, 2, 3]), (4, vec![1, 2, 4])]);
     }
 
+    /// Two directions that differ by so many radians; a few thousand roundings are no difference.
+    #[test]
+    fn rows_that_are_nearly_alike_are_two_until_rounding() {
+        for (angle, expected) in [(1e-2, 2), (1e-4, 2), (1e-6, 2), (1e-8, 2), (1e-12, 1), (1e-14, 1)] {
+            let rows = [vec![(0, 0.6), (1, 0.8)], vec![(0, 0.6 - 0.8 * angle), (1, 0.8 + 0.6 * angle)]];
+            assert_eq!(rank(&rows).value(), expected, "{angle:e} rad");
+        }
+    }
+
     #[test]
     fn an_empty_matrix_has_rank_zero() {
         assert_eq!(rank(&[]).value(), 0);

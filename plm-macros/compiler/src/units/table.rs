@@ -100,23 +100,55 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::unit;
+    use core::f64::consts::{PI, TAU};
+
+    use super::{Dimension, TABLE, unit};
+
+    /// Every unit in SI, and its dimension in metre, kilogram, second, ampere, kelvin and radian: BIPM, The International
+    /// System of Units, 9th edition, tables 2, 4, 5 and 8. The bar and the centipoise are 1e5 Pa and 1e-3 Pa s there.
+    const DEFINED: [(&str, f64, [i8; 6]); 30] = [
+        ("m", 1.0, [1, 0, 0, 0, 0, 0]),
+        ("mm", 1e-3, [1, 0, 0, 0, 0, 0]),
+        ("cm", 1e-2, [1, 0, 0, 0, 0, 0]),
+        ("km", 1e3, [1, 0, 0, 0, 0, 0]),
+        ("L", 1e-3, [3, 0, 0, 0, 0, 0]),
+        ("kg", 1.0, [0, 1, 0, 0, 0, 0]),
+        ("s", 1.0, [0, 0, 1, 0, 0, 0]),
+        ("ms", 1e-3, [0, 0, 1, 0, 0, 0]),
+        ("min", 60.0, [0, 0, 1, 0, 0, 0]),
+        ("h", 3600.0, [0, 0, 1, 0, 0, 0]),
+        ("Hz", 1.0, [0, 0, -1, 0, 0, 0]),
+        ("rad", 1.0, [0, 0, 0, 0, 0, 1]),
+        ("deg", PI / 180.0, [0, 0, 0, 0, 0, 1]),
+        ("degree", PI / 180.0, [0, 0, 0, 0, 0, 1]),
+        ("rev", TAU, [0, 0, 0, 0, 0, 1]),
+        ("N", 1.0, [1, 1, -2, 0, 0, 0]),
+        ("kN", 1e3, [1, 1, -2, 0, 0, 0]),
+        ("J", 1.0, [2, 1, -2, 0, 0, 0]),
+        ("W", 1.0, [2, 1, -3, 0, 0, 0]),
+        ("kW", 1e3, [2, 1, -3, 0, 0, 0]),
+        ("Pa", 1.0, [-1, 1, -2, 0, 0, 0]),
+        ("kPa", 1e3, [-1, 1, -2, 0, 0, 0]),
+        ("MPa", 1e6, [-1, 1, -2, 0, 0, 0]),
+        ("bar", 1e5, [-1, 1, -2, 0, 0, 0]),
+        ("cP", 1e-3, [-1, 1, -1, 0, 0, 0]),
+        ("K", 1.0, [0, 0, 0, 0, 1, 0]),
+        ("ampere", 1.0, [0, 0, 0, 1, 0, 0]),
+        ("volt", 1.0, [2, 1, -3, -1, 0, 0]),
+        ("ohm", 1.0, [2, 1, -3, -2, 0, 0]),
+        ("henry", 1.0, [2, 1, -2, -2, 0, 0]),
+    ];
 
     #[test]
-    fn factors_are_the_defined_ones() {
-        // BIPM, The International System of Units, 9th edition, tables 4 and 8.
-        let cases = [
-            ("mm", 1e-3),
-            ("L", 1e-3),
-            ("min", 60.0),
-            ("h", 3600.0),
-            ("deg", core::f64::consts::PI / 180.0),
-            ("rev", core::f64::consts::TAU),
-            ("bar", 1e5),
-            ("cP", 1e-3),
-        ];
-        for (name, factor) in cases {
-            assert_eq!(unit(name).unwrap().factor().to_f64(), factor, "{name}");
+    fn every_unit_is_the_defined_one() {
+        for (name, factor, [m, kg, s, a, k, rad]) in DEFINED {
+            let found = unit(name).unwrap();
+            assert_eq!(found.factor().to_f64(), factor, "{name}");
+            assert_eq!(found.dimension, Dimension { m, kg, s, a, k, rad }, "{name}");
+        }
+        // None is without its line.
+        for unit in TABLE {
+            assert!(DEFINED.iter().any(|defined| defined.0 == unit.name), "{}", unit.name);
         }
     }
 }

@@ -7,6 +7,7 @@
 
 mod charts;
 mod free_bodies;
+mod poses;
 mod scene;
 
 use plm_compiler::token::Sources;

@@ -1,0 +1,91 @@
+//! Loops that are solved by iteration: an unknown that is not where its rates have taken it is another solution.
+
+use plm_runtime::charts::{Charted, Held, accept};
+use plm_runtime::{Cause, Fault, Health, System};
+
+/// A crank at the angle x turns a link to the angle 2 x, or, where the iteration is led astray, elsewhere.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    /// How far from its solution the iteration ends, rad.
+    astray: f64,
+    /// The measure of the loop.
+    measure: f64,
+}
+
+/// Crank and time with their reaches, the loop's determinant, the link with its rate and half the rate of that, a unit in the
+/// last place.
+type Memory = [f64; 9];
+
+impl System for Link {
+    type S = f64;
+    type X = [f64; 2];
+    type U = Held<(), Memory>;
+    type G = [f64; 0];
+    const NQ: usize = 1;
+
+    fn rate(&self, _t: f64, _u: &Self::U, x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
+        *dx = [x[1], 0.0];
+        Health::perfect()
+    }
+}
+
+impl Charted for Link {
+    type Input = ();
+    type Memory = Memory;
+    type Q = [f64; 1];
+    const CHARTS: usize = 1;
+    const BEFORE_AREAS: usize = 4;
+    const TURNING: &'static [&'static str] = &[];
+    const BEFORE_FOLLOWED: usize = 5;
+    const FOLLOWED: &'static [&'static str] = &["link"];
+    const CLOSING: &'static [&'static [&'static str]] = &[&["pin"]];
+
+    fn place(&self, _t: f64, _held: &Self::U, x: &[f64; 2]) -> ([f64; 1], [f64; 1], f64) {
+        ([x[0]], [x[1]], self.measure * self.measure)
+    }
+    fn look(&self, t: f64, _held: &Self::U, x: &[f64; 2]) -> (Memory, f64) {
+        // Nothing but the link limits how far it may go.
+        (
+            [x[0], 1e3, t, 1e3, self.measure, 2.0 * x[0] + self.astray, 2.0 * x[1], 0.0, f64::EPSILON],
+            self.measure * self.measure,
+        )
+    }
+    fn survey(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Memory, f64) {
+        let none = Held { input: (), chart: 0, memory: [0.0; 9] };
+        self.look(t, &none, &[q[0], v[0]])
+    }
+    fn project(&self, _chart: usize, _t: f64, q: &[f64; 1], v: &[f64; 1], x: &mut [f64; 2]) {
+        *x = [q[0], v[0]];
+    }
+}
+
+/// A step of 0.1 s at 3 rad/s whose iteration ends so far from its solution.
+fn stepped(astray: f64, measure: f64) -> Result<Held<(), Memory>, Fault> {
+    let mut x = [0.5, 3.0];
+    let (memory, _) =
+        Link { astray: 0.0, measure }.look(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &x);
+    let mut held = Held { input: (), chart: 0, memory };
+    x[0] += 0.3;
+    accept(&Link { astray, measure }, 0.1, &mut held, &mut x)?;
+    Ok(held)
+}
+
+#[test]
+fn an_unknown_that_leaves_its_rates_is_refused() {
+    for measure in [0.8, 0.4] {
+        // Other solutions are at least about twice the measure away; a quarter of it is what may be off.
+        for off in [0.0, 0.2, -0.2] {
+            let held = stepped(off * measure, measure).unwrap();
+            assert!((held.memory[5] - (1.6 + off * measure)).abs() < 1e-15, "{measure}: {:?}", held.memory);
+        }
+        for off in [0.3, -0.3, 2.0, -2.0, f64::NAN] {
+            let fault = stepped(off * measure, measure).unwrap_err();
+            let expected = if off.is_nan() { "pin" } else { "link" };
+            assert!(
+                matches!(fault.cause, Cause::TurnedTooFar { .. } | Cause::Locked),
+                "{measure}, {off}: {fault}"
+            );
+            assert_eq!((fault.part, fault.time), (expected, 0.1), "{measure}, {off}: {fault}");
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! What the program `work_precision` takes for near, and how it ends.
+#![allow(clippy::unwrap_used, unreachable_pub, reason = "tests")]
+
+#[path = "../examples/work_precision/measure.rs"]
+#[allow(dead_code, reason = "the program measures more")]
+mod measure;
+#[path = "../examples/work_precision/report.rs"]
+#[allow(dead_code, reason = "the program draws as well")]
+mod report;
+
+use measure::{Bench, Effort, Line, Look, Outcome, Point, Scene};
+use plm_peers::{Peer, Run, Setting};
+use report::{Result as Measured, outcome};
+
+/// Errors up to 10 have to do with the scene.
+static SCENE: Scene = Scene {
+    id: "S0",
+    title: "",
+    facts: "",
+    until: 1.0,
+    fewest_steps: 1,
+    relative: false,
+    hopeless: 10.0,
+    run: |_| Vec::new(),
+};
+static RELATIVE: Scene = Scene { relative: true, ..SCENE };
+
+/// A line on a rung whose runs end with these errors; the longest takes so many seconds.
+fn line(rung: &'static str, errors: &[f64], seconds: f64) -> Line {
+    let outcome =
+        |&error: &f64| Point { setting: 1e-3, outcome: Ok(Outcome { error, seconds, evaluations: 1 }) };
+    let points = errors.iter().map(outcome).collect();
+    Line { method: "RK4", rung, look: Look::Peer(0), facts: String::new(), points }
+}
+
+#[test]
+fn a_line_has_to_come_within_a_ten_thousandth_of_what_is_hopeless() {
+    let far = |line: Line| Measured { scene: &SCENE, lines: vec![line] }.far(0.02).len();
+    assert_eq!(far(line("tree", &[2.0, 0.9e-3], 1e-4)), 0);
+    assert_eq!(far(line("tree", &[2.0, 1.1e-3], 1e-4)), 1);
+    assert_eq!(far(line("tree", &[2.0, 9e-3], 1e-4)), 1);
+    assert_eq!(far(line("tree", &[f64::NAN], 1e-4)), 1);
+    assert_eq!(far(line("tree", &[], 1e-4)), 1, "no run came to its end");
+    // Finer settings were left out, and other programs are not ours.
+    assert_eq!(far(line("tree", &[2.0], 0.03)), 0);
+    assert_eq!(far(line("", &[2.0], 1e-4)), 0);
+}
+
+#[test]
+fn the_program_fails_if_one_line_is_far() {
+    let lines =
+        vec![line("tree", &[1e-6], 1e-4), line("absolute", &[1.0], 1e-4), line("loops", &[1e-6], 1e-4)];
+    let far = Measured { scene: &SCENE, lines }.far(0.02);
+    assert_eq!(outcome(&far), Err("S0: RK4, absolute never comes near".to_owned()));
+    assert_eq!(outcome(&[]), Ok(()));
+}
+
+/// The largest error of all numbers, by their own size where the scene says so.
+#[test]
+fn errors_are_those_of_the_number_that_is_farthest_off() {
+    let effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spent: 0.0, longest_run: 1.0 };
+    let run = |_: f64| Some(Run { seconds: 1e-3, evaluations: 7, measured: vec![4.0, 100.5, -0.2] });
+    let peer = Peer { scene: "S0", name: "other", setting: Setting::Step, run };
+    for (scene, expected) in [(&SCENE, 0.5), (&RELATIVE, 0.25)] {
+        let bench = Bench { scene, reference: vec![4.0, 100.0, -0.16], effort: &effort };
+        for point in bench.peer(0, &peer).points {
+            let error = point.outcome.unwrap().error;
+            assert!((error - expected).abs() < 1e-12, "{}: {error}", scene.relative);
+        }
+    }
+    // What is not a number must not be lost among numbers.
+    let bench = Bench { scene: &SCENE, reference: vec![4.0, f64::NAN, -0.2], effort: &effort };
+    assert!(bench.peer(0, &peer).points.iter().all(|point| point.outcome.as_ref().unwrap().error.is_nan()));
+}
