@@ -21,7 +21,7 @@ fn compiled(text: &str) -> Result<String, Vec<&'static str>> {
     if expansion.diagnostics.has_errors() {
         Err(codes)
     } else {
-        Ok(expansion.code.unwrap().text().to_owned())
+        Ok(expansion.code.unwrap().text().clone())
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::Fine;
 use super::equations::{Equations, Evaluated};
-use crate::absolute::smallest_pivot;
+use crate::absolute::{nearest, smallest_pivot, split};
 use crate::scalar::Real;
 use crate::twofold::Twofold;
 use crate::vector::Vector;
@@ -54,10 +54,11 @@ impl<S: Real> Ahead<S> {
         }
         let (fine, _) = equations.0.twofold(held);
         let pivot = |distance: S| {
-            let q = Vector::from_fn(|i| {
-                Twofold::of(here.x.at(i)) + Twofold::of(distance) * Twofold::of(of.at(NQ + i) / most)
-            });
-            smallest_pivot(&fine, Twofold::of(t), &q).rounded()
+            let way = |i: usize| if i < NQ { distance * (of.at(NQ + i) / most) } else { S::ZERO };
+            let mut x = Vector::from_fn(|i| Twofold::of(here.x.at(i)) + Twofold::of(way(i)));
+            // The pivots of joints that repeat others vanish on the constraints alone.
+            nearest::<_, _, NQ, NC, NX>(&fine, Twofold::of(t), &mut x);
+            smallest_pivot(&fine, Twofold::of(t), &split::<_, NX, NQ>(&x).0).rounded()
         };
         let (mut apart, now) = (S::lit(APART), pivot(S::ZERO));
         for _ in 0..REFINEMENTS {

@@ -23,6 +23,8 @@ const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
 const AWAY: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
 /// A pose that is reached within so many units in the last place of the time is where the motion is.
 const BARELY: f64 = 64.0;
+/// So near to a pose, rad, rounding of the state may be much beside the distance to it.
+const BESIDE: f64 = 1e-6;
 /// A pose over which no step leads is tried again where it is nearer by this factor.
 const NEARER: f64 = 0.2;
 /// Where rounding would decide, a step over the pose is tried so often from nearer to it: a kink within a longer one, or too
@@ -177,11 +179,11 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             None => self.tried = M::S::INFINITY,
             Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
                 let flat = ahead.time_to(distance);
-                // At the pose itself, as near as time can tell, nothing but distances from it is known.
+                // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
                 let at = flat < M::S::lit(BARELY) * M::S::EPSILON * course.time.abs();
-                let spans = if at { AWAY } else { SPANS };
-                let unit = if at { M::S::lit(1.0) } else { distance };
-                let times = spans.into_iter().map(|span| ahead.time_to(M::S::lit(span) * unit));
+                let spans = SPANS.into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
+                let away = AWAY.into_iter().map(M::S::lit).filter(|_| distance < M::S::lit(BESIDE));
+                let times = spans.chain(away).map(|span| ahead.time_to(span));
                 match self.step_over(course, &here, (times, Some(flat))) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {

@@ -97,7 +97,9 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph)
 pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
     let mut holding = vec![Vec::new(); equations.q.len()];
     for (row, entries) in equations.phi_q.iter().enumerate() {
-        entries.iter().for_each(|&(column, _)| holding[column].push(row));
+        for &(column, _) in entries {
+            holding[column].push(row);
+        }
     }
     let mut near = vec![BTreeSet::new(); equations.phi_q.len()];
     for rows in &holding {
