@@ -103,12 +103,13 @@ struct Sizes {
     energy: f64,
 }
 
-/// All modes of a case.
-pub fn judge(case: &Case) -> Vec<Judged> {
+/// A case by all modes, or by those in f64.
+pub fn judge(case: &Case, double: bool) -> Vec<Judged> {
+    let modes = Mode::ALL.into_iter().filter(|mode| !double || *mode != Mode::Single);
     // Where no mode can decide, what is costliest is not asked for.
-    let some = Mode::ALL.into_iter().any(|mode| case.decidable(mode.epsilon()));
+    let some = modes.clone().any(|mode| case.decidable(mode.epsilon()));
     let known = if some { know(case) } else { Err(None) };
-    Mode::ALL.into_iter().map(|mode| one(case, mode, known.as_ref())).collect()
+    modes.map(|mode| one(case, mode, known.as_ref())).collect()
 }
 
 fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged {

@@ -13,12 +13,13 @@ pub struct Options {
     pub only: Option<String>,
     /// Lists every case that is not right.
     pub verbose: bool,
+    /// Without f32.
+    pub double: bool,
     pub threads: Option<usize>,
     pub check_reference: bool,
 }
 
-pub const USAGE: &str =
-    "usage: sweep [CASES] [--seed N] [--case N] [--only KIND] [--threads N] [--verbose] [--check-reference]";
+pub const USAGE: &str = "usage: sweep [CASES] [--seed N] [--case N] [--only KIND] [--threads N] [--verbose] [--double] [--check-reference]";
 
 impl Options {
     /// Reads arguments.
@@ -32,6 +33,7 @@ impl Options {
             case: None,
             only: None,
             verbose: false,
+            double: false,
             threads: None,
             check_reference: false,
         };
@@ -44,6 +46,7 @@ impl Options {
                 "--threads" => options.threads = Some(number(&word, &value()?)? as usize),
                 "--only" => options.only = Some(kind(value()?)?),
                 "--verbose" => options.verbose = true,
+                "--double" => options.double = true,
                 "--check-reference" => options.check_reference = true,
                 _ if word.starts_with('-') => return Err(format!("unknown option {word}")),
                 _ => options.cases = number("the number of cases", &word)?,

@@ -66,7 +66,7 @@ impl Table {
                 all[mode as usize].add(line);
             }
         }
-        for (mode, line) in Mode::ALL.into_iter().zip(&all) {
+        for (mode, line) in Mode::ALL.into_iter().zip(&all).filter(|(_, line)| line.runs > 0) {
             show("all", mode, line);
         }
         all.iter().all(|line| line.wrong + line.stopped + line.unknown == 0)

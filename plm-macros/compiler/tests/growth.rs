@@ -18,11 +18,7 @@ fn compiled(text: &str) -> Result<String, Vec<&'static str>> {
     let took = began.elapsed();
     assert!(took < LONGEST, "{took:?} for {} characters", text.len());
     let codes: Vec<_> = expansion.diagnostics.iter().map(|diagnostic| diagnostic.code.id()).collect();
-    if expansion.diagnostics.has_errors() {
-        Err(codes)
-    } else {
-        Ok(expansion.code.unwrap().text().clone())
-    }
+    if expansion.diagnostics.has_errors() { Err(codes) } else { Ok(expansion.code.unwrap().text().clone()) }
 }
 
 /// A pendulum that is pushed by what some lines of `let` lead to.
