@@ -1,7 +1,9 @@
 //! Numbers by chance, the same for the same seed.
 
-/// splitmix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-pub struct Random(u64);
+#[path = "../../tests/support/random.rs"]
+mod stream;
+
+pub use stream::Random;
 
 impl Random {
     /// A stream of its own for each case.
@@ -10,19 +12,7 @@ impl Random {
         Self(mixed.bits() ^ case)
     }
 
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform between two numbers.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-
-    /// The same, as a number that f32 has too.
+    /// Evenly between two numbers, as a number that f32 has too.
     pub fn single(&mut self, low: f64, high: f64) -> f64 {
         round(self.between(low, high))
     }
@@ -40,14 +30,6 @@ impl Random {
 
     pub fn chance(&mut self, probability: f64) -> bool {
         self.between(0.0, 1.0) < probability
-    }
-
-    pub fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
-    }
-
-    pub fn one_of<T: Copy>(&mut self, of: &[T]) -> T {
-        of[self.below(of.len())]
     }
 }
 

@@ -2,16 +2,7 @@
 
 use plm::Dop853;
 
-/// D. E. Knuth, The Art of Computer Programming 2, 3.3.4: the multiplier of MMIX.
-struct Random(u64);
-
-impl Random {
-    /// Uniform between two numbers.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-}
+use crate::random::Random;
 
 macro_rules! linkage {
     ($module:ident, $rung:ident) => {

@@ -22,6 +22,8 @@ mod operations;
 mod oracle;
 mod physics;
 mod pictures;
+#[path = "../support/random.rs"]
+mod random;
 mod reach;
 mod reactions;
 mod redundant;

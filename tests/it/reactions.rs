@@ -5,17 +5,7 @@ use plm_compiler::compile;
 use plm_compiler::token::Sources;
 
 use super::rungs::on_rung_5;
-
-/// D. E. Knuth, The Art of Computer Programming 2, 3.3.4: the multiplier of MMIX.
-struct Random(u64);
-
-impl Random {
-    /// Uniform between -1 and 1.
-    fn signed(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
+use crate::random::Random;
 
 /// A tree on rung 2 and on rung 5: the outputs agree to 1e-12 of the largest one in random states of rung 2. The code of
 /// rung 2 holds the backward pass, and not the equations of rung 5.
@@ -40,9 +30,9 @@ macro_rules! like_rung_5 {
             for case in 0..200 {
                 let mut x = *one.state().x();
                 for k in 0..x.len() {
-                    x[k] = 3.0 * random.signed();
+                    x[k] = 3.0 * random.unit();
                 }
-                let time = random.signed();
+                let time = random.unit();
                 let state = <$test::tree::Scene as Mechanism>::State::new(tree, one.state().held(), time, x);
                 let q: Vec<f64> = on_rung_5(&[$(state.$body()),+]);
                 let (held, at) = (other.state().held(), q.as_slice().try_into().unwrap());

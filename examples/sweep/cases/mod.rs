@@ -136,7 +136,7 @@ impl Case {
         let entry = ENTRIES.iter().find(|entry| entry.shape.name == scene.shape.name)?;
         // Each near miss costs the reference a hundred steps.
         let lengths: &[f64] = if offset.is_some() { &[0.5, 1.0] } else { &[0.5, 1.0, 1.0, 1.5, 2.0] };
-        let length = random.one_of(lengths);
+        let length = *random.one_of(lengths);
         let samples = (length / EVERY).round() as usize;
         let rests = random.chance(0.35);
         burden(&mut scene, random, length, &q);
@@ -157,8 +157,8 @@ impl Case {
         }
         let rounded = |of: &[Dd]| of.iter().map(|value| value.hi).collect();
         let begin = Begin { q: rounded(&state.0), v: rounded(&state.1), locked };
-        let by = if entry.every_method && random.chance(0.5) { random.one_of(&By::ALL) } else { By::Dop853 };
-        let pace = random.one_of(&Pace::ALL);
+        let by = if entry.every_method && random.chance(0.5) { *random.one_of(&By::ALL) } else { By::Dop853 };
+        let pace = *random.one_of(&Pace::ALL);
         Some(Self { seed, number, kind, entry, scene, begin, offset, flat, samples, by, pace, state })
     }
 

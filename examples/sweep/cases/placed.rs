@@ -11,7 +11,7 @@ const APART: f64 = 0.2;
 pub fn tree(random: &mut Random) -> Option<Draft> {
     let shapes: [&'static Shape; 4] =
         [&trees::tree_2::SHAPE, &trees::tree_3::SHAPE, &trees::tree_4::SHAPE, &trees::tree_5::SHAPE];
-    let shape = random.one_of(&shapes);
+    let shape = *random.one_of(&shapes);
     place(shape, random, false)
 }
 
@@ -35,7 +35,7 @@ pub fn watt(random: &mut Random) -> Option<Draft> {
 pub fn stephenson(random: &mut Random) -> Option<Draft> {
     let shapes: [&'static Shape; 3] =
         [&six_bars::stephenson_1::SHAPE, &six_bars::stephenson_2::SHAPE, &six_bars::stephenson_3::SHAPE];
-    let shape = random.one_of(&shapes);
+    let shape = *random.one_of(&shapes);
     place(shape, random, true)
 }
 

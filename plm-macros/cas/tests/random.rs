@@ -38,7 +38,7 @@ fn case(seed: u64, size: usize) -> Case {
     let mut graph = Graph::new();
     let symbols: Vec<Expr> = ["a", "b", "c", "d", "e"].iter().map(|name| graph.symbol(name)).collect();
     let pool = grow(&mut graph, &mut random, &symbols, size);
-    let roots = (0..8).map(|_| random.pick(&pool)).chain(pool.last().copied()).collect();
+    let roots = (0..8).map(|_| *random.one_of(&pool)).chain(pool.last().copied()).collect();
     let points = (0..4).map(|_| symbols.iter().map(|_| random.between(-1.5, 1.5)).collect()).collect();
     Case { graph, symbols, roots, points }
 }

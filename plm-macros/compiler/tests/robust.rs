@@ -2,6 +2,9 @@
 //! doubled and mixed at random. The seed of a case is in every message.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+#[path = "../../../tests/support/random.rs"]
+mod random;
+
 use std::fs;
 use std::path::Path;
 
@@ -9,30 +12,10 @@ use plm_compiler::diag::Diagnostics;
 use plm_compiler::syntax::parse;
 use plm_compiler::token::{Delimiter, Sources, Token, TokenKind};
 use plm_compiler::{Expansion, compile, names_only, without_panic};
+use random::Random;
 
 /// Disturbed declarations of one run.
 const CASES: u64 = 3000;
-
-/// splitmix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound.max(1) as u64) as usize
-    }
-
-    fn one_of<'a, T>(&mut self, list: &'a [T]) -> &'a T {
-        &list[self.below(list.len())]
-    }
-}
 
 /// Right declarations that reach every pass: loops, redundancy, drawing coordinates, states, inputs, parts, repetition.
 const RIGHT: [&str; 3] = [

@@ -158,7 +158,7 @@ fn run<I: Method<Gate<f64>>>(gate: Gate<f64>, method: I, interval: f64) -> Resul
 
 /// A random gate, how often its edges are passed, and how long it lasts in all.
 fn random_gate(random: &mut Random) -> (Gate<f64>, u64, f64) {
-    let mut unit = || 0.5 + 0.5 * random.signed();
+    let mut unit = || 0.5 + 0.5 * random.unit();
     let guard = GUARDS[(unit() * GUARDS.len() as f64) as usize];
     // From the shortest that is promised to a tenth of the run.
     let duration = 1.05e-6 * RUN * 1e5_f64.powf(unit());
@@ -199,7 +199,7 @@ fn random_conditions_of_a_millionth_of_the_run_are_found_whatever_interval_is_as
     let mut random = Random(seed);
     for case in 0..gates() {
         let (gate, switches, known) = random_gate(&mut random);
-        let chosen = RUN * 1e-3_f64.powf(0.5 + 0.5 * random.signed());
+        let chosen = RUN * 1e-3_f64.powf(0.5 + 0.5 * random.unit());
         for interval in [RUN, chosen] {
             let found = [
                 run(gate, Dop853::new(1e-9), interval).map(|sim| (sim.x[2], sim.stats())),

@@ -30,7 +30,7 @@ const CASES: [Case; 17] = [
 ];
 
 fn between(random: &mut Random, low: f64, high: f64) -> f64 {
-    low + (high - low) * 0.5 * (1.0 + random.signed())
+    low + (high - low) * 0.5 * (1.0 + random.unit())
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn mixture<S: Real>(x: S, y: S) -> S {
 fn directions_agree_with_difference_quotients() {
     let mut random = Random(11);
     for _ in 0..500 {
-        let [x, y] = [2.7, 1.9].map(|size| size * random.signed());
+        let [x, y] = [2.7, 1.9].map(|size| size * random.unit());
         let dual = mixture::<D>(Dual::variable(x, 0), Dual::variable(y, 1));
         assert_eq!(dual.value.to_bits(), mixture(x, y).to_bits(), "the value has the same bits");
         let h = 1e-6;

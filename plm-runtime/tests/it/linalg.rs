@@ -13,8 +13,8 @@ fn factors<const M: usize, const N: usize>(
     decades: f64,
 ) -> (DMatrix<f64>, DMatrix<f64>) {
     let size = |k: usize| 10_f64.powf(-decades * k as f64 / rank.max(2) as f64);
-    let u = DMatrix::from_fn(M, rank, |_, k| size(k) * random.signed());
-    (u, DMatrix::from_fn(N, rank, |_, _| random.signed()))
+    let u = DMatrix::from_fn(M, rank, |_, k| size(k) * random.unit());
+    (u, DMatrix::from_fn(N, rank, |_, _| random.unit()))
 }
 
 /// (U V^T)^+ b = V (V^T V)^-1 U^+ b for factors of full rank (A. Ben-Israel, T. N. E. Greville, Generalized Inverses,
@@ -84,7 +84,7 @@ fn check_shape<const M: usize, const N: usize>(seed: u64) -> u32 {
     for rank in 1..=M.min(N) {
         for decades in [0.0, 2.0] {
             let (u, v) = factors::<M, N>(&mut numbers, rank, decades);
-            compared += check::<M, N>(&u, &v, core::array::from_fn(|_| numbers.signed()), seed);
+            compared += check::<M, N>(&u, &v, core::array::from_fn(|_| numbers.unit()), seed);
         }
     }
     compared

@@ -15,8 +15,8 @@ fn elimination_agrees_with_nalgebra() {
     let mut random = Random(17);
     for order in 1..=N {
         for _ in 0..30 {
-            let rows: [[f64; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| random.signed()));
-            let mut b: [f64; N] = core::array::from_fn(|_| random.signed());
+            let rows: [[f64; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| random.unit()));
+            let mut b: [f64; N] = core::array::from_fn(|_| random.unit());
             let oracle = DMatrix::from_fn(order, order, |i, j| rows[i][j]);
             let expected = oracle.clone().lu().solve(&DVector::from_fn(order, |i, _| b[i])).unwrap();
             let rest = b;
@@ -35,7 +35,7 @@ fn complex_elimination_agrees_with_nalgebra() {
     const N: usize = 5;
     let mut random = Random(23);
     for _ in 0..100 {
-        let mut entry = || Complex { re: random.signed(), im: random.signed() };
+        let mut entry = || Complex { re: random.unit(), im: random.unit() };
         let rows: [[Complex<f64>; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| entry()));
         let mut b: [Complex<f64>; N] = core::array::from_fn(|_| entry());
         let convert = |c: Complex<f64>| C::new(c.re, c.im);
@@ -70,13 +70,13 @@ fn elimination_of_the_coordinates_solves_the_whole_system() {
         for _ in 0..30 {
             // The first rows say q' = v.
             let mut jacobian: [[f64; N]; N] =
-                core::array::from_fn(|_| core::array::from_fn(|_| random.signed()));
+                core::array::from_fn(|_| core::array::from_fn(|_| random.unit()));
             for (i, row) in jacobian.iter_mut().enumerate().take(nq) {
                 *row = core::array::from_fn(|j| f64::from(u8::from(j == nq + i)));
             }
-            let lambda = Complex { re: 3.0 + random.signed(), im: 2.0 * random.signed() };
+            let lambda = Complex { re: 3.0 + random.unit(), im: 2.0 * random.unit() };
             let r: [Complex<f64>; N] =
-                core::array::from_fn(|_| Complex { re: random.signed(), im: random.signed() });
+                core::array::from_fn(|_| Complex { re: random.unit(), im: random.unit() });
             let convert = |c: Complex<f64>| C::new(c.re, c.im);
             let oracle = DMatrix::from_fn(N, N, |i, j| {
                 let diagonal = if i == j { convert(lambda) } else { C::new(0.0, 0.0) };

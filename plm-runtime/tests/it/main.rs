@@ -20,6 +20,7 @@ mod order;
 mod oscillator;
 mod projection;
 mod radau;
+#[path = "../../../tests/support/random.rs"]
 mod random;
 mod redundant;
 mod references;

@@ -57,12 +57,12 @@ impl Linear for Wrong {
         let mut random = Random(5);
         for i in 1..3 {
             for j in 0..3 {
-                <[f64; 3]>::set_entry(by_x, i, j, random.signed());
+                <[f64; 3]>::set_entry(by_x, i, j, random.unit());
             }
         }
         by_x[0] = [0.0, 1.0, 0.0];
         if let Some(by_t) = by_t {
-            *by_t = [0.0, random.signed(), random.signed()];
+            *by_t = [0.0, random.unit(), random.unit()];
         }
         Health::perfect()
     }

@@ -34,9 +34,8 @@ fn every_value_and_slope_in_an_interval_is_enclosed() {
     let mut bounded = 0;
     for case in 0..20_000 {
         let which = case % 17;
-        let (a, b) =
-            ([3.0 * random.signed(), 2.0 * random.signed()], [3.0 * random.signed(), random.signed()]);
-        let radius = 10.0_f64.powf(-3.0 + 3.0 * random.signed());
+        let (a, b) = ([3.0 * random.unit(), 2.0 * random.unit()], [3.0 * random.unit(), random.unit()]);
+        let radius = 10.0_f64.powf(-3.0 + 3.0 * random.unit());
         // Lines of the variable s in [-radius, radius].
         let line = |[at, slope]: [f64; 2]| Tube {
             middle: at,

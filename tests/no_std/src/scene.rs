@@ -137,7 +137,9 @@ fn explicit<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     let mut row = Row::<S>::of().start()?;
     row.step(S::lit(0.1))?;
     for (body, place) in (0..3).filter_map(|i| Some((row.bar(i)?, row.bar_b_position(i)?))) {
-        [body.x, body.omega, place[0], place[1]].map(|number| emit(number.to_f64().to_bits()));
+        for number in [body.x, body.omega, place[0], place[1]] {
+            emit(number.to_f64().to_bits());
+        }
     }
     Ok(())
 }

@@ -1,37 +1,16 @@
 //! Random numbers and expressions from a seed.
 
+#[path = "../../../../tests/support/random.rs"]
+mod stream;
+
 use plm_cas::{Expr, Function, Graph, Number};
 
-/// S. Vigna, splitmix64 (public domain reference code, 2015).
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(crate) fn below(&mut self, bound: usize) -> usize {
-        (self.bits() % bound as u64) as usize
-    }
-
-    /// Uniform in [low, high).
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub(crate) fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len())]
-    }
-}
+pub(crate) use stream::Random;
 
 /// A small exact number, never 0.
 pub(crate) fn number(random: &mut Random) -> Number {
-    let num = random.pick(&[1, 1, 2, 3, -1, -2, 5, -7]);
-    Number::rational(num, random.pick(&[1, 1, 2, 3, 10])).unwrap()
+    let num = *random.one_of(&[1, 1, 2, 3, -1, -2, 5, -7]);
+    Number::rational(num, *random.one_of(&[1, 1, 2, 3, 10])).unwrap()
 }
 
 /// Grows a pool of `count` expressions over some symbols by random constructors. Every kind of node occurs; the
@@ -39,7 +18,7 @@ pub(crate) fn number(random: &mut Random) -> Number {
 pub(crate) fn grow(g: &mut Graph, random: &mut Random, symbols: &[Expr], count: usize) -> Vec<Expr> {
     let mut pool = symbols.to_vec();
     while pool.len() < symbols.len() + count {
-        let (a, b, c) = (random.pick(&pool), random.pick(&pool), random.pick(&pool));
+        let (a, b, c) = (*random.one_of(&pool), *random.one_of(&pool), *random.one_of(&pool));
         let e = operation(g, random, a, b, c);
         // Keep values near 1, where rounding errors can be bounded.
         let e = if random.below(3) == 0 { g.sin(e) } else { e };
@@ -63,7 +42,7 @@ fn operation(g: &mut Graph, random: &mut Random, a: Expr, b: Expr, c: Expr) -> E
         }
         10 => {
             let small = g.sin(a);
-            let n = random.pick(&[2, 2, 3, 4, 7]);
+            let n = *random.one_of(&[2, 2, 3, 4, 7]);
             let power = g.powi(small, n);
             g.mul(power, b)
         }
@@ -76,15 +55,15 @@ fn operation(g: &mut Graph, random: &mut Random, a: Expr, b: Expr, c: Expr) -> E
         14 => {
             let half = g.sin(b);
             let half = g.scale(Number::rational(1, 2).unwrap(), half);
-            let f = random.pick(&[Function::Asin, Function::Acos, Function::Exp]);
+            let f = *random.one_of(&[Function::Asin, Function::Acos, Function::Exp]);
             g.call(f, &[half])
         }
         15 => {
             let above_one = at_least_one(g, a);
             g.atan2(b, above_one)
         }
-        16 => g.call(random.pick(&[Function::Abs, Function::Sign]), &[a]),
-        17 => g.call(random.pick(&[Function::Min, Function::Max]), &[a, b]),
+        16 => g.call(*random.one_of(&[Function::Abs, Function::Sign]), &[a]),
+        17 => g.call(*random.one_of(&[Function::Min, Function::Max]), &[a, b]),
         18 => {
             let less = g.less(a, b);
             g.select(less, c, a)

@@ -22,6 +22,7 @@ pub(crate) use branch::check_branches;
 pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
+pub(crate) use random::Random;
 pub(crate) use regular::freedom;
 pub(crate) use size::check_size;
 
@@ -92,7 +93,7 @@ pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
 /// Values of parameters, inputs and states where those parameters that have dimensions of a mechanism are others than declared;
 /// none without parameters.
 pub(crate) fn varied(model: &Model, graph: &Graph, seed: u64) -> Option<Vec<(Expr, f64)>> {
-    let mut random = random::Random(seed);
+    let mut random = Random(seed);
     let mut values = defaults(model, graph);
     for param in &model.params {
         let (_, value) = values.iter_mut().find(|(symbol, _)| *symbol == param.symbol)?;

@@ -3,31 +3,14 @@
 
 use std::fmt::Write;
 
-/// splitmix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-pub(crate) struct Random(pub(crate) u64);
+#[path = "../../../../tests/support/random.rs"]
+mod random;
 
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
+pub(crate) use random::Random;
 
-    fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound as u64) as usize
-    }
-
-    /// In -1 to 1.
-    pub(crate) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    /// The same to three digits, so that sums of two are exact.
-    fn coarse(&mut self) -> f64 {
-        (1000.0 * self.unit()).round() / 1000.0
-    }
+/// In -1 to 1, to three digits, so that sums of two are exact.
+fn coarse(random: &mut Random) -> f64 {
+    (1000.0 * random.unit()).round() / 1000.0
 }
 
 /// A point in the plane.
@@ -199,11 +182,11 @@ impl Scene {
     /// Parallel cranks of one length that carry a platform.
     fn cranks(&mut self, random: &mut Random) {
         let turn = 3.0 * random.unit();
-        let length = 0.2 + 0.3 * random.coarse().abs();
+        let length = 0.2 + 0.3 * coarse(random).abs();
         let (sin, cos) = turn.sin_cos();
         let platform = self.body([length * cos, length * sin, 0.0]);
         for _ in 0..2 + random.below(3) {
-            let foot = [random.coarse(), random.coarse()];
+            let foot = [coarse(random), coarse(random)];
             let crank = self.body([foot[0], foot[1], turn]);
             let name = |scene: &Scene, body: usize| match body {
                 0 => format!("ground.p{}", scene.ports[0].len() - 1),
@@ -223,11 +206,11 @@ impl Scene {
 
     /// A carriage on parallel guides.
     fn guides(&mut self, random: &mut Random) {
-        let axis = random.coarse();
-        let carriage = self.body([random.coarse(), random.coarse(), 0.0]);
+        let axis = coarse(random);
+        let carriage = self.body([coarse(random), coarse(random), 0.0]);
         for _ in 0..2 + random.below(2) {
             let kind = [Kind::Prismatic, Kind::Prismatic, Kind::PinSlot][random.below(3)];
-            self.joint(kind, [0, carriage], [random.coarse(), random.coarse()], (random.unit(), axis));
+            self.joint(kind, [0, carriage], [coarse(random), coarse(random)], (random.unit(), axis));
         }
     }
 

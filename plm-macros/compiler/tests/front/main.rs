@@ -9,6 +9,8 @@ mod nodes;
 mod observe;
 mod parts;
 mod pictures;
+#[path = "../../../../tests/support/random.rs"]
+mod random;
 mod soup;
 mod states;
 mod support;

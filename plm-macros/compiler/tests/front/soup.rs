@@ -4,7 +4,7 @@ use plm_compiler::diag::Diagnostics;
 use plm_compiler::front::parse_and_resolve;
 use plm_compiler::token::{Delimiter, Sources, Token, TokenKind};
 
-use crate::support::Random;
+use crate::random::Random;
 
 /// Declarations that use every rule of the grammar.
 const SEEDS: [&str; 2] = [

@@ -8,6 +8,8 @@ use plm_compiler::front::parse_and_resolve;
 use plm_compiler::model::Model;
 use plm_compiler::token::Sources;
 
+use crate::random::Random;
+
 /// The model of a declaration that has no mistake.
 pub(crate) fn resolve(text: &str) -> Model {
     let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
@@ -103,26 +105,4 @@ pub(crate) fn evaluate(expr: &str) -> f64 {
 pub(crate) fn assert_near(found: f64, expected: f64, what: &str) {
     let tolerance = 1e-12 * expected.abs().max(1.0);
     assert!((found - expected).abs() <= tolerance, "{what}: found {found}, expected {expected}");
-}
-
-/// splitmix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    pub(crate) fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound.max(1) as u64) as usize
-    }
-
-    /// In -1 to 1.
-    pub(crate) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
 }

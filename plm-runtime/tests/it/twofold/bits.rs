@@ -7,8 +7,8 @@ use crate::random::Random;
 
 /// A number of any sign, from 2^-12 to 2^12, whose low word is anything below a rounding of the high one.
 fn number<S: Real>(random: &mut Random) -> Twofold<S> {
-    let size = S::lit(2.0).powi((random.next() % 25) as i32 - 12);
-    let [high, low] = [(), ()].map(|()| S::lit(random.signed()));
+    let size = S::lit(2.0).powi((random.bits() % 25) as i32 - 12);
+    let [high, low] = [(), ()].map(|()| S::lit(random.unit()));
     from_words(high * size, low * size * S::EPSILON)
 }
 

@@ -7,7 +7,7 @@
 use plm_cas::{Expr, Graph};
 
 use super::number;
-use crate::check::{defaults, value};
+use crate::check::{Random, defaults, value};
 use crate::model::{Model, Steady};
 
 /// Places that are looked at.
@@ -99,14 +99,8 @@ impl Boundary {
 
 /// Random values of all symbols: parameters near their defaults, the rest between -2 and 2.
 fn random(model: &Model, graph: &Graph, seed: u64) -> Vec<(Expr, f64)> {
-    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1);
-    let mut next = || {
-        // G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 * 2.0 - 2.0
-    };
+    let mut numbers = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1));
+    let mut next = || 2.0 * numbers.unit();
     let mut values = defaults(model, graph);
     for (symbol, number) in &mut values {
         *number = if *symbol == model.time { next() } else { *number * (1.0 + 0.1 * next()) + 0.01 * next() };
