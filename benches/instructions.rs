@@ -25,7 +25,7 @@ fn table() -> ExitCode {
         println!("built without AVX2, unlike the limits: run benches/instructions.sh to compare");
     }
     println!(
-        "{:<10} {:>12} {:>9} {:>7} {:>6} {:>12}",
+        "{:<12} {:>12} {:>9} {:>7} {:>6} {:>12}",
         "scene", "instructions", "per body", "limit", "ratio", "with Sim"
     );
     let mut within = true;
@@ -37,7 +37,7 @@ fn table() -> ExitCode {
             Some(limit) => (limit.to_string(), format!("{:.3}", formula / f64::from(limit))),
             None => (String::new(), String::new()),
         };
-        println!("{:<10} {formula:>12.1} {per_body:>9.1} {limit:>7} {ratio:>6} {sim:>12.1}", scene.name);
+        println!("{:<12} {formula:>12.1} {per_body:>9.1} {limit:>7} {ratio:>6} {sim:>12.1}", scene.name);
         within &= !comparable || scene.limit.is_none_or(|limit| formula <= f64::from(limit));
         // Shorter ones have a dense mass matrix, which costs less.
         if scene.name.starts_with("chain") && scene.bodies > 6 {

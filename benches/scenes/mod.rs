@@ -12,6 +12,17 @@ mod steps;
 
 use declared::{s1, s2, s5, s6};
 use steps::steps;
+
+/// The same in the coordinates that the limits were taken in.
+mod absolute {
+    use super::declared::{andrews, double_pendulum, four_bar, slider_crank};
+
+    double_pendulum!(s1, rung: absolute);
+    four_bar!(s2, rung: absolute);
+    slider_crank!(s6, rung: absolute);
+    andrews!(s5, rung: absolute);
+}
+
 pub(crate) use steps::{Level, Steps};
 
 chain::chain!(Chain4, 4);
@@ -45,6 +56,12 @@ pub(crate) const SCENES: &[Scene] = &[
     scene("S2", 3, 1e-3, Some(3200), |h, level| steps(s2::FourBar::new(), h, level)),
     scene("S6", 3, 1e-3, Some(2389), |h, level| steps(s6::SliderCrank::new(), h, level)),
     scene("S5", 7, 1e-5, Some(9026), |h, level| steps(s5::Andrews::new(), h, level)),
+    scene("S1 absolute", 2, 1e-3, Some(2066), |h, level| {
+        steps(absolute::s1::DoublePendulum::new(), h, level)
+    }),
+    scene("S2 absolute", 3, 1e-3, Some(3200), |h, level| steps(absolute::s2::FourBar::new(), h, level)),
+    scene("S6 absolute", 3, 1e-3, Some(2389), |h, level| steps(absolute::s6::SliderCrank::new(), h, level)),
+    scene("S5 absolute", 7, 1e-5, Some(9026), |h, level| steps(absolute::s5::Andrews::new(), h, level)),
     scene("chain 4", 4, 1e-3, None, |h, level| steps(Chain4::new(), h, level)),
     scene("chain 16", 16, 1e-3, None, |h, level| steps(Chain16::new(), h, level)),
     scene("chain 64", 64, 1e-4, None, |h, level| steps(Chain64::new(), h, level)),

@@ -21,7 +21,7 @@ const MOVED: f64 = 1e-9;
 /// A motion that multiplies such a change by more than this may be off by that much more.
 const LIVELY: f64 = 1000.0;
 
-/// Steps of a millisecond may be off by this part of the size.
+/// Steps of a millisecond may be off by this part of the size, more in a lively motion.
 const ROUGH: f64 = 1e-2;
 
 /// How a case is run.
@@ -152,7 +152,8 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
         // How exact they are, their length decides: they may be off by so much, if shorter ones come nearer to the reference.
         let [fourth, last] = [4.0, 16.0].map(&run);
         let converges = last.3 < 0.1 * fourth.3 || last.1 <= 1.0;
-        if last.0.fault.is_none() && worst < ROUGH && converges {
+        let rough = ROUGH * (judged.lively / LIVELY).max(1.0);
+        if last.0.fault.is_none() && worst < rough && converges {
             (ratio, first) = (0.0, None);
             outcome.fault = None;
         }

@@ -12,6 +12,8 @@ use crate::vector::Vector;
 
 /// Poses that far apart are compared first, in radians (or lengths of the mechanism).
 const APART: f64 = 0.02;
+/// A pose is reached before the motion turns, at v^2/2a, up to this part of v^2/a.
+const BEFORE_TURNING: f64 = 0.25;
 /// Then such that are nearer to each other, until they are within the parabola's own scale.
 const REFINEMENTS: usize = 12;
 /// Where the parabola is lower than this part of the present pivot, it may come to zero.
@@ -45,8 +47,30 @@ impl<S: Real> Ahead<S> {
             (0..NQ).fold(S::ZERO, |most: S, i| most.max((of.at(from + i) / equations.typical_of(i)).abs()))
         };
         let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
-        let moving = speed * speed > S::lit(APART) * acceleration;
-        let (of, most) = if moving { (&here.x, speed) } else { (&here.dx, acceleration) };
+        let at = (equations, (t, held), here);
+        if speed * speed > S::lit(APART) * acceleration {
+            return Self::along(at, (&here.x, speed), [speed, acceleration]);
+        }
+        // What is slow may turn soon, and come to a pose before.
+        if speed > S::ZERO {
+            let ahead = Self::along(at, (&here.x, speed), [speed, S::ZERO]);
+            let reach = S::lit(BEFORE_TURNING) * speed * speed;
+            if ahead.flat().is_some_and(|distance| distance * acceleration < reach) {
+                return ahead;
+            }
+        }
+        Self::along(at, (&here.dx, acceleration), [speed, acceleration])
+    }
+
+    /// In the direction of velocities or accelerations, the largest of which is `most`.
+    fn along<M, const NQ: usize, const NC: usize, const NX: usize>(
+        (equations, (t, held), here): (&Equations<M, NQ, NC, NX>, (M::S, &M::U), &Evaluated<S, NX>),
+        (of, most): (&[S; NX], S),
+        [speed, acceleration]: [S; 2],
+    ) -> Self
+    where
+        M: Fine<NQ, NC, NX, S = S>,
+    {
         let mut ahead =
             Self { scale: S::INFINITY, lowest: S::INFINITY, vanishes: false, speed, acceleration };
         if most <= S::ZERO {

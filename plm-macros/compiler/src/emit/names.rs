@@ -1,6 +1,6 @@
 //! Identifiers of the emitted code.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Words that cannot be identifiers in Rust 2024 without `r#`.
 const KEYWORDS: &[&str] = &[
@@ -136,24 +136,35 @@ pub(crate) fn module_name(name: &str) -> String {
 pub(crate) struct Names {
     taken: BTreeSet<String>,
     numbered: usize,
+    /// The next number behind a name that was taken.
+    next: BTreeMap<String, usize>,
 }
 
 impl Names {
     /// A scope in which some names are taken already.
     pub(crate) fn with_reserved(reserved: &[&str]) -> Names {
-        Names { taken: reserved.iter().map(|&name| name.to_owned()).collect(), numbered: 0 }
+        Names {
+            taken: reserved.iter().map(|&name| name.to_owned()).collect(),
+            numbered: 0,
+            next: BTreeMap::new(),
+        }
     }
 
     /// The identifier of a path, with a number behind it if it is taken.
     pub(crate) fn unique(&mut self, path: &str) -> String {
         let base = plain(path).to_lowercase();
         let mut name = raw(&base);
-        let mut number = 2;
-        while !self.taken.insert(name.clone()) {
-            name = format!("{base}_{number}");
-            number += 1;
+        if self.taken.insert(name.clone()) {
+            return name;
         }
-        name
+        let number = self.next.entry(base.clone()).or_insert(2);
+        loop {
+            name = format!("{base}_{number}");
+            *number += 1;
+            if self.taken.insert(name.clone()) {
+                return name;
+            }
+        }
     }
 
     /// The identifier of a path, if nothing else has it.

@@ -198,7 +198,10 @@ impl<'a> Resolver<'a> {
             Fit::Fits => return Ok(()),
             Fit::Wrong => {
                 let is_rate = found.dimension.over(Dimension::TIME) == wanted;
-                let help = text.as_ref().filter(|_| is_rate).map(|text| format!("write `{text}/s`"));
+                let help = text.as_ref().filter(|_| is_rate).map(|text| match text.strip_suffix("/s") {
+                    Some(value) => format!("write `{value}/s^2`"),
+                    None => format!("write `{text}/s`"),
+                });
                 let found = match text {
                     Some(text) => format!("{text}, {}", found.dimension.name()),
                     None => found.dimension.describe(),
