@@ -14,6 +14,7 @@ use declared::{s1, s2, s5, s6};
 use steps::steps;
 
 /// The same in the coordinates that the limits were taken in.
+#[allow(unreachable_pub, reason = "the macros declare for tests too")]
 mod absolute {
     use super::declared::{andrews, double_pendulum, four_bar, slider_crank};
 
