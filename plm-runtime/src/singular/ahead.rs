@@ -47,26 +47,26 @@ impl<S: Real> Ahead<S> {
             (0..NQ).fold(S::ZERO, |most: S, i| most.max((of.at(from + i) / equations.typical_of(i)).abs()))
         };
         let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
-        let at = (equations, (t, held), here);
         if speed * speed > S::lit(APART) * acceleration {
-            return Self::along(at, (&here.x, speed), [speed, acceleration]);
+            return Self::along(equations, (t, held), here, (&here.x, speed, [speed, acceleration]));
         }
         // What is slow may turn soon, and come to a pose before.
         if speed > S::ZERO {
-            let ahead = Self::along(at, (&here.x, speed), [speed, S::ZERO]);
+            let ahead = Self::along(equations, (t, held), here, (&here.x, speed, [speed, S::ZERO]));
             let reach = S::lit(BEFORE_TURNING) * speed * speed;
             if ahead.flat().is_some_and(|distance| distance * acceleration < reach) {
                 return ahead;
             }
         }
-        Self::along(at, (&here.dx, acceleration), [speed, acceleration])
+        Self::along(equations, (t, held), here, (&here.dx, acceleration, [speed, acceleration]))
     }
 
     /// In the direction of velocities or accelerations, the largest of which is `most`.
     fn along<M, const NQ: usize, const NC: usize, const NX: usize>(
-        (equations, (t, held), here): (&Equations<M, NQ, NC, NX>, (M::S, &M::U), &Evaluated<S, NX>),
-        (of, most): (&[S; NX], S),
-        [speed, acceleration]: [S; 2],
+        equations: &Equations<M, NQ, NC, NX>,
+        (t, held): (S, &M::U),
+        here: &Evaluated<S, NX>,
+        (of, most, [speed, acceleration]): (&[S; NX], S, [S; 2]),
     ) -> Self
     where
         M: Fine<NQ, NC, NX, S = S>,
