@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::thread;
 
-use plm::Rk4;
+use plm::{Dop853, Rk4};
 
 use crate::scenes::flat::{
     EqualBars, Folded, Ladder, Ladder1, Ladder2, Ladder5, Ladder40, Parallelogram, equal_bars, folding,
@@ -43,6 +43,18 @@ fn a_ladder_of_five_windows_turns_over_at_any_speed() {
             askew = askew.max(sim.state().askew());
         }
         assert!(lost < 2e-11 && askew < 1e-13, "{name}: {lost:e} {askew:e}");
+    }
+}
+
+#[test]
+fn a_ladder_of_five_windows_turns_over_at_any_tolerance() {
+    for rtol in [1e-8, 1e-9, 1e-10, 3e-11, 1e-11, 3e-12, 1e-12] {
+        let mut sim = Ladder5::new().start_with(Dop853::new(rtol)).unwrap();
+        let trace = turning(&mut sim, 5, 100);
+        assert!(trace.survived(), "{rtol:e}: {:?}", trace.end);
+        let behind = trace.last()[3] + 5.0 * TAU;
+        assert!(behind.abs() < 1000.0 * rtol + 5e-9, "{rtol:e}: {behind:e}");
+        assert_eq!(sim.stats().change_points, 10, "{rtol:e}");
     }
 }
 

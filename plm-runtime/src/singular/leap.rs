@@ -15,6 +15,8 @@ const FOUND: f64 = 16.0;
 const ROUNDED: f64 = 1e-12;
 /// Joints that open by so many units in the last place of the mechanism's size on the way are closed.
 const CLOSED: f64 = 32.0;
+/// So many rows have this rounding.
+const FEW: f64 = 8.0;
 /// Up to this part of the mechanism's size it cannot be told whether they are.
 const UNDECIDED: f64 = 450.0;
 /// Joints that repeat others disagree near a flat pose by what they do elsewhere over the distance to it. Up to so many of
@@ -108,7 +110,9 @@ fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
 where
     M: Fine<NQ, NC, NX>,
 {
-    let unit = M::S::EPSILON * equations.size(&polynomial.from);
+    // The gap is a sum over all rows, as is its rounding.
+    let many = M::S::lit(NC as f64 / FEW).max(M::S::lit(1.0));
+    let unit = many * M::S::EPSILON * equations.size(&polynomial.from);
     let gap_at = |part: M::S| equations.gap(t + part * polynomial.h, &polynomial.at(part));
     // The rounded state that it begins with is as open as rounding makes it.
     let disagree = disagree.max(gap_at(M::S::ZERO));
