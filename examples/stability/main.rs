@@ -12,6 +12,8 @@
 #![allow(dead_code, reason = "the tests show more of the scenes")]
 #![allow(clippy::excessive_precision, reason = "references keep the digits that they were computed with")]
 
+#[path = "../arguments/mod.rs"]
+mod arguments;
 mod figures;
 mod scenes;
 
@@ -19,16 +21,17 @@ use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
 
+use arguments::Arguments;
 use figures::{
     Figure, Page, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting,
 };
 use plm::Fault;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let out = arguments.iter().position(|word| word == "--out").and_then(|at| arguments.get(at + 1));
-    let folder = PathBuf::from(out.map_or("target/plm/stability", String::as_str));
-    let shorter = if arguments.iter().any(|word| word == "--quick") { 100 } else { 1 };
+    let mut arguments = Arguments::new();
+    let folder = PathBuf::from(arguments.value("--out")?.unwrap_or("target/plm/stability".to_owned()));
+    let shorter = if arguments.flag("--quick") { 100 } else { 1 };
+    arguments.end("--quick, --out DIR")?;
 
     let mut page = Page::default();
     for make in all(shorter) {

@@ -12,10 +12,10 @@ use crate::vector::Vector;
 
 /// Poses that far apart are compared first, in radians (or lengths of the mechanism).
 const APART: f64 = 0.02;
-/// A pose is reached before the motion turns, at v^2/2a, up to this part of v^2/a.
-const BEFORE_TURNING: f64 = 0.25;
 /// Then such that are nearer to each other, until they are within the parabola's own scale.
 const REFINEMENTS: usize = 12;
+/// A pose is reached before the motion turns, at v^2/2a, up to this part of v^2/a.
+const BEFORE_TURNING: f64 = 0.25;
 /// Where the parabola is lower than this part of the present pivot, it may come to zero.
 const VANISHES: f64 = 0.05;
 
