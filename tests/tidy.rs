@@ -19,7 +19,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// All files of the repository with one of these extensions, in the order of their paths.
+/// All files that people write of the repository with one of these extensions, in the order of their paths.
 fn files(extensions: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![root().to_owned()];
@@ -31,13 +31,22 @@ fn files(extensions: &[&str]) -> Vec<PathBuf> {
                 if !["target", ".git", "book"].contains(&name.as_str()) {
                     folders.push(path);
                 }
-            } else if path.extension().is_some_and(|e| extensions.iter().any(|wanted| e == *wanted)) {
+            } else if path.extension().is_some_and(|e| extensions.iter().any(|wanted| e == *wanted))
+                && !is_emitted(&path)
+            {
                 found.push(path);
             }
         }
     }
     found.sort();
     found
+}
+
+/// Is it what the compiler has written for a test (tests/snapshots)?
+fn is_emitted(path: &Path) -> bool {
+    shown(path).starts_with("tests/snapshots/")
+        && path.with_extension("plm").exists()
+        && !path.ends_with("main.rs")
 }
 
 /// The path from the root, with slashes.

@@ -1,0 +1,1273 @@
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_arm_on_jack_::arm_on_jack;
+#[doc(inline)]
+#[allow(unreachable_pub)]
+pub use plm_arm_on_jack_::arm_on_jack::ArmOnJack;
+#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
+mod plm_arm_on_jack_ {
+    /// The arm of the manual, section 3.2.1.
+    ///
+    /// 1 bodies, 9 parts: 3 coordinates, 2 constraint rows, F = 3 N - M = 1.
+    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Coordinates: arm.angle.
+    /// Accelerations by a dense mass matrix.
+    /// State: 10 numbers, 80 bytes in f64.
+    /// A solution by rank, where one is needed: 80 bytes of stack in f64.
+    /// One right-hand side: 54 add, 89 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
+    ///
+    /// | row | constraint | equation | unit |
+    /// |----:|------------|----------|------|
+    /// | 0 | `hinge.x` | `x_arm - 0.8*cos(theta_arm) = 0` | m |
+    /// | 1 | `hinge.y` | `y_arm - 0.8*sin(theta_arm) = 0` | m |
+    pub mod arm_on_jack {
+        pub use super::code_::*;
+        pub use super::type_::ArmOnJack;
+    }
+
+    mod type_ {
+        /// The arm of the manual, section 3.2.1.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct ArmOnJack<S = ::core::primitive::f64> {
+            /// Acceleration of gravity; the manual's other runs had 9.80665 m/s^2.
+            ///
+            /// In m/s^2; 9.81 m/s^2 by default.
+            pub g: S,
+            /// Pressure drop at which the valve lets 20 L/min through: not in the manual.
+            ///
+            /// In Pa; 1 bar by default.
+            pub rated_drop: S,
+            /// Share of undissolved gas in the oil: not in the manual.
+            ///
+            /// In no unit; 0 by default.
+            pub gas: S,
+            /// Where the bodies start, and what assembly must keep.
+            pub start: super::code_::Starts<S>,
+        }
+    }
+
+    mod code_ {
+        use super::type_::ArmOnJack;
+        use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+
+        /// Start values, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Starts<S = f64> {
+            /// Origin of body `arm`.
+            pub arm: BodyStart<S>,
+            /// State `press.chamber1.pressure`, Pa.
+            pub press_chamber1_pressure: Start<S>,
+            /// State `press.chamber2.pressure`, Pa.
+            pub press_chamber2_pressure: Start<S>,
+            /// State `line1.flow`, m^3/s.
+            pub line1_flow: Start<S>,
+            /// State `line1.inlet.pressure`, Pa.
+            pub line1_inlet_pressure: Start<S>,
+            /// State `line2.flow`, m^3/s.
+            pub line2_flow: Start<S>,
+            /// State `line2.inlet.pressure`, Pa.
+            pub line2_inlet_pressure: Start<S>,
+            /// State `valve.servo.value`, no unit.
+            pub valve_servo_value: Start<S>,
+            /// State `valve.servo.swing`, no unit.
+            pub valve_servo_swing: Start<S>,
+        }
+
+        /// Inputs, held over a step, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Input<S = f64> {
+            #[doc(hidden)]
+            pub none: core::marker::PhantomData<S>,
+        }
+
+        /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Held<S = f64> {
+            /// The inputs.
+            pub input: Input<S>,
+            sides: [S; 8],
+        }
+
+        /// The mechanism at one moment; its methods read poses and outputs.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct State<S = f64> {
+            /// The mechanism with its parameters.
+            pub mechanism: ArmOnJack<S>,
+            /// The inputs.
+            pub input: Input<S>,
+            time: S,
+            x: [S; 10],
+            sides: [S; 8],
+        }
+
+        /// Coordinates: (x, y, theta) of each body.
+        pub const NQ: usize = 3;
+        /// Constraint rows.
+        pub const NC: usize = 2;
+        /// First-order states.
+        pub const NX: usize = 8;
+        /// Degrees of freedom, `3 N - M`.
+        pub const NDOF: isize = 1;
+        /// Operations of one evaluation of the right-hand side.
+        pub const OPERATIONS: Operations =
+            Operations { add: 55, mul: 89, div: 16, sqrt: 9, sin_cos: 1, other: 22 };
+        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
+        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
+        /// Depths of bodies and of ports of the ground for pictures, along z, m.
+        pub const DEPTHS: [(&'static str, f64); 0] = [];
+        /// Sizes of parts for pictures that are not 0, m.
+        pub const SIZES: [(&'static str, f64); 0] = [];
+        impl<S: Real> State<S> {
+            /// Time, s.
+            pub fn time(&self) -> S {
+                self.time
+            }
+
+            /// Pose and velocity of G of body `arm`: m, m, rad; m/s, m/s, rad/s.
+            pub fn arm(&self) -> BodyState<S> {
+                let (q, v) = self.pose_();
+                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+            }
+
+            /// Output `press.chamber1.pressure`, Pa.
+            pub fn press_chamber1_pressure(&self) -> S {
+                let (q, v) = self.pose_();
+                self.x[2]
+            }
+
+            /// Output `press.chamber2.pressure`, Pa.
+            pub fn press_chamber2_pressure(&self) -> S {
+                let (q, v) = self.pose_();
+                self.x[3]
+            }
+
+            /// Output `ram.length`, m.
+            pub fn ram_length(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let x_arm = q[0];
+                let theta_arm = q[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
+                let y_arm = q[1];
+                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                t2.mul_add(t2, t1 * t1).sqrt()
+            }
+
+            /// Kinetic energy of all bodies, J.
+            pub fn kinetic_energy(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let omega_arm = v[2];
+                let vx_arm = v[0];
+                let vy_arm = v[1];
+                lit(50.0).mul_add(vy_arm.mul_add(vy_arm, vx_arm * vx_arm), lit(0.005) * omega_arm * omega_arm)
+            }
+
+            /// Potential energy of gravity above the origin, J.
+            pub fn gravity_energy(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let g = self.mechanism.g;
+                let y_arm = q[1];
+                lit(100.0) * g * y_arm
+            }
+
+            /// Power of all forces and torques but gravity and reactions, W.
+            pub fn load_power(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let omega_arm = v[2];
+                let x_arm = q[0];
+                let theta_arm = q[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
+                let y_arm = q[1];
+                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let t3 = t2.mul_add(t2, t1 * t1).sqrt();
+                let t4 = lit(1.0) / t3;
+                let press_chamber1_pressure = self.x[2];
+                let press_chamber2_pressure = self.x[3];
+                let vx_arm = v[0];
+                let t5 = lit(0.5) * omega_arm;
+                let vy_arm = v[1];
+                let t6 = t2
+                    .mul_add((-t5).mul_add(cos_theta_arm, vy_arm), t1 * t5.mul_add(sin_theta_arm, vx_arm))
+                    * t4;
+                let t7 = lit(0.0).max(t3 - lit(0.57));
+                let t8 = lit(0.0).max(lit(0.22) - t3);
+                let t9 = lit(-1000.0).mul_add(
+                    t6,
+                    lit(-0.0012566370614359172).mul_add(
+                        press_chamber2_pressure,
+                        lit(0.001963495408493621) * press_chamber1_pressure,
+                    ),
+                ) - lit(0.0).max(
+                    (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t7)).mul_add(t6, lit(100000000.0) * t7),
+                );
+                let t10 = t9
+                    + lit(0.0).max(
+                        (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t8)))
+                            .mul_add(t6, lit(100000000.0) * t8),
+                    );
+                let t11 = (-t5).mul_add(
+                    t4 * (t10 * (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2)),
+                    t4 * (t10 * vy_arm.mul_add(t2, vx_arm * t1)),
+                );
+                t11
+            }
+
+            /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
+            /// the second turns from the first, rad, positive to the left.
+            pub fn branches(&self) -> [(&'static str, S); 0] {
+                let mut value = [S::lit(0.0); 0];
+                let (q, v) = self.pose_();
+                []
+            }
+
+            /// Names and units of the columns of [`State::outputs`].
+            pub const OUTPUTS: [(&'static str, &'static str); 3] =
+                [("press.chamber1.pressure", "Pa"), ("press.chamber2.pressure", "Pa"), ("ram.length", "m")];
+
+            /// The declared outputs, in the units of [`State::OUTPUTS`].
+            pub fn outputs(&self) -> [S; 3] {
+                [self.press_chamber1_pressure(), self.press_chamber2_pressure(), self.ram_length()]
+            }
+        }
+
+        impl ArmOnJack<f64> {
+            /// The mechanism as declared, in `f64`; `ArmOnJack { field: value, ..ArmOnJack::new() }` changes some.
+            pub fn new() -> Self {
+                Self::of()
+            }
+        }
+
+        impl Default for ArmOnJack<f64> {
+            fn default() -> Self {
+                Self::of()
+            }
+        }
+
+        impl<S: Scalar> ArmOnJack<S> {
+            /// The mechanism as declared, for any scalar.
+            pub fn of() -> Self {
+                let lit = S::lit;
+                let g = lit(9.81);
+                let rated_drop = lit(100000.0);
+                let gas = lit(0.0);
+                let start = Starts {
+                    arm: BodyStart {
+                        x: Start::free(lit(0.0)),
+                        y: Start::free(lit(0.0)),
+                        angle: Start::locked(lit(0.3490658503988659)),
+                        vx: Start::free(lit(0.0)),
+                        vy: Start::free(lit(0.0)),
+                        omega: Start::free(lit(0.0)),
+                    },
+                    press_chamber1_pressure: Start::free(lit(0.0)),
+                    press_chamber2_pressure: Start::locked(lit(500000.0)),
+                    line1_flow: Start::free(lit(0.0)),
+                    line1_inlet_pressure: Start::free(lit(0.0)),
+                    line2_flow: Start::free(lit(0.0)),
+                    line2_inlet_pressure: Start::free(lit(500000.0)),
+                    valve_servo_value: Start::free(lit(0.0)),
+                    valve_servo_swing: Start::free(lit(0.0)),
+                };
+                ArmOnJack { g, rated_drop, gas, start }
+            }
+        }
+
+        impl<S: Real> ArmOnJack<S> {
+            /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
+            ///
+            /// # Errors
+            /// Redundant locks, or joints that stay open: the part and by how much; a parameter that cannot have its value.
+            pub fn assemble(&self) -> Result<Assembly<S>, Fault> {
+                let t = S::lit(0.0);
+                rt::Mechanism::check(self, t)?;
+                let assembly = absolute::assemble(self, t)?;
+                Ok(assembly)
+            }
+
+            /// Assembles, and gives a run by Dormand and Prince's method.
+            ///
+            /// # Errors
+            /// As [`Self::assemble`].
+            pub fn start(self) -> Result<Sim<Self>, Fault> {
+                rt::Mechanism::start(self)
+            }
+
+            /// Assembles, and gives a run by a method of choice.
+            ///
+            /// # Errors
+            /// As [`Self::assemble`].
+            pub fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {
+                rt::Mechanism::start_with(self, method)
+            }
+        }
+
+        impl<S: Scalar> ArmOnJack<S> {
+            /// The inputs as declared.
+            fn declared_input(&self) -> Held<S> {
+                let lit = S::lit;
+                Held { input: Input { none: core::marker::PhantomData }, sides: [S::lit(1.0); 8] }
+            }
+        }
+
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
+
+        impl<S: Scalar> rt::lanes::Rate for ArmOnJack<S> {
+            type S = S;
+            type X = [S; 10];
+            type U = Held<S>;
+            const NQ: usize = 1;
+
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
+                self.motion(t, u, x, dx);
+                rt::Health::perfect()
+            }
+        }
+
+        impl<S: Real> rt::System for ArmOnJack<S> {
+            type S = S;
+            type X = [S; 10];
+            type U = Held<S>;
+            type G = [S; 4];
+            const NQ: usize = 1;
+            const SHORT: bool = true;
+
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
+                rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+
+            const KINKS: usize = 13;
+
+            fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 4]) {
+                let mut all = [S::lit(0.0); 17];
+                let out = g;
+                let g = &mut all;
+                self.switching(t, u, x, g);
+                for (guard, value) in out.iter_mut().zip(all) {
+                    *guard = value;
+                }
+            }
+
+            fn kinks(&self, t: S, u: &Self::U, x: &[S; 10], each: &mut impl FnMut(usize, S)) {
+                let mut all = [S::lit(0.0); 17];
+                let g = &mut all;
+                self.switching(t, u, x, g);
+                for (index, value) in all.into_iter().skip(4).enumerate() {
+                    each(index, value);
+                }
+            }
+
+            fn guards_within(
+                &self,
+                t: rt::Tube<S>,
+                u: &Self::U,
+                x: &impl Fn(usize) -> rt::Tube<S>,
+                each: &mut impl FnMut(usize, rt::Tube<S>),
+            ) -> bool {
+                use rt::lanes::Pack;
+                let constant = |[s]: [S; 1]| rt::Tube::constant(s);
+                let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
+                let mut tubes = [rt::Tube::constant(S::lit(0.0)); 17];
+                let within = |u: &Held<rt::Tube<S>>, x: &[rt::Tube<S>; 10], g: &mut [rt::Tube<S>; 17]| {
+                    mechanism.switching(t, u, x, g)
+                };
+                within(&held, &core::array::from_fn(x), &mut tubes);
+                for (index, tube) in tubes.into_iter().enumerate() {
+                    each(index, tube);
+                }
+                true
+            }
+
+            fn must_hold(&self, index: usize) -> bool {
+                matches!(index, 0 | 1 | 2 | 3)
+            }
+
+            fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; 10], index: usize) {
+                if self.must_hold(index) {
+                    return;
+                }
+                if let Some(side) = u.sides.get_mut(index) {
+                    *side = -*side;
+                }
+            }
+
+            fn guard_name(&self, index: usize) -> &'static str {
+                const NAMES: [&str; 4] = [
+                    "press.chamber1.above_vacuum",
+                    "press.chamber2.above_vacuum",
+                    "line1.inlet.above_vacuum",
+                    "line2.inlet.above_vacuum",
+                ];
+                NAMES.get(index).copied().unwrap_or_default()
+            }
+
+            fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
+                let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
+                self.instants(&u, &mut at, &mut slope);
+                at.into_iter().filter(|at| *at > t).reduce(S::min)
+            }
+
+            fn pass(&self, t: S, u: &mut Self::U) {
+                let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
+                self.instants(&u, &mut at, &mut slope);
+                for ((side, at), slope) in u.sides.iter_mut().skip(4).zip(at).zip(slope) {
+                    *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
+                }
+            }
+
+            fn energy(&self, t: S, u: &Self::U, x: &[S; 10]) -> Option<rt::Energy<S>> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
+            }
+
+            fn typical(&self) -> [S; 10] {
+                [
+                    1.0,
+                    1.0,
+                    100000.0,
+                    100000.0,
+                    1.6666666666666667e-5,
+                    100000.0,
+                    1.6666666666666667e-5,
+                    100000.0,
+                    1.0,
+                    1.0,
+                ]
+                .map(S::lit)
+            }
+
+            fn part_of_state(&self, index: usize) -> &'static str {
+                const PARTS: &[&str] = &[
+                    "arm",
+                    "arm",
+                    "press.chamber1.pressure",
+                    "press.chamber2.pressure",
+                    "line1.flow",
+                    "line1.inlet.pressure",
+                    "line2.flow",
+                    "line2.inlet.pressure",
+                    "valve.servo.value",
+                    "valve.servo.swing",
+                ];
+                match PARTS.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+
+            fn name_of_state(&self, index: usize) -> &'static str {
+                const NAMES: &[&str] = &[
+                    "arm.angle",
+                    "arm.omega",
+                    "press.chamber1.pressure",
+                    "press.chamber2.pressure",
+                    "line1.flow",
+                    "line1.inlet.pressure",
+                    "line2.flow",
+                    "line2.inlet.pressure",
+                    "valve.servo.value",
+                    "valve.servo.swing",
+                ];
+                match NAMES.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Pose and velocity of every body.
+            #[inline]
+            fn pose_(&self) -> ([S; 3], [S; 3]) {
+                let (mut q, mut v) = ([S::lit(0.0); 3], [S::lit(0.0); 3]);
+                self.mechanism.place(
+                    self.time,
+                    &Held { input: self.input, sides: self.sides },
+                    &self.x,
+                    &mut q,
+                    &mut v,
+                );
+                (q, v)
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// The state in absolute coordinates.
+            fn absolute_(&self) -> [S; 14] {
+                let (q, v) = self.pose_();
+                let mut x = [S::lit(0.0); 14];
+                absolute::join(&q, &v, &mut x);
+                for k in 0..8 {
+                    x[6 + k] = self.x[2 + k];
+                }
+                x
+            }
+        }
+
+        impl<S: Real> rt::Moment for State<S> {
+            type M = ArmOnJack<S>;
+
+            fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
+                State { mechanism, time, x, input: held.input, sides: held.sides }
+            }
+            fn mechanism(&self) -> &ArmOnJack<S> {
+                &self.mechanism
+            }
+            fn held(&self) -> Held<S> {
+                Held { input: self.input, sides: self.sides }
+            }
+            fn time(&self) -> S {
+                self.time
+            }
+            fn x(&self) -> &[S; 10] {
+                &self.x
+            }
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
+                let held = *held;
+                self.time = time;
+                self.input = held.input;
+                self.sides = held.sides;
+                self.x = *x;
+            }
+        }
+
+        impl<S: Real> rt::Mechanism for ArmOnJack<S> {
+            type State = State<S>;
+            type Rescue = rt::singular::Never<Self>;
+            const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
+
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 10]), Fault> {
+                self.start_holding_(t, self.declared_input())
+            }
+
+            fn check(&self, t: S) -> Result<(), Fault> {
+                rt::limits::check_numbers(
+                    t,
+                    [("g", "m/s^2", self.g), ("rated_drop", "Pa", self.rated_drop), ("gas", "", self.gas)],
+                )?;
+                Ok(())
+            }
+
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 10]) -> rt::Drift<S> {
+                let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
+                absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
+            }
+        }
+
+        impl<S: Real> ArmOnJack<S> {
+            fn start_holding_(&self, t: S, input: Held<S>) -> Result<(Held<S>, [S; 10]), Fault> {
+                rt::Mechanism::check(self, t)?;
+                let assembly = absolute::assemble(self, t)?;
+                let mut x = [S::lit(0.0); 10];
+                x[2] = self.start.press_chamber1_pressure.value;
+                x[3] = self.start.press_chamber2_pressure.value;
+                x[4] = self.start.line1_flow.value;
+                x[5] = self.start.line1_inlet_pressure.value;
+                x[6] = self.start.line2_flow.value;
+                x[7] = self.start.line2_inlet_pressure.value;
+                x[8] = self.start.valve_servo_value.value;
+                x[9] = self.start.valve_servo_swing.value;
+                self.project(t, &assembly.q, &assembly.v, &mut x);
+                let mut held = input;
+                rt::System::pass(self, t, &mut held);
+                rt::events::switch_where_due(self, t, &mut held, &x);
+                Ok((held, x))
+            }
+        }
+
+        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Real> absolute::Absolute<S, NQ, NC> for ArmOnJack<S> {
+            const ROWS: [&'static str; 2] = ["hinge.x", "hinge.y"];
+            const PARTS: [&'static str; 2] = ["hinge", "hinge"];
+            const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
+            const ANGULAR: [bool; 2] = [false, false];
+
+            fn phi(&self, t: S, q: &[S; 3]) -> [S; 2] {
+                let mut phi = [S::lit(0.0); 2];
+                self.residual(t, q, &mut phi);
+                phi
+            }
+            fn phi_dot(&self, t: S, q: &[S; 3], v: &[S; 3]) -> [S; 2] {
+                let mut phi_dot = [S::lit(0.0); 2];
+                self.residual_rate(t, q, v, &mut phi_dot);
+                phi_dot
+            }
+            fn phi_q(&self, t: S, q: &[S; 3], each: &mut impl FnMut(usize, usize, S)) {
+                const PLACES: &[[u32; 2]] = &[[0, 0], [0, 2], [1, 1], [1, 2]];
+                let mut entries = [S::lit(0.0); 4];
+                self.jacobian(t, q, &mut entries);
+                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                    each(row as usize, column as usize, entry);
+                }
+            }
+            fn min_norm(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> rt::Health<S> {
+                rt::Health(self.closing_step(t, q, w, r, dq))
+            }
+            fn inverse_mass(&self) -> [S; 3] {
+                let mut inverse_mass = [S::lit(0.0); 3];
+                self.reciprocal_mass(&mut inverse_mass);
+                inverse_mass
+            }
+            fn length(&self) -> S {
+                S::lit(0.8)
+            }
+            fn start_position(&self) -> [Start<S>; 3] {
+                let lit = S::lit;
+                let bodies: [[Start<S>; 3]; 1] = [self.start.arm.of_centre([lit(0.0), lit(0.0)])];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+            fn start_velocity(&self, q: &[S; 3]) -> [Start<S>; 3] {
+                let lit = S::lit;
+                let bodies: [[Start<S>; 3]; 1] =
+                    [self.start.arm.velocity_of_centre([lit(0.0), lit(0.0)], q[2])];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Reactions that redundancy leaves undetermined, by constraint row: none.
+            pub fn undetermined(&self) -> [bool; 2] {
+                [false; 2]
+            }
+        }
+
+        impl<S: Real> rt::lanes::Pack for ArmOnJack<S> {
+            type Packed<T: Scalar> = ArmOnJack<T>;
+
+            #[allow(unused_variables)] // where there are no parameters
+            fn pack<T: Scalar, const N: usize>(
+                &self,
+                all: [&Self; N],
+                number: impl Fn([S; N]) -> T,
+            ) -> ArmOnJack<T> {
+                let start = Starts {
+                    arm: self.start.arm.map(|s| number([s; N])),
+                    press_chamber1_pressure: self.start.press_chamber1_pressure.map(|s| number([s; N])),
+                    press_chamber2_pressure: self.start.press_chamber2_pressure.map(|s| number([s; N])),
+                    line1_flow: self.start.line1_flow.map(|s| number([s; N])),
+                    line1_inlet_pressure: self.start.line1_inlet_pressure.map(|s| number([s; N])),
+                    line2_flow: self.start.line2_flow.map(|s| number([s; N])),
+                    line2_inlet_pressure: self.start.line2_inlet_pressure.map(|s| number([s; N])),
+                    valve_servo_value: self.start.valve_servo_value.map(|s| number([s; N])),
+                    valve_servo_swing: self.start.valve_servo_swing.map(|s| number([s; N])),
+                };
+                ArmOnJack {
+                    start,
+                    g: number(all.map(|one| one.g)),
+                    rated_drop: number(all.map(|one| one.rated_drop)),
+                    gas: number(all.map(|one| one.gas)),
+                }
+            }
+
+            #[allow(unused_variables)] // where there are no inputs
+            fn pack_held<T: Scalar, const N: usize>(
+                _: &Held<S>,
+                all: [&Held<S>; N],
+                number: impl Fn([S; N]) -> T,
+            ) -> Held<T> {
+                let input = Input { none: core::marker::PhantomData };
+                let sides = core::array::from_fn(|k| number(all.map(|held| held.sides[k])));
+                let input = Held { input, sides };
+                input
+            }
+
+            #[inline]
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+                let _ = (t, held, x);
+                true
+            }
+        }
+
+        impl<S: Real> rt::Linear for ArmOnJack<S> {
+            type Lifted<const K: usize> = ArmOnJack<rt::Dual<S, K>>;
+            type Derivatives = [[S; 10]; 10];
+
+            fn lift<const K: usize>(
+                &self,
+                held: &Held<S>,
+            ) -> (ArmOnJack<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                use rt::lanes::Pack;
+                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
+                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+            }
+        }
+
+        impl<S: Real> rt::Ports for ArmOnJack<S> {
+            const INPUTS: &'static [(&'static str, &'static str)] = &[];
+            const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
+
+            fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
+                for output in state.outputs() {
+                    each(output);
+                }
+            }
+        }
+
+        impl<S: Scalar> ArmOnJack<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            ///
+            /// 54 add, 84 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Held<S>,
+                x: &[S; 14],
+                lambda: &[S; 2],
+                force: &mut [S; 3],
+                x_dot: &mut [S; 8],
+            ) {
+                let lit = S::lit;
+                let x_arm = x[0];
+                let theta_arm = x[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
+                let y_arm = x[1];
+                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let t3 = t2.mul_add(t2, t1 * t1).sqrt();
+                let t4 = lit(1.0) / t3;
+                let press_chamber1_pressure = x[6];
+                let press_chamber2_pressure = x[7];
+                let vx_arm = x[3];
+                let omega_arm = x[5];
+                let t5 = lit(0.5) * omega_arm;
+                let vy_arm = x[4];
+                let t6 = t2
+                    .mul_add((-t5).mul_add(cos_theta_arm, vy_arm), t1 * t5.mul_add(sin_theta_arm, vx_arm))
+                    * t4;
+                let t7 = lit(0.0).max(t3 - lit(0.57));
+                let t8 = lit(0.0).max(lit(0.22) - t3);
+                let t9 = lit(-1000.0).mul_add(
+                    t6,
+                    lit(-0.0012566370614359172).mul_add(
+                        press_chamber2_pressure,
+                        lit(0.001963495408493621) * press_chamber1_pressure,
+                    ),
+                ) - lit(0.0).max(
+                    (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t7)).mul_add(t6, lit(100000000.0) * t7),
+                );
+                let t10 = t9
+                    + lit(0.0).max(
+                        (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t8)))
+                            .mul_add(t6, lit(100000000.0) * t8),
+                    );
+                let t11 = t4 * t10;
+                force[0] = t1 * t11;
+                let g = self.g;
+                force[1] = lit(-100.0).mul_add(g, t2 * t11);
+                force[2] = lit(-0.5) * t4 * (t10 * (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2));
+                let gas = self.gas;
+                let t12 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
+                let t13 = gas * t12;
+                let t14 = lit(1.0) - gas;
+                let t15 = lit(-5.88235294117647e-10) * t14;
+                let line1_flow = x[8];
+                let t16 = lit(-101325.0).mul_add(t13, -t14)
+                    * lit(-0.001963495408493621).mul_add(t6, line1_flow)
+                    / (lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
+                        * (-(lit(101325.0) * t12)).mul_add(t13, t15));
+                x_dot[0] = t16;
+                let t17 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
+                let t18 = gas * t17;
+                let line2_flow = x[10];
+                let t19 = lit(-101325.0).mul_add(t18, -t14)
+                    * lit(0.0012566370614359172).mul_add(t6, line2_flow)
+                    / (lit(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
+                        * (-(lit(101325.0) * t17)).mul_add(t18, t15));
+                x_dot[1] = t19;
+                let line1_inlet_pressure = x[9];
+                x_dot[2] = lit(-5.774986495569473e-7)
+                    * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
+                        - line1_inlet_pressure);
+                let t20 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
+                let t21 = gas * t20;
+                let rated_drop = self.rated_drop;
+                let valve_servo_value = x[12];
+                let t22 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
+                let t23 = lit(0.0).max(t22);
+                let t24 = line1_inlet_pressure - lit(3000000.0);
+                let t25 = lit(1.0) / rated_drop;
+                let t26 = t24 * t25;
+                let t27 = lit(25000000.0) * (t25 * t25);
+                let t28 = lit(0.0).max(-t22);
+                let t29 = line1_inlet_pressure - lit(500000.0);
+                let t30 = t25 * t29;
+                let t31 = t23 * t24 / t26.mul_add(t26, t27).sqrt().sqrt()
+                    + t28 * t29 / t30.mul_add(t30, t27).sqrt().sqrt();
+                let t32 = lit(-2037.1832715762603)
+                    * lit(-101325.0).mul_add(t21, -t14)
+                    * (line1_flow + lit(0.0003333333333333333) * t31 / rated_drop)
+                    / (-(lit(101325.0) * t20)).mul_add(t21, t15);
+                x_dot[3] = t32;
+                let line2_inlet_pressure = x[11];
+                x_dot[4] = lit(-5.774986495569473e-7)
+                    * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
+                        - line2_inlet_pressure);
+                let t33 = lit(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
+                let t34 = gas * t33;
+                let t35 = line2_inlet_pressure - lit(500000.0);
+                let t36 = t25 * t35;
+                let t37 = line2_inlet_pressure - lit(3000000.0);
+                let t38 = t25 * t37;
+                let t39 = t23 * t35 / t36.mul_add(t36, t27).sqrt().sqrt()
+                    + t28 * t37 / t38.mul_add(t38, t27).sqrt().sqrt();
+                let t40 = lit(-2037.1832715762603)
+                    * lit(-101325.0).mul_add(t34, -t14)
+                    * (line2_flow + lit(0.0003333333333333333) * t39 / rated_drop)
+                    / (-(lit(101325.0) * t33)).mul_add(t34, t15);
+                x_dot[5] = t40;
+                let valve_servo_swing = x[13];
+                x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
+                let side_7 = u.sides[7];
+                let side_6 = u.sides[6];
+                let t_2 = t;
+                let side_5 = u.sides[5];
+                let side_4 = u.sides[4];
+                let t41 = S::select(
+                    side_6.lt(lit(0.0)),
+                    lit(2.0).mul_add(t_2, lit(-1.0)),
+                    S::select(
+                        side_5.lt(lit(0.0)),
+                        lit(1.0),
+                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t_2, lit(0.0)),
+                    ),
+                );
+                let t42 = lit(-25.132741228718345).mul_add(
+                    S::select(side_7.lt(lit(0.0)), lit(0.0), t41),
+                    lit(-201.06192982974676)
+                        .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
+                );
+                x_dot[7] = t42;
+            }
+        }
+
+        impl<S: Scalar> rt::StartValues<S> for Starts<S> {
+            fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+                {
+                    self.arm
+                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
+                    each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
+                    each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
+                    each("line1.flow", &mut self.line1_flow);
+                    each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
+                    each("line2.flow", &mut self.line2_flow);
+                    each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
+                    each("valve.servo.value", &mut self.valve_servo_value);
+                    each("valve.servo.swing", &mut self.valve_servo_swing);
+                }
+            }
+        }
+
+        impl<S: Scalar> core::fmt::Display for Starts<S> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                rt::start::write_starts(*self, f)
+            }
+        }
+
+        impl<S: Real> ArmOnJack<S> {
+            fn placed(&self, x: &[S; 14]) -> Starts<S> {
+                let lit = S::lit;
+                Starts {
+                    arm: self.start.arm.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[0], x[1], x[2]],
+                        [x[3], x[4], x[5]],
+                    ),
+                    press_chamber1_pressure: Start { value: x[6], ..self.start.press_chamber1_pressure },
+                    press_chamber2_pressure: Start { value: x[7], ..self.start.press_chamber2_pressure },
+                    line1_flow: Start { value: x[8], ..self.start.line1_flow },
+                    line1_inlet_pressure: Start { value: x[9], ..self.start.line1_inlet_pressure },
+                    line2_flow: Start { value: x[10], ..self.start.line2_flow },
+                    line2_inlet_pressure: Start { value: x[11], ..self.start.line2_inlet_pressure },
+                    valve_servo_value: Start { value: x[12], ..self.start.valve_servo_value },
+                    valve_servo_swing: Start { value: x[13], ..self.start.valve_servo_swing },
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
+            /// later, `mechanism.start = sim.starts()`.
+            pub fn starts(&self) -> Starts<S> {
+                self.mechanism.placed(&self.absolute_())
+            }
+        }
+
+        impl<S: Real> rt::Statics for ArmOnJack<S> {
+            type Full = [S; 14];
+            type Rows = [S; 2];
+            type Starts = Starts<S>;
+            const COORDINATES: &'static [&'static str] = &["arm.x", "arm.y", "arm.angle"];
+            const ROWS: &'static [&'static str] = &["hinge.x", "hinge.y"];
+            const STATES: &'static [(&'static str, &'static str)] = &[
+                ("press.chamber1.pressure", "Pa"),
+                ("press.chamber2.pressure", "Pa"),
+                ("line1.flow", "m^3/s"),
+                ("line1.inlet.pressure", "Pa"),
+                ("line2.flow", "m^3/s"),
+                ("line2.inlet.pressure", "Pa"),
+                ("valve.servo.value", "no unit"),
+                ("valve.servo.swing", "no unit"),
+            ];
+
+            fn full(state: &State<S>) -> [S; 14] {
+                state.absolute_()
+            }
+            fn equations(
+                &self,
+                t: S,
+                held: &Self::U,
+                x: &[S; 14],
+                lambda: &[S; 2],
+                each: &mut impl FnMut(S),
+            ) {
+                let (q, v): ([S; 3], [S; 3]) = absolute::split(x);
+                let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
+                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
+                    .into_iter()
+                    .for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, 14>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
+            }
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
+            }
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
+            }
+            fn starts_at(&self, x: &[S; 14]) -> Starts<S> {
+                self.placed(x)
+            }
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> ArmOnJack<S> {
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 2 add, 2 mul, 1 sin_cos.
+            fn residual(&self, t: S, q: &[S; 3], phi: &mut [S; 2]) {
+                let lit = S::lit;
+                let x_arm = q[0];
+                let theta_arm = q[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                phi[0] = lit(-0.8).mul_add(cos_theta_arm, x_arm);
+                let y_arm = q[1];
+                phi[1] = lit(-0.8).mul_add(sin_theta_arm, y_arm);
+            }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 2 add, 3 mul, 1 sin_cos.
+            fn residual_rate(&self, t: S, q: &[S; 3], v: &[S; 3], phi_dot: &mut [S; 2]) {
+                let lit = S::lit;
+                let vx_arm = v[0];
+                let omega_arm = v[2];
+                let theta_arm = q[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let t1 = lit(0.8) * omega_arm;
+                phi_dot[0] = t1.mul_add(sin_theta_arm, vx_arm);
+                let vy_arm = v[1];
+                phi_dot[1] = (-t1).mul_add(cos_theta_arm, vy_arm);
+            }
+
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 2 mul, 1 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let theta_arm = q[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                phi_q[1] = lit(0.8) * sin_theta_arm;
+                phi_q[2] = lit(1.0);
+                phi_q[3] = lit(-0.8) * cos_theta_arm;
+            }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 6 add, 19 mul, 3 div, 1 sin_cos, 4 select.
+            fn closing_step(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> S {
+                let lit = S::lit;
+                // phi_q W phi_q^T = L D L^T
+                let w_0 = w[0];
+                let theta_arm = q[2];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let w_2 = w[2];
+                let t1 = lit(0.8) * sin_theta_arm;
+                let y_0_2 = t1 * w_2;
+                let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
+                let y_1_2 = lit(-0.8) * cos_theta_arm * w_2;
+                let g_1_0 = t1 * y_1_2;
+                let l_1_0 = r_0 * g_1_0;
+                let w_1 = w[1];
+                let t2 = (-(lit(0.8) * cos_theta_arm)).mul_add(y_1_2, w_1);
+                let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
+                let growth_1 = (t2 * r_1).abs();
+                let most_growth = lit(S::MOST_GROWTH);
+                let t3 = most_growth.lt(growth_1);
+                // (phi_q W phi_q^T) mu = r
+                let residual_0 = r[0];
+                let residual_1 = r[1];
+                let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
+                let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
+                // Results
+                dq[0] = w_0 * mu_0;
+                dq[1] = w_1 * mu_1;
+                dq[2] = y_1_2.mul_add(mu_1, y_0_2 * mu_0);
+                lit(1.0) / S::select(t3, lit(0.0), growth_1)
+            }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
+            fn reciprocal_mass(&self, inverse_mass: &mut [S; 3]) {
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.01);
+                inverse_mass[1] = lit(0.01);
+                inverse_mass[2] = lit(100.0);
+            }
+        }
+
+        impl<S: Scalar> ArmOnJack<S> {
+            /// The right-hand side in joint coordinates.
+            ///
+            /// 54 add, 89 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
+            #[inline(always)]
+            fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
+                let lit = S::lit;
+                // Masses and forces along the coordinates: M a = Q
+                let theta_arm = x[0];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
+                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let t3 = t2.mul_add(t2, t1 * t1).sqrt();
+                let t4 = lit(1.0) / t3;
+                let press_chamber1_pressure = x[2];
+                let press_chamber2_pressure = x[3];
+                let omega_arm = x[1];
+                let t5 = omega_arm * sin_theta_arm;
+                let t6 = omega_arm * cos_theta_arm;
+                let t7 = (-t2)
+                    .mul_add(lit(-0.8).mul_add(t6, lit(0.5) * t6), t1 * lit(-0.8).mul_add(t5, lit(0.5) * t5));
+                let t8 = t7 * t4;
+                let t9 = lit(0.0).max(t3 - lit(0.57));
+                let t10 = lit(0.0).max(lit(0.22) - t3);
+                let t11 = lit(1000.0).mul_add(
+                    t8,
+                    lit(-0.0012566370614359172).mul_add(
+                        press_chamber2_pressure,
+                        lit(0.001963495408493621) * press_chamber1_pressure,
+                    ),
+                ) - lit(0.0).max(
+                    (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t9))).mul_add(t8, lit(100000000.0) * t9),
+                );
+                let t12 = t11
+                    + lit(0.0).max(
+                        (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t10))
+                            .mul_add(t8, lit(100000000.0) * t10),
+                    );
+                let t13 = t4 * t12;
+                let g = self.g;
+                let still_0 = (-cos_theta_arm).mul_add(
+                    (lit(0.3) * t2).mul_add(t13, lit(80.0) * g),
+                    lit(0.3) * sin_theta_arm * t1 * t13,
+                );
+                // Results
+                dx[0] = omega_arm;
+                dx[1] = lit(0.015622558975160131) * still_0;
+                let gas = self.gas;
+                let t14 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
+                let t15 = gas * t14;
+                let t16 = lit(1.0) - gas;
+                let t17 = lit(-5.88235294117647e-10) * t16;
+                let line1_flow = x[4];
+                let t18 = lit(-101325.0).mul_add(t15, -t16)
+                    * lit(0.001963495408493621).mul_add(t8, line1_flow)
+                    / ((-(lit(101325.0) * t14)).mul_add(t15, t17)
+                        * lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654)));
+                dx[2] = t18;
+                let t19 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
+                let t20 = gas * t19;
+                let line2_flow = x[6];
+                let t21 = lit(101325.0).mul_add(t20, t16)
+                    * lit(-0.0012566370614359172).mul_add(t8, line2_flow)
+                    / ((-(lit(101325.0) * t19)).mul_add(t20, t17)
+                        * lit(0.0012566370614359172).mul_add(t3, lit(-0.0007662831250184729)));
+                dx[3] = t21;
+                let line1_inlet_pressure = x[5];
+                dx[4] = lit(-5.774986495569473e-7)
+                    * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
+                        - line1_inlet_pressure);
+                let t22 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
+                let t23 = gas * t22;
+                let rated_drop = self.rated_drop;
+                let valve_servo_value = x[8];
+                let t24 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
+                let t25 = lit(0.0).max(t24);
+                let t26 = line1_inlet_pressure - lit(3000000.0);
+                let t27 = lit(1.0) / rated_drop;
+                let t28 = t26 * t27;
+                let t29 = lit(25000000.0) * (t27 * t27);
+                let t30 = lit(0.0).max(-t24);
+                let t31 = line1_inlet_pressure - lit(500000.0);
+                let t32 = t27 * t31;
+                let t33 = t25 * t26 / t28.mul_add(t28, t29).sqrt().sqrt()
+                    + t30 * t31 / t32.mul_add(t32, t29).sqrt().sqrt();
+                let t34 = lit(-2037.1832715762603)
+                    * lit(-101325.0).mul_add(t23, -t16)
+                    * (line1_flow + lit(0.0003333333333333333) * t33 / rated_drop)
+                    / (-(lit(101325.0) * t22)).mul_add(t23, t17);
+                dx[5] = t34;
+                let line2_inlet_pressure = x[7];
+                dx[6] = lit(-5.774986495569473e-7)
+                    * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
+                        - line2_inlet_pressure);
+                let t35 = lit(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
+                let t36 = gas * t35;
+                let t37 = line2_inlet_pressure - lit(500000.0);
+                let t38 = t27 * t37;
+                let t39 = line2_inlet_pressure - lit(3000000.0);
+                let t40 = t27 * t39;
+                let t41 = t25 * t37 / t38.mul_add(t38, t29).sqrt().sqrt()
+                    + t30 * t39 / t40.mul_add(t40, t29).sqrt().sqrt();
+                let t42 = lit(-2037.1832715762603)
+                    * lit(-101325.0).mul_add(t36, -t16)
+                    * (line2_flow + lit(0.0003333333333333333) * t41 / rated_drop)
+                    / (-(lit(101325.0) * t35)).mul_add(t36, t17);
+                dx[7] = t42;
+                let valve_servo_swing = x[9];
+                dx[8] = lit(125.66370614359172) * valve_servo_swing;
+                let side_7 = u.sides[7];
+                let side_6 = u.sides[6];
+                let t_2 = t;
+                let side_5 = u.sides[5];
+                let side_4 = u.sides[4];
+                let t43 = S::select(
+                    side_6.lt(lit(0.0)),
+                    lit(2.0).mul_add(t_2, lit(-1.0)),
+                    S::select(
+                        side_5.lt(lit(0.0)),
+                        lit(1.0),
+                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t_2, lit(0.0)),
+                    ),
+                );
+                let t44 = lit(-25.132741228718345).mul_add(
+                    S::select(side_7.lt(lit(0.0)), lit(0.0), t43),
+                    lit(-201.06192982974676)
+                        .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
+                );
+                dx[9] = t44;
+            }
+
+            /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
+            ///
+            /// 6 mul, 1 sin_cos.
+            #[inline]
+            fn place(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 3], v: &mut [S; 3]) {
+                let lit = S::lit;
+                let theta_arm = x[0];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                q[0] = lit(0.8) * cos_theta_arm;
+                q[1] = lit(0.8) * sin_theta_arm;
+                q[2] = theta_arm;
+                let omega_arm = x[1];
+                v[0] = lit(-0.8) * omega_arm * sin_theta_arm;
+                v[1] = lit(0.8) * omega_arm * cos_theta_arm;
+                v[2] = omega_arm;
+            }
+
+            /// The joint coordinates and their rates at a pose that closes the joints.
+            fn project(&self, t: S, q: &[S; 3], v: &[S; 3], x: &mut [S; 10]) {
+                x[0] = q[2];
+                x[1] = v[2];
+            }
+
+            /// How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.
+            ///
+            /// 23 add, 25 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
+            fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
+                let lit = S::lit;
+                let press_chamber1_pressure = x[2];
+                let side_0 = u.sides[0];
+                g[0] = (press_chamber1_pressure + lit(101325.0)) * side_0;
+                let press_chamber2_pressure = x[3];
+                let side_1 = u.sides[1];
+                g[1] = (press_chamber2_pressure + lit(101325.0)) * side_1;
+                let line1_inlet_pressure = x[5];
+                let side_2 = u.sides[2];
+                g[2] = (line1_inlet_pressure + lit(101325.0)) * side_2;
+                let line2_inlet_pressure = x[7];
+                let side_3 = u.sides[3];
+                g[3] = (line2_inlet_pressure + lit(101325.0)) * side_3;
+                g[4] = lit(-101324.0) - press_chamber1_pressure;
+                g[5] = lit(-101324.0) - press_chamber2_pressure;
+                let theta_arm = x[0];
+                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
+                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let t3 = t2.mul_add(t2, t1 * t1).sqrt();
+                let t4 = t3 - lit(0.57);
+                g[6] = -t4;
+                let t5 = t3 - lit(0.22);
+                g[7] = t5;
+                let t6 = lit(0.0).max(t4);
+                let t7 = lit(1000000.0) * t6;
+                g[8] = lit(1.0) - t7;
+                let omega_arm = x[1];
+                let t8 = omega_arm * sin_theta_arm;
+                let t9 = omega_arm * cos_theta_arm;
+                let t10 = (-t2)
+                    .mul_add(lit(-0.8).mul_add(t9, lit(0.5) * t9), t1 * lit(-0.8).mul_add(t8, lit(0.5) * t8));
+                let t11 = lit(1000.0) * (t10 / t3);
+                g[9] = lit(-100000000.0).mul_add(t6, t11 * lit(1.0).min(t7));
+                let t12 = lit(0.0).max(-t5);
+                let t13 = lit(1000000.0) * t12;
+                g[10] = lit(1.0) - t13;
+                g[11] = (-t11).mul_add(lit(1.0).min(t13), lit(-100000000.0) * t12);
+                g[12] = lit(-101324.0) - line1_inlet_pressure;
+                g[13] = lit(-101324.0) - line2_inlet_pressure;
+                let valve_servo_value = x[8];
+                g[14] = lit(1.0) - valve_servo_value;
+                let t14 = lit(1.0).min(valve_servo_value);
+                g[15] = lit(-1.0) - t14;
+                g[16] = -lit(-1.0).max(t14);
+            }
+        }
+
+        impl<S: Scalar> ArmOnJack<S> {
+            /// Times at which conditions change, s, and the slope of what they compare.
+            #[cold]
+            fn instants(&self, u: &Held<S>, at: &mut [S; 4], slope: &mut [S; 4]) {
+                let lit = S::lit;
+                at[0] = lit(2.5);
+                at[1] = lit(1.5);
+                at[2] = lit(1.0);
+                at[3] = lit(0.5);
+                slope[0] = lit(1.0);
+                slope[1] = lit(1.0);
+                slope[2] = lit(1.0);
+                slope[3] = lit(1.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,913 @@
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_bouncer_::bouncer;
+#[doc(inline)]
+#[allow(unreachable_pub)]
+pub use plm_bouncer_::bouncer::Bouncer;
+#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
+mod plm_bouncer_ {
+    /// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.
+    ///
+    /// 2 bodies, 5 parts: 6 coordinates, 4 constraint rows, F = 3 N - M = 2.
+    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Coordinates: rail.displacement, other.displacement.
+    /// Accelerations by a dense mass matrix.
+    /// State: 4 numbers, 32 bytes in f64.
+    /// A solution by rank, where one is needed: 320 bytes of stack in f64.
+    /// One right-hand side: 3 add, 2 mul, 8 select.
+    ///
+    /// | row | constraint | equation | unit |
+    /// |----:|------------|----------|------|
+    /// | 0 | `rail.normal` | `-y_block = 0` | m |
+    /// | 1 | `rail.angle` | `-theta_block = 0` | rad |
+    /// | 2 | `other.normal` | `-y_clock = 0` | m |
+    /// | 3 | `other.angle` | `-theta_clock = 0` | rad |
+    pub mod bouncer {
+        pub use super::code_::*;
+        pub use super::type_::Bouncer;
+    }
+
+    mod type_ {
+        /// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Bouncer<S = ::core::primitive::f64> {
+            /// When the pulse ends.
+            ///
+            /// In s; 0.7 s by default.
+            pub until: S,
+            /// Where the bodies start, and what assembly must keep.
+            pub start: super::code_::Starts<S>,
+        }
+    }
+
+    mod code_ {
+        use super::type_::Bouncer;
+        use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+
+        /// Start values, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Starts<S = f64> {
+            /// Origin of body `block`.
+            pub block: BodyStart<S>,
+            /// Origin of body `clock`.
+            pub clock: BodyStart<S>,
+        }
+
+        /// Inputs, held over a step, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Input<S = f64> {
+            /// Input `push`, N; 0 N by default.
+            pub push: S,
+        }
+
+        /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Held<S = f64> {
+            /// The inputs.
+            pub input: Input<S>,
+            sides: [S; 4],
+        }
+
+        /// The mechanism at one moment; its methods read poses and outputs.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct State<S = f64> {
+            /// The mechanism with its parameters.
+            pub mechanism: Bouncer<S>,
+            /// The inputs.
+            pub input: Input<S>,
+            time: S,
+            x: [S; 4],
+            sides: [S; 4],
+        }
+
+        /// Coordinates: (x, y, theta) of each body.
+        pub const NQ: usize = 6;
+        /// Constraint rows.
+        pub const NC: usize = 4;
+        /// First-order states.
+        pub const NX: usize = 0;
+        /// Degrees of freedom, `3 N - M`.
+        pub const NDOF: isize = 2;
+        /// Operations of one evaluation of the right-hand side.
+        pub const OPERATIONS: Operations =
+            Operations { add: 3, mul: 2, div: 0, sqrt: 0, sin_cos: 0, other: 8 };
+        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
+        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
+        /// Depths of bodies and of ports of the ground for pictures, along z, m.
+        pub const DEPTHS: [(&'static str, f64); 0] = [];
+        /// Sizes of parts for pictures that are not 0, m.
+        pub const SIZES: [(&'static str, f64); 0] = [];
+        impl<S: Real> State<S> {
+            /// Time, s.
+            pub fn time(&self) -> S {
+                self.time
+            }
+
+            /// Pose and velocity of G of body `block`: m, m, rad; m/s, m/s, rad/s.
+            pub fn block(&self) -> BodyState<S> {
+                let (q, v) = self.pose_();
+                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+            }
+
+            /// Pose and velocity of G of body `clock`: m, m, rad; m/s, m/s, rad/s.
+            pub fn clock(&self) -> BodyState<S> {
+                let (q, v) = self.pose_();
+                BodyState::of([q[3], q[4], q[5]], [v[3], v[4], v[5]])
+            }
+
+            /// Output `block.x`, m.
+            pub fn block_x(&self) -> S {
+                let (q, v) = self.pose_();
+                q[0]
+            }
+
+            /// Kinetic energy of all bodies, J.
+            pub fn kinetic_energy(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let omega_block = v[2];
+                let vx_clock = v[3];
+                let vy_clock = v[4];
+                let omega_clock = v[5];
+                let vx_block = v[0];
+                let vy_block = v[1];
+                let t1 = lit(2.0).mul_add(
+                    vy_block.mul_add(vy_block, vx_block * vx_block),
+                    omega_clock.mul_add(
+                        omega_clock,
+                        vy_clock.mul_add(vy_clock, vx_clock.mul_add(vx_clock, omega_block * omega_block)),
+                    ),
+                );
+                lit(0.5) * t1
+            }
+
+            /// Potential energy of gravity above the origin, J.
+            pub fn gravity_energy(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                lit(0.0)
+            }
+
+            /// Power of all forces and torques but gravity and reactions, W.
+            pub fn load_power(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let vx_block = v[0];
+                let side_1 = self.sides[1];
+                let vx_clock = v[3];
+                let x_clock = q[3];
+                let push = self.input.push;
+                let side_3 = self.sides[3];
+                let side_2 = self.sides[2];
+                let t1 = S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
+                    + (push
+                        + S::select(
+                            side_3.lt(lit(0.0)),
+                            lit(0.0),
+                            S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                        ));
+                vx_clock.mul_add(t1, vx_block * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
+            }
+
+            /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
+            /// the second turns from the first, rad, positive to the left.
+            pub fn branches(&self) -> [(&'static str, S); 0] {
+                let mut value = [S::lit(0.0); 0];
+                let (q, v) = self.pose_();
+                []
+            }
+
+            /// Names and units of the columns of [`State::outputs`].
+            pub const OUTPUTS: [(&'static str, &'static str); 1] = [("block.x", "m")];
+
+            /// The declared outputs, in the units of [`State::OUTPUTS`].
+            pub fn outputs(&self) -> [S; 1] {
+                [self.block_x()]
+            }
+        }
+
+        impl Bouncer<f64> {
+            /// The mechanism as declared, in `f64`; `Bouncer { field: value, ..Bouncer::new() }` changes some.
+            pub fn new() -> Self {
+                Self::of()
+            }
+        }
+
+        impl Default for Bouncer<f64> {
+            fn default() -> Self {
+                Self::of()
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// The mechanism as declared, for any scalar.
+            pub fn of() -> Self {
+                let lit = S::lit;
+                let until = lit(0.7);
+                let start = Starts {
+                    block: BodyStart {
+                        x: Start::free(lit(1.0)),
+                        y: Start::free(lit(0.0)),
+                        angle: Start::free(lit(0.0)),
+                        vx: Start::free(lit(0.0)),
+                        vy: Start::free(lit(0.0)),
+                        omega: Start::free(lit(0.0)),
+                    },
+                    clock: BodyStart {
+                        x: Start::free(lit(0.0)),
+                        y: Start::free(lit(0.0)),
+                        angle: Start::free(lit(0.0)),
+                        vx: Start::free(lit(0.0)),
+                        vy: Start::free(lit(0.0)),
+                        omega: Start::free(lit(0.0)),
+                    },
+                };
+                Bouncer { until, start }
+            }
+        }
+
+        impl<S: Real> Bouncer<S> {
+            /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
+            ///
+            /// # Errors
+            /// Redundant locks, or joints that stay open: the part and by how much; a parameter that cannot have its value.
+            pub fn assemble(&self) -> Result<Assembly<S>, Fault> {
+                let t = S::lit(0.0);
+                rt::Mechanism::check(self, t)?;
+                let assembly = absolute::assemble(self, t)?;
+                Ok(assembly)
+            }
+
+            /// Assembles, and gives a run by Dormand and Prince's method.
+            ///
+            /// # Errors
+            /// As [`Self::assemble`].
+            pub fn start(self) -> Result<Sim<Self>, Fault> {
+                rt::Mechanism::start(self)
+            }
+
+            /// Assembles, and gives a run by a method of choice.
+            ///
+            /// # Errors
+            /// As [`Self::assemble`].
+            pub fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {
+                rt::Mechanism::start_with(self, method)
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// The inputs as declared.
+            fn declared_input(&self) -> Held<S> {
+                let lit = S::lit;
+                Held { input: Input { push: lit(0.0) }, sides: [S::lit(1.0); 4] }
+            }
+        }
+
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
+
+        impl<S: Scalar> rt::lanes::Rate for Bouncer<S> {
+            type S = S;
+            type X = [S; 4];
+            type U = Held<S>;
+            const NQ: usize = 2;
+
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
+                self.motion(t, u, x, dx);
+                rt::Health::perfect()
+            }
+        }
+
+        impl<S: Real> rt::System for Bouncer<S> {
+            type S = S;
+            type X = [S; 4];
+            type U = Held<S>;
+            type G = [S; 2];
+            const NQ: usize = 2;
+            const SHORT: bool = true;
+
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
+                rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+
+            const KINKS: usize = 1;
+
+            fn guards(&self, t: S, u: &Self::U, x: &[S; 4], g: &mut [S; 2]) {
+                let mut all = [S::lit(0.0); 3];
+                let out = g;
+                let g = &mut all;
+                self.switching(t, u, x, g);
+                for (guard, value) in out.iter_mut().zip(all) {
+                    *guard = value;
+                }
+            }
+
+            fn kinks(&self, t: S, u: &Self::U, x: &[S; 4], each: &mut impl FnMut(usize, S)) {
+                let mut all = [S::lit(0.0); 3];
+                let g = &mut all;
+                self.switching(t, u, x, g);
+                for (index, value) in all.into_iter().skip(2).enumerate() {
+                    each(index, value);
+                }
+            }
+
+            fn guards_within(
+                &self,
+                t: rt::Tube<S>,
+                u: &Self::U,
+                x: &impl Fn(usize) -> rt::Tube<S>,
+                each: &mut impl FnMut(usize, rt::Tube<S>),
+            ) -> bool {
+                use rt::lanes::Pack;
+                let constant = |[s]: [S; 1]| rt::Tube::constant(s);
+                let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
+                let mut tubes = [rt::Tube::constant(S::lit(0.0)); 3];
+                let within = |u: &Held<rt::Tube<S>>, x: &[rt::Tube<S>; 4], g: &mut [rt::Tube<S>; 3]| {
+                    mechanism.switching(t, u, x, g)
+                };
+                within(&held, &core::array::from_fn(x), &mut tubes);
+                for (index, tube) in tubes.into_iter().enumerate() {
+                    each(index, tube);
+                }
+                true
+            }
+
+            fn must_hold(&self, index: usize) -> bool {
+                matches!(index, 0)
+            }
+
+            fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; 4], index: usize) {
+                if self.must_hold(index) {
+                    return;
+                }
+                if let Some(side) = u.sides.get_mut(index) {
+                    *side = -*side;
+                }
+            }
+
+            fn guard_name(&self, index: usize) -> &'static str {
+                const NAMES: [&str; 2] = ["near", "back"];
+                NAMES.get(index).copied().unwrap_or_default()
+            }
+
+            fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
+                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
+                self.instants(&u, &mut at, &mut slope);
+                at.into_iter().filter(|at| *at > t).reduce(S::min)
+            }
+
+            fn pass(&self, t: S, u: &mut Self::U) {
+                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
+                self.instants(&u, &mut at, &mut slope);
+                for ((side, at), slope) in u.sides.iter_mut().skip(2).zip(at).zip(slope) {
+                    *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
+                }
+            }
+
+            fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
+            }
+
+            fn typical(&self) -> [S; 4] {
+                [1.0, 1.0, 1.0, 1.0].map(S::lit)
+            }
+
+            fn part_of_state(&self, index: usize) -> &'static str {
+                const PARTS: &[&str] = &["rail", "other", "rail", "other"];
+                match PARTS.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+
+            fn name_of_state(&self, index: usize) -> &'static str {
+                const NAMES: &[&str] =
+                    &["rail.displacement", "other.displacement", "rail.speed", "other.speed"];
+                match NAMES.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Pose and velocity of every body.
+            #[inline]
+            fn pose_(&self) -> ([S; 6], [S; 6]) {
+                let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
+                self.mechanism.place(
+                    self.time,
+                    &Held { input: self.input, sides: self.sides },
+                    &self.x,
+                    &mut q,
+                    &mut v,
+                );
+                (q, v)
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// The state in absolute coordinates.
+            fn absolute_(&self) -> [S; 12] {
+                let (q, v) = self.pose_();
+                let mut x = [S::lit(0.0); 12];
+                absolute::join(&q, &v, &mut x);
+                for k in 0..0 {
+                    x[12 + k] = self.x[4 + k];
+                }
+                x
+            }
+        }
+
+        impl<S: Real> rt::Moment for State<S> {
+            type M = Bouncer<S>;
+
+            fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
+                State { mechanism, time, x, input: held.input, sides: held.sides }
+            }
+            fn mechanism(&self) -> &Bouncer<S> {
+                &self.mechanism
+            }
+            fn held(&self) -> Held<S> {
+                Held { input: self.input, sides: self.sides }
+            }
+            fn time(&self) -> S {
+                self.time
+            }
+            fn x(&self) -> &[S; 4] {
+                &self.x
+            }
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
+                let held = *held;
+                self.time = time;
+                self.input = held.input;
+                self.sides = held.sides;
+                self.x = *x;
+            }
+        }
+
+        impl<S: Real> rt::Mechanism for Bouncer<S> {
+            type State = State<S>;
+            type Rescue = rt::singular::Never<Self>;
+            const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
+
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 4]), Fault> {
+                self.start_holding_(t, self.declared_input())
+            }
+
+            fn check(&self, t: S) -> Result<(), Fault> {
+                rt::limits::check_numbers(t, [("until", "s", self.until)])?;
+                Ok(())
+            }
+
+            fn fingerprint(&self) -> u64 {
+                rt::limits::fingerprint([self.until])
+            }
+
+            fn renew(&self, t: S, held: &mut Held<S>, x: &mut [S; 4]) -> Result<(), Fault> {
+                let (mut q, mut v): ([S; 6], [S; 6]) =
+                    <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
+                absolute::renew::<S, Self, NQ, NC>(self, t, &mut q, &mut v)?;
+                self.project(t, &q, &v, x);
+                Ok(())
+            }
+
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 4]) -> rt::Drift<S> {
+                let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
+                absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
+            }
+        }
+
+        impl<S: Real> Bouncer<S> {
+            fn start_holding_(&self, t: S, input: Held<S>) -> Result<(Held<S>, [S; 4]), Fault> {
+                rt::Mechanism::check(self, t)?;
+                let assembly = absolute::assemble(self, t)?;
+                let mut x = [S::lit(0.0); 4];
+                self.project(t, &assembly.q, &assembly.v, &mut x);
+                let mut held = input;
+                rt::System::pass(self, t, &mut held);
+                rt::events::switch_where_due(self, t, &mut held, &x);
+                Ok((held, x))
+            }
+        }
+
+        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Real> absolute::Absolute<S, NQ, NC> for Bouncer<S> {
+            const ROWS: [&'static str; 4] = ["rail.normal", "rail.angle", "other.normal", "other.angle"];
+            const PARTS: [&'static str; 4] = ["rail", "rail", "other", "other"];
+            const COORDINATES: [&'static str; 6] =
+                ["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
+            const ANGULAR: [bool; 4] = [false, true, false, true];
+
+            fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
+                let mut phi = [S::lit(0.0); 4];
+                self.residual(t, q, &mut phi);
+                phi
+            }
+            fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
+                let mut phi_dot = [S::lit(0.0); 4];
+                self.residual_rate(t, q, v, &mut phi_dot);
+                phi_dot
+            }
+            fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
+                const PLACES: &[[u32; 2]] = &[[0, 1], [1, 2], [2, 4], [3, 5]];
+                let mut entries = [S::lit(0.0); 4];
+                self.jacobian(t, q, &mut entries);
+                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                    each(row as usize, column as usize, entry);
+                }
+            }
+            fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
+                rt::Health(self.closing_step(t, q, w, r, dq))
+            }
+            fn inverse_mass(&self) -> [S; 6] {
+                let mut inverse_mass = [S::lit(0.0); 6];
+                self.reciprocal_mass(&mut inverse_mass);
+                inverse_mass
+            }
+            fn length(&self) -> S {
+                S::lit(1.0)
+            }
+            fn start_position(&self) -> [Start<S>; 6] {
+                let lit = S::lit;
+                let bodies: [[Start<S>; 3]; 2] = [
+                    self.start.block.of_centre([lit(0.0), lit(0.0)]),
+                    self.start.clock.of_centre([lit(0.0), lit(0.0)]),
+                ];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+            fn start_velocity(&self, q: &[S; 6]) -> [Start<S>; 6] {
+                let lit = S::lit;
+                let bodies: [[Start<S>; 3]; 2] = [
+                    self.start.block.velocity_of_centre([lit(0.0), lit(0.0)], q[2]),
+                    self.start.clock.velocity_of_centre([lit(0.0), lit(0.0)], q[5]),
+                ];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Reactions that redundancy leaves undetermined, by constraint row: none.
+            pub fn undetermined(&self) -> [bool; 4] {
+                [false; 4]
+            }
+        }
+
+        impl<S: Real> rt::lanes::Pack for Bouncer<S> {
+            type Packed<T: Scalar> = Bouncer<T>;
+
+            #[allow(unused_variables)] // where there are no parameters
+            fn pack<T: Scalar, const N: usize>(
+                &self,
+                all: [&Self; N],
+                number: impl Fn([S; N]) -> T,
+            ) -> Bouncer<T> {
+                let start = Starts {
+                    block: self.start.block.map(|s| number([s; N])),
+                    clock: self.start.clock.map(|s| number([s; N])),
+                };
+                Bouncer { start, until: number(all.map(|one| one.until)) }
+            }
+
+            #[allow(unused_variables)] // where there are no inputs
+            fn pack_held<T: Scalar, const N: usize>(
+                _: &Held<S>,
+                all: [&Held<S>; N],
+                number: impl Fn([S; N]) -> T,
+            ) -> Held<T> {
+                let input = Input { push: number(all.map(|held| held.input.push)) };
+                let sides = core::array::from_fn(|k| number(all.map(|held| held.sides[k])));
+                let input = Held { input, sides };
+                input
+            }
+
+            #[inline]
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+                let _ = (t, held, x);
+                true
+            }
+        }
+
+        impl<S: Real> rt::Linear for Bouncer<S> {
+            type Lifted<const K: usize> = Bouncer<rt::Dual<S, K>>;
+            type Derivatives = [[S; 4]; 4];
+
+            fn lift<const K: usize>(
+                &self,
+                held: &Held<S>,
+            ) -> (Bouncer<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                use rt::lanes::Pack;
+                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
+                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+            }
+        }
+
+        impl<S: Real> rt::Ports for Bouncer<S> {
+            const INPUTS: &'static [(&'static str, &'static str)] = &[("push", "N")];
+            const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
+
+            fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    0 => Some(&mut held.input.push),
+                    _ => None,
+                }
+            }
+
+            fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
+                for output in state.outputs() {
+                    each(output);
+                }
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            ///
+            /// 3 add, 1 mul, 8 select.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Held<S>,
+                x: &[S; 12],
+                lambda: &[S; 4],
+                force: &mut [S; 6],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                let side_1 = u.sides[1];
+                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                force[1] = lit(0.0);
+                force[2] = lit(0.0);
+                let push = u.input.push;
+                let x_clock = x[3];
+                let side_3 = u.sides[3];
+                let side_2 = u.sides[2];
+                let t1 = push
+                    + S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
+                    + S::select(
+                        side_3.lt(lit(0.0)),
+                        lit(0.0),
+                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                    );
+                force[3] = t1;
+                force[4] = lit(0.0);
+                force[5] = lit(0.0);
+            }
+        }
+
+        impl<S: Scalar> rt::StartValues<S> for Starts<S> {
+            fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+                {
+                    self.block.each(
+                        ["block.x", "block.y", "block.angle", "block.vx", "block.vy", "block.omega"],
+                        &mut *each,
+                    );
+                    self.clock.each(
+                        ["clock.x", "clock.y", "clock.angle", "clock.vx", "clock.vy", "clock.omega"],
+                        &mut *each,
+                    );
+                }
+            }
+        }
+
+        impl<S: Scalar> core::fmt::Display for Starts<S> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                rt::start::write_starts(*self, f)
+            }
+        }
+
+        impl<S: Real> Bouncer<S> {
+            fn placed(&self, x: &[S; 12]) -> Starts<S> {
+                let lit = S::lit;
+                Starts {
+                    block: self.start.block.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[0], x[1], x[2]],
+                        [x[6], x[7], x[8]],
+                    ),
+                    clock: self.start.clock.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[3], x[4], x[5]],
+                        [x[9], x[10], x[11]],
+                    ),
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
+            /// later, `mechanism.start = sim.starts()`.
+            pub fn starts(&self) -> Starts<S> {
+                self.mechanism.placed(&self.absolute_())
+            }
+        }
+
+        impl<S: Real> rt::Statics for Bouncer<S> {
+            type Full = [S; 12];
+            type Rows = [S; 4];
+            type Starts = Starts<S>;
+            const COORDINATES: &'static [&'static str] =
+                &["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
+            const ROWS: &'static [&'static str] =
+                &["rail.normal", "rail.angle", "other.normal", "other.angle"];
+            const STATES: &'static [(&'static str, &'static str)] = &[];
+
+            fn full(state: &State<S>) -> [S; 12] {
+                state.absolute_()
+            }
+            fn equations(
+                &self,
+                t: S,
+                held: &Self::U,
+                x: &[S; 12],
+                lambda: &[S; 4],
+                each: &mut impl FnMut(S),
+            ) {
+                let (q, v): ([S; 6], [S; 6]) = absolute::split(x);
+                let (mut force, mut x_dot) = ([S::lit(0.0); 6], [S::lit(0.0); 0]);
+                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
+                    .into_iter()
+                    .for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, 12>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
+            }
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
+            }
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
+            }
+            fn starts_at(&self, x: &[S; 12]) -> Starts<S> {
+                self.placed(x)
+            }
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 4 neg.
+            fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
+                let y_block = q[1];
+                phi[0] = -y_block;
+                let theta_block = q[2];
+                phi[1] = -theta_block;
+                let y_clock = q[4];
+                phi[2] = -y_clock;
+                let theta_clock = q[5];
+                phi[3] = -theta_clock;
+            }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 4 neg.
+            fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
+                let vy_block = v[1];
+                phi_dot[0] = -vy_block;
+                let omega_block = v[2];
+                phi_dot[1] = -omega_block;
+                let vy_clock = v[4];
+                phi_dot[2] = -vy_clock;
+                let omega_clock = v[5];
+                phi_dot[3] = -omega_clock;
+            }
+
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
+                let lit = S::lit;
+                phi_q[0] = lit(-1.0);
+                phi_q[1] = lit(-1.0);
+                phi_q[2] = lit(-1.0);
+                phi_q[3] = lit(-1.0);
+            }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 8 mul, 4 div, 4 neg.
+            fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
+                let lit = S::lit;
+                // phi_q W phi_q^T = L D L^T
+                let w_1 = w[1];
+                let w_2 = w[2];
+                let w_4 = w[4];
+                let w_5 = w[5];
+                // (phi_q W phi_q^T) mu = r
+                let residual_0 = r[0];
+                let residual_1 = r[1];
+                let residual_2 = r[2];
+                let residual_3 = r[3];
+                // Results
+                dq[0] = lit(0.0);
+                dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
+                dq[2] = -(w_2 * (residual_1 * (lit(1.0) / w_2)));
+                dq[3] = lit(0.0);
+                dq[4] = -(w_4 * (residual_2 * (lit(1.0) / w_4)));
+                dq[5] = -(w_5 * (residual_3 * (lit(1.0) / w_5)));
+                lit(1.0)
+            }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
+            fn reciprocal_mass(&self, inverse_mass: &mut [S; 6]) {
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.5);
+                inverse_mass[1] = lit(0.5);
+                inverse_mass[2] = lit(1.0);
+                inverse_mass[3] = lit(1.0);
+                inverse_mass[4] = lit(1.0);
+                inverse_mass[5] = lit(1.0);
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// The right-hand side in joint coordinates.
+            ///
+            /// 3 add, 2 mul, 8 select.
+            #[inline(always)]
+            fn motion(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &mut [S; 4]) {
+                let lit = S::lit;
+                // Masses and forces along the coordinates: M a = Q
+                let side_1 = u.sides[1];
+                let push = u.input.push;
+                let side_3 = u.sides[3];
+                let side_2 = u.sides[2];
+                let s_other = x[1];
+                let force_1 =
+                    push + S::select(
+                        side_3.lt(lit(0.0)),
+                        lit(0.0),
+                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                    ) + S::select(s_other.lt(lit(100.0)), lit(0.0), lit(-10.0).mul_add(s_other, lit(1000.0)));
+                // Results
+                dx[0] = x[2];
+                dx[1] = x[3];
+                dx[2] = lit(0.5) * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                dx[3] = force_1;
+            }
+
+            /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
+            #[inline]
+            fn place(&self, t: S, u: &Held<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
+                let lit = S::lit;
+                q[0] = x[0];
+                q[1] = lit(0.0);
+                q[2] = lit(0.0);
+                q[3] = x[1];
+                q[4] = lit(0.0);
+                q[5] = lit(0.0);
+                v[0] = x[2];
+                v[1] = lit(0.0);
+                v[2] = lit(0.0);
+                v[3] = x[3];
+                v[4] = lit(0.0);
+                v[5] = lit(0.0);
+            }
+
+            /// The joint coordinates and their rates at a pose that closes the joints.
+            fn project(&self, t: S, q: &[S; 6], v: &[S; 6], x: &mut [S; 4]) {
+                x[0] = q[0];
+                x[1] = q[3];
+                x[2] = v[0];
+                x[3] = v[3];
+            }
+
+            /// How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.
+            ///
+            /// 2 add, 2 mul.
+            fn switching(&self, t: S, u: &Held<S>, x: &[S; 4], g: &mut [S; 3]) {
+                let lit = S::lit;
+                let side_0 = u.sides[0];
+                let s_rail = x[0];
+                g[0] = side_0 * (lit(10.0) - s_rail);
+                let side_1 = u.sides[1];
+                g[1] = side_1 * s_rail;
+                let s_other = x[1];
+                g[2] = s_other - lit(100.0);
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// Times at which conditions change, s, and the slope of what they compare.
+            #[cold]
+            fn instants(&self, u: &Held<S>, at: &mut [S; 2], slope: &mut [S; 2]) {
+                let lit = S::lit;
+                at[0] = self.until;
+                at[1] = lit(0.3);
+                slope[0] = lit(1.0);
+                slope[1] = lit(1.0);
+            }
+        }
+    }
+}

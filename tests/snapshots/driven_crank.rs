@@ -1,0 +1,1567 @@
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_driven_crank_::driven_crank;
+#[doc(inline)]
+#[allow(unreachable_pub)]
+pub use plm_driven_crank_::driven_crank::DrivenCrank;
+#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
+mod plm_driven_crank_ {
+    /// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.
+    ///
+    /// 3 bodies, 5 parts: 9 coordinates, 9 constraint rows, F = 3 N - M = 0.
+    /// Rung 1: no freedom is left; the motion follows from the time alone.
+    /// Chart 0: none; then given crank.angle; RRP rod.angle, guide.displacement.
+    /// State: 0 numbers, 0 bytes in f64.
+    /// A solution by rank, where one is needed: 1296 bytes of stack in f64.
+    /// One right-hand side: 3 add, 6 mul, 2 sin_cos.
+    ///
+    /// | row | constraint | equation | unit |
+    /// |----:|------------|----------|------|
+    /// | 0 | `drive.x` | `x_crank - 0.1*cos(theta_crank) = 0` | m |
+    /// | 1 | `drive.y` | `y_crank - 0.1*sin(theta_crank) - amplitude*sin(20*t) = 0` | m |
+    /// | 2 | `crank_pin.x` | `x_rod - x_crank - 0.1*cos(theta_crank) - 0.3*cos(theta_rod) = 0` | m |
+    /// | 3 | `crank_pin.y` | `y_rod - y_crank - 0.1*sin(theta_crank) - 0.3*sin(theta_rod) = 0` | m |
+    /// | 4 | `wrist_pin.x` | `x_slider - x_rod - 0.3*cos(theta_rod) = 0` | m |
+    /// | 5 | `wrist_pin.y` | `y_slider - y_rod - 0.3*sin(theta_rod) = 0` | m |
+    /// | 6 | `guide.normal` | `-y_slider = 0` | m |
+    /// | 7 | `guide.angle` | `-theta_slider = 0` | rad |
+    /// | 8 | `turns` | `theta_crank - 3*t - pi/3 = 0` | rad |
+    pub mod driven_crank {
+        pub use super::code_::*;
+        pub use super::type_::DrivenCrank;
+    }
+
+    mod type_ {
+        /// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct DrivenCrank<S = ::core::primitive::f64> {
+            /// Parameter `amplitude`, m; 0.01 m by default.
+            pub amplitude: S,
+            /// Where the bodies start, and what assembly must keep.
+            pub start: super::code_::Starts<S>,
+        }
+    }
+
+    mod code_ {
+        use super::type_::DrivenCrank;
+        use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+
+        /// Start values, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Starts<S = f64> {
+            /// Origin of body `crank`.
+            pub crank: BodyStart<S>,
+            /// Origin of body `rod`.
+            pub rod: BodyStart<S>,
+            /// Origin of body `slider`.
+            pub slider: BodyStart<S>,
+        }
+
+        /// Inputs, held over a step, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Input<S = f64> {
+            #[doc(hidden)]
+            pub none: core::marker::PhantomData<S>,
+        }
+
+        /// The mechanism at one moment; its methods read poses and outputs.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct State<S = f64> {
+            /// The mechanism with its parameters.
+            pub mechanism: DrivenCrank<S>,
+            /// The inputs.
+            pub input: Input<S>,
+            time: S,
+            x: [S; 0],
+            chart: usize,
+            memory: [S; 18],
+        }
+
+        /// Coordinates: (x, y, theta) of each body.
+        pub const NQ: usize = 9;
+        /// Constraint rows.
+        pub const NC: usize = 9;
+        /// First-order states.
+        pub const NX: usize = 0;
+        /// Degrees of freedom, `3 N - M`.
+        pub const NDOF: isize = 0;
+        /// Operations of one evaluation of the right-hand side.
+        pub const OPERATIONS: Operations =
+            Operations { add: 3, mul: 6, div: 0, sqrt: 0, sin_cos: 2, other: 0 };
+        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
+        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
+        /// Depths of bodies and of ports of the ground for pictures, along z, m.
+        pub const DEPTHS: [(&'static str, f64); 0] = [];
+        /// Sizes of parts for pictures that are not 0, m.
+        pub const SIZES: [(&'static str, f64); 0] = [];
+        impl<S: Real> State<S> {
+            /// Time, s.
+            pub fn time(&self) -> S {
+                self.time
+            }
+
+            /// Pose and velocity of G of body `crank`: m, m, rad; m/s, m/s, rad/s.
+            pub fn crank(&self) -> BodyState<S> {
+                let (q, v) = self.pose_();
+                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+            }
+
+            /// Pose and velocity of G of body `rod`: m, m, rad; m/s, m/s, rad/s.
+            pub fn rod(&self) -> BodyState<S> {
+                let (q, v) = self.pose_();
+                BodyState::of([q[3], q[4], q[5]], [v[3], v[4], v[5]])
+            }
+
+            /// Pose and velocity of G of body `slider`: m, m, rad; m/s, m/s, rad/s.
+            pub fn slider(&self) -> BodyState<S> {
+                let (q, v) = self.pose_();
+                BodyState::of([q[6], q[7], q[8]], [v[6], v[7], v[8]])
+            }
+
+            /// Output `drive.force`, N.
+            ///
+            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            pub fn drive_force(&self) -> [S; 2] {
+                let (a, lambda) = self.solved_();
+                let mut value = [S::lit(0.0); 2];
+                let (q, v) = self.pose_();
+                value[0] = lambda[0];
+                value[1] = lambda[1];
+                value
+            }
+
+            /// Output `torque`, N*m.
+            pub fn torque(&self) -> S {
+                let (a, lambda) = self.solved_();
+                let (q, v) = self.pose_();
+                lambda[8]
+            }
+
+            /// Kinetic energy of all bodies, J.
+            pub fn kinetic_energy(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let omega_rod = v[5];
+                let vx_crank = v[0];
+                let vy_crank = v[1];
+                let omega_crank = v[2];
+                let omega_slider = v[8];
+                let vx_rod = v[3];
+                let vy_rod = v[4];
+                let vx_slider = v[6];
+                let vy_slider = v[7];
+                let t1 = lit(0.0005).mul_add(
+                    omega_slider.mul_add(omega_slider, omega_crank * omega_crank),
+                    lit(0.1).mul_add(
+                        vy_crank.mul_add(vy_crank, vx_crank * vx_crank),
+                        lit(0.009) * omega_rod * omega_rod,
+                    ),
+                );
+                let t2 = lit(0.25).mul_add(
+                    vy_slider.mul_add(vy_slider, vx_slider * vx_slider),
+                    lit(0.3).mul_add(vy_rod.mul_add(vy_rod, vx_rod * vx_rod), t1),
+                );
+                t2
+            }
+
+            /// Potential energy of gravity above the origin, J.
+            pub fn gravity_energy(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let y_crank = q[1];
+                let y_rod = q[4];
+                let y_slider = q[7];
+                lit(4.905).mul_add(y_slider, lit(5.886).mul_add(y_rod, lit(1.962) * y_crank))
+            }
+
+            /// Power of all forces and torques but gravity and reactions, W.
+            pub fn load_power(&self) -> S {
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                lit(0.0)
+            }
+
+            /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
+            /// the second turns from the first, rad, positive to the left.
+            pub fn branches(&self) -> [(&'static str, S); 1] {
+                let mut value = [S::lit(0.0); 1];
+                let (q, v) = self.pose_();
+                let lit = S::lit;
+                let theta_crank = q[2];
+                let theta_rod = q[5];
+                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
+                    S::sin_cos_all([theta_crank, theta_rod]);
+                let y_crank = q[1];
+                let y_rod = q[4];
+                let t1 = lit(-0.3).mul_add(sin_theta_rod, lit(0.1).mul_add(sin_theta_crank, y_crank) - y_rod);
+                let x_crank = q[0];
+                let x_rod = q[3];
+                let t2 = lit(-0.3).mul_add(cos_theta_rod, lit(0.1).mul_add(cos_theta_crank, x_crank) - x_rod);
+                let t3 = (lit(-0.2) * (-sin_theta_crank).mul_add(t2, cos_theta_crank * t1))
+                    .atan2(lit(-0.2) * sin_theta_crank.mul_add(t1, cos_theta_crank * t2));
+                value[0] = t3;
+                [("crank_pin", value[0])]
+            }
+
+            /// Names and units of the columns of [`State::outputs`].
+            pub const OUTPUTS: [(&'static str, &'static str); 3] =
+                [("drive.force.x", "N"), ("drive.force.y", "N"), ("torque", "N*m")];
+
+            /// The declared outputs, in the units of [`State::OUTPUTS`].
+            pub fn outputs(&self) -> [S; 3] {
+                [self.drive_force()[0], self.drive_force()[1], self.torque()]
+            }
+        }
+
+        impl DrivenCrank<f64> {
+            /// The mechanism as declared, in `f64`; `DrivenCrank { field: value, ..DrivenCrank::new() }` changes some.
+            pub fn new() -> Self {
+                Self::of()
+            }
+        }
+
+        impl Default for DrivenCrank<f64> {
+            fn default() -> Self {
+                Self::of()
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// The mechanism as declared, for any scalar.
+            pub fn of() -> Self {
+                let lit = S::lit;
+                let amplitude = lit(0.01);
+                let start = Starts {
+                    crank: BodyStart {
+                        x: Start::free(lit(0.0)),
+                        y: Start::free(lit(0.0)),
+                        angle: Start::free(lit(1.0471975511965979)),
+                        vx: Start::free(lit(0.0)),
+                        vy: Start::free(lit(0.0)),
+                        omega: Start::free(lit(0.0)),
+                    },
+                    rod: BodyStart {
+                        x: Start::free(lit(0.0)),
+                        y: Start::free(lit(0.0)),
+                        angle: Start::free(lit(-0.29670597283903605)),
+                        vx: Start::free(lit(0.0)),
+                        vy: Start::free(lit(0.0)),
+                        omega: Start::free(lit(0.0)),
+                    },
+                    slider: BodyStart {
+                        x: Start::free(lit(0.67)),
+                        y: Start::free(lit(0.0)),
+                        angle: Start::free(lit(0.0)),
+                        vx: Start::free(lit(0.0)),
+                        vy: Start::free(lit(0.0)),
+                        omega: Start::free(lit(0.0)),
+                    },
+                };
+                DrivenCrank { amplitude, start }
+            }
+        }
+
+        impl<S: Real> DrivenCrank<S> {
+            /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
+            ///
+            /// # Errors
+            /// Redundant locks, or joints that stay open: the part and by how much; a parameter that cannot have its value.
+            pub fn assemble(&self) -> Result<Assembly<S>, Fault> {
+                let t = S::lit(0.0);
+                rt::Mechanism::check(self, t)?;
+                let assembly = absolute::assemble(self, t)?;
+                Ok(assembly)
+            }
+
+            /// Assembles, and gives a run by Dormand and Prince's method.
+            ///
+            /// # Errors
+            /// As [`Self::assemble`].
+            pub fn start(self) -> Result<Sim<Self>, Fault> {
+                rt::Mechanism::start(self)
+            }
+
+            /// Assembles, and gives a run by a method of choice.
+            ///
+            /// # Errors
+            /// As [`Self::assemble`].
+            pub fn start_with<I: Method<Self>>(self, method: I) -> Result<Sim<Self, I>, Fault> {
+                rt::Mechanism::start_with(self, method)
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// The inputs as declared.
+            fn declared_input(&self) -> Input<S> {
+                let lit = S::lit;
+                Input { none: core::marker::PhantomData }
+            }
+        }
+
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
+
+        impl<S: Real> rt::charts::Charted for DrivenCrank<S> {
+            type Input = Input<S>;
+            type Memory = [S; 18];
+            type Q = [S; 9];
+            const CHARTS: usize = 1;
+            const BEFORE_AREAS: usize = 8;
+            const TURNING: &'static [&'static str] = &["crank", "rod"];
+            const BEFORE_FOLLOWED: usize = 9;
+            const FOLLOWED: &'static [&'static str] = &[];
+            const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
+
+            fn place(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
+                let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
+                let measure = self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v);
+                (q, v, measure)
+            }
+            fn look(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 18], S) {
+                let mut memory = [S::lit(0.0); 18];
+                let measure = self.look_0(t, &held.input, &held.memory, x, &mut memory);
+                (memory, measure)
+            }
+            fn survey(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
+                let mut memory = [S::lit(0.0); 18];
+                let measure = self.survey_0(t, q, v, &mut memory);
+                (memory, measure)
+            }
+            fn project(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
+                self.project_0(t, q, v, x)
+            }
+        }
+
+        #[doc(hidden)] // As `Absolute`.
+        impl<S: Real> rt::singular::Fine<9, 9, 18> for DrivenCrank<S> {
+            type Twofold = DrivenCrank<rt::Twofold<S>>;
+            type Inputs = Input<rt::Twofold<S>>;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+            }
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; 18],
+                dx: &mut [rt::Twofold<S>; 18],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); 9];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+            const CHARTED: bool = true;
+            #[inline]
+            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+                rt::charts::is_sharp(self, t, held, before, x)
+            }
+            fn is_near(held: &Self::U) -> bool {
+                rt::charts::is_free::<Self>(held)
+            }
+            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
+                rt::charts::full(self, t, held, x)
+            }
+            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
+                rt::charts::hold::<Self, 18>(held, x, full);
+            }
+            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
+                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
+                rt::charts::flat_part(self, t, &q, &v)
+            }
+        }
+
+        impl<S: Scalar> rt::lanes::Rate for DrivenCrank<S> {
+            type S = S;
+            type X = [S; 0];
+            type U = rt::charts::Held<Input<S>, [S; 18]>;
+            const NQ: usize = 0;
+
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
+                rt::Health(self.motion_0(t, &u.input, &u.memory, x, dx))
+            }
+        }
+
+        impl<S: Real> rt::System for DrivenCrank<S> {
+            type S = S;
+            type X = [S; 0];
+            type U = rt::charts::Held<Input<S>, [S; 18]>;
+            type G = [S; 0];
+            const NQ: usize = 0;
+            const SHORT: bool = true;
+
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
+                rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+
+            #[cold]
+            fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
+                if rt::System::rate(self, t, u, x, dx).is_good() {
+                    Ok(())
+                } else {
+                    Err(rt::charts::not_regular(self, t, u, x))
+                }
+            }
+
+            fn is_regular(&self, u: &Self::U) -> bool {
+                !rt::charts::is_free::<Self>(u)
+            }
+
+            #[inline]
+            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Accepted, Fault> {
+                rt::charts::accept(self, t, u, x)
+            }
+
+            fn typical(&self) -> [S; 0] {
+                [].map(S::lit)
+            }
+
+            fn part_of_state(&self, index: usize) -> &'static str {
+                const PARTS: &[&str] = &[];
+                match PARTS.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+
+            fn name_of_state(&self, index: usize) -> &'static str {
+                const NAMES: &[&str] = &[];
+                match NAMES.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Pose and velocity of every body.
+            #[inline]
+            fn pose_(&self) -> ([S; 9], [S; 9]) {
+                rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// The state in absolute coordinates.
+            fn absolute_(&self) -> [S; 18] {
+                let (q, v) = self.pose_();
+                let mut x = [S::lit(0.0); 18];
+                absolute::join(&q, &v, &mut x);
+                for k in 0..0 {
+                    x[18 + k] = self.x[0 + k];
+                }
+                x
+            }
+        }
+
+        impl<S: Real> rt::Moment for State<S> {
+            type M = DrivenCrank<S>;
+
+            fn new(
+                mechanism: DrivenCrank<S>,
+                held: rt::charts::Held<Input<S>, [S; 18]>,
+                time: S,
+                x: [S; 0],
+            ) -> Self {
+                State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
+            }
+            fn mechanism(&self) -> &DrivenCrank<S> {
+                &self.mechanism
+            }
+            fn held(&self) -> rt::charts::Held<Input<S>, [S; 18]> {
+                rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
+            }
+            fn time(&self) -> S {
+                self.time
+            }
+            fn x(&self) -> &[S; 0] {
+                &self.x
+            }
+            fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 0]) {
+                let held = *held;
+                self.time = time;
+                self.input = held.input;
+                self.chart = held.chart;
+                self.memory = held.memory;
+                self.x = *x;
+            }
+        }
+
+        impl<S: Real> rt::Mechanism for DrivenCrank<S> {
+            type State = State<S>;
+            type Rescue = rt::singular::Near<Self, 9, 9, 18>;
+            const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
+
+            fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 0]), Fault> {
+                self.start_holding_(t, self.declared_input())
+            }
+
+            fn check(&self, t: S) -> Result<(), Fault> {
+                rt::limits::check_numbers(t, [("amplitude", "m", self.amplitude)])?;
+                Ok(())
+            }
+
+            fn fingerprint(&self) -> u64 {
+                rt::limits::fingerprint([self.amplitude])
+            }
+
+            fn renew(
+                &self,
+                t: S,
+                held: &mut rt::charts::Held<Input<S>, [S; 18]>,
+                x: &mut [S; 0],
+            ) -> Result<(), Fault> {
+                let (mut q, mut v): ([S; 9], [S; 9]) = rt::charts::pose(self, t, held, x);
+                absolute::renew::<S, Self, NQ, NC>(self, t, &mut q, &mut v)?;
+                rt::charts::enter(self, t, held, (&q, &v), x);
+                Ok(())
+            }
+
+            fn opening(&self, t: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 0]) -> rt::Drift<S> {
+                let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
+                absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
+            }
+        }
+
+        impl<S: Real> DrivenCrank<S> {
+            fn start_holding_(
+                &self,
+                t: S,
+                input: Input<S>,
+            ) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 0]), Fault> {
+                rt::Mechanism::check(self, t)?;
+                let assembly = absolute::assemble(self, t)?;
+                let mut x = [S::lit(0.0); 0];
+                let memory = [S::lit(0.0); 18];
+                if assembly.redundant.contains(&true) {
+                    let joints = rt::Names::marked(
+                        &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
+                        &assembly.redundant,
+                    );
+                    return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
+                }
+                let mut held = rt::charts::Held { input, chart: 0, memory };
+                rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
+                Ok((held, x))
+            }
+        }
+
+        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Real> absolute::Absolute<S, NQ, NC> for DrivenCrank<S> {
+            const ROWS: [&'static str; 9] = [
+                "drive.x",
+                "drive.y",
+                "crank_pin.x",
+                "crank_pin.y",
+                "wrist_pin.x",
+                "wrist_pin.y",
+                "guide.normal",
+                "guide.angle",
+                "turns",
+            ];
+            const PARTS: [&'static str; 9] = [
+                "drive",
+                "drive",
+                "crank_pin",
+                "crank_pin",
+                "wrist_pin",
+                "wrist_pin",
+                "guide",
+                "guide",
+                "turns",
+            ];
+            const COORDINATES: [&'static str; 9] = [
+                "crank.x",
+                "crank.y",
+                "crank.angle",
+                "rod.x",
+                "rod.y",
+                "rod.angle",
+                "slider.x",
+                "slider.y",
+                "slider.angle",
+            ];
+            const ANGULAR: [bool; 9] = [false, false, false, false, false, false, false, true, true];
+
+            fn phi(&self, t: S, q: &[S; 9]) -> [S; 9] {
+                let mut phi = [S::lit(0.0); 9];
+                self.residual(t, q, &mut phi);
+                phi
+            }
+            fn phi_dot(&self, t: S, q: &[S; 9], v: &[S; 9]) -> [S; 9] {
+                let mut phi_dot = [S::lit(0.0); 9];
+                self.residual_rate(t, q, v, &mut phi_dot);
+                phi_dot
+            }
+            fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
+                const PLACES: &[[u32; 2]] = &[
+                    [0, 0],
+                    [0, 2],
+                    [1, 1],
+                    [1, 2],
+                    [2, 0],
+                    [2, 2],
+                    [2, 3],
+                    [2, 5],
+                    [3, 1],
+                    [3, 2],
+                    [3, 4],
+                    [3, 5],
+                    [4, 3],
+                    [4, 5],
+                    [4, 6],
+                    [5, 4],
+                    [5, 5],
+                    [5, 7],
+                    [6, 7],
+                    [7, 8],
+                    [8, 2],
+                ];
+                let mut entries = [S::lit(0.0); 21];
+                self.jacobian(t, q, &mut entries);
+                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                    each(row as usize, column as usize, entry);
+                }
+            }
+            fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 9], dq: &mut [S; 9]) -> rt::Health<S> {
+                rt::Health(self.closing_step(t, q, w, r, dq))
+            }
+            fn inverse_mass(&self) -> [S; 9] {
+                let mut inverse_mass = [S::lit(0.0); 9];
+                self.reciprocal_mass(&mut inverse_mass);
+                inverse_mass
+            }
+            fn length(&self) -> S {
+                S::lit(0.3)
+            }
+            fn start_position(&self) -> [Start<S>; 9] {
+                let lit = S::lit;
+                let bodies: [[Start<S>; 3]; 3] = [
+                    self.start.crank.of_centre([lit(0.0), lit(0.0)]),
+                    self.start.rod.of_centre([lit(0.0), lit(0.0)]),
+                    self.start.slider.of_centre([lit(0.0), lit(0.0)]),
+                ];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+            fn start_velocity(&self, q: &[S; 9]) -> [Start<S>; 9] {
+                let lit = S::lit;
+                let bodies: [[Start<S>; 3]; 3] = [
+                    self.start.crank.velocity_of_centre([lit(0.0), lit(0.0)], q[2]),
+                    self.start.rod.velocity_of_centre([lit(0.0), lit(0.0)], q[5]),
+                    self.start.slider.velocity_of_centre([lit(0.0), lit(0.0)], q[8]),
+                ];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+        }
+
+        impl<S: Real> DrivenCrank<S> {
+            /// Accelerations and multipliers by a rank-revealing decomposition.
+            #[cold]
+            fn accelerate(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 18],
+            ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
+                let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
+                let (mut force, mut gamma) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
+                self.free(t, u, x, &mut force, &mut gamma);
+                let mut inverse_mass = [S::lit(0.0); 9];
+                self.reciprocal_mass(&mut inverse_mass);
+                absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
+                    absolute::jacobian(self, t, &q, rows)
+                })
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
+            fn solved_(&self) -> ([S; 9], [S; 9]) {
+                let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 9]);
+                let x = self.absolute_();
+                let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
+                if !rt::Health(health).is_good() {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {
+                        return (solution.a, solution.lambda);
+                    }
+                }
+                let (_, a): ([S; 9], [S; 9]) = absolute::split(&dx);
+                (a, lambda)
+            }
+
+            /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
+            pub fn undetermined(&self) -> [bool; 9] {
+                match self.mechanism.accelerate(self.time, &self.input, &self.absolute_()) {
+                    Ok(solution) => solution.undetermined,
+                    Err(_) => [true; 9],
+                }
+            }
+        }
+
+        impl<S: Real> rt::lanes::Pack for DrivenCrank<S> {
+            type Packed<T: Scalar> = DrivenCrank<T>;
+
+            #[allow(unused_variables)] // where there are no parameters
+            fn pack<T: Scalar, const N: usize>(
+                &self,
+                all: [&Self; N],
+                number: impl Fn([S; N]) -> T,
+            ) -> DrivenCrank<T> {
+                let start = Starts {
+                    crank: self.start.crank.map(|s| number([s; N])),
+                    rod: self.start.rod.map(|s| number([s; N])),
+                    slider: self.start.slider.map(|s| number([s; N])),
+                };
+                DrivenCrank { start, amplitude: number(all.map(|one| one.amplitude)) }
+            }
+
+            #[allow(unused_variables)] // where there are no inputs
+            fn pack_held<T: Scalar, const N: usize>(
+                first: &rt::charts::Held<Input<S>, [S; 18]>,
+                all: [&rt::charts::Held<Input<S>, [S; 18]>; N],
+                number: impl Fn([S; N]) -> T,
+            ) -> rt::charts::Held<Input<T>, [T; 18]> {
+                let input = Input { none: core::marker::PhantomData };
+                let memory = core::array::from_fn(|k| number(all.map(|held| held.memory[k])));
+                rt::charts::Held { input, chart: first.chart, memory }
+            }
+
+            #[inline]
+            fn is_calm(t: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &Self::X) -> bool {
+                rt::charts::is_calm::<Self>(t, held, x)
+            }
+
+            fn chart(held: &Self::U) -> usize {
+                held.chart
+            }
+        }
+
+        impl<S: Real> rt::Linear for DrivenCrank<S> {
+            type Lifted<const K: usize> = DrivenCrank<rt::Dual<S, K>>;
+            type Derivatives = [[S; 0]; 0];
+
+            fn lift<const K: usize>(
+                &self,
+                held: &rt::charts::Held<Input<S>, [S; 18]>,
+            ) -> (DrivenCrank<rt::Dual<S, K>>, rt::charts::Held<Input<rt::Dual<S, K>>, [rt::Dual<S, K>; 18]>)
+            {
+                use rt::lanes::Pack;
+                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
+                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+            }
+        }
+
+        impl<S: Real> rt::Ports for DrivenCrank<S> {
+            const INPUTS: &'static [(&'static str, &'static str)] = &[];
+            const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
+
+            fn input(held: &mut rt::charts::Held<Input<S>, [S; 18]>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
+                for output in state.outputs() {
+                    each(output);
+                }
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 18],
+                lambda: &[S; 9],
+                force: &mut [S; 9],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-1.962);
+                force[2] = lit(0.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-5.886);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-4.905);
+                force[8] = lit(0.0);
+            }
+        }
+
+        impl<S: Scalar> rt::StartValues<S> for Starts<S> {
+            fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+                {
+                    self.crank.each(
+                        ["crank.x", "crank.y", "crank.angle", "crank.vx", "crank.vy", "crank.omega"],
+                        &mut *each,
+                    );
+                    self.rod
+                        .each(["rod.x", "rod.y", "rod.angle", "rod.vx", "rod.vy", "rod.omega"], &mut *each);
+                    self.slider.each(
+                        ["slider.x", "slider.y", "slider.angle", "slider.vx", "slider.vy", "slider.omega"],
+                        &mut *each,
+                    );
+                }
+            }
+        }
+
+        impl<S: Scalar> core::fmt::Display for Starts<S> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                rt::start::write_starts(*self, f)
+            }
+        }
+
+        impl<S: Real> DrivenCrank<S> {
+            fn placed(&self, x: &[S; 18]) -> Starts<S> {
+                let lit = S::lit;
+                Starts {
+                    crank: self.start.crank.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[0], x[1], x[2]],
+                        [x[9], x[10], x[11]],
+                    ),
+                    rod: self.start.rod.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[3], x[4], x[5]],
+                        [x[12], x[13], x[14]],
+                    ),
+                    slider: self.start.slider.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[6], x[7], x[8]],
+                        [x[15], x[16], x[17]],
+                    ),
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
+            /// later, `mechanism.start = sim.starts()`.
+            pub fn starts(&self) -> Starts<S> {
+                self.mechanism.placed(&self.absolute_())
+            }
+        }
+
+        impl<S: Real> rt::Statics for DrivenCrank<S> {
+            type Full = [S; 18];
+            type Rows = [S; 9];
+            type Starts = Starts<S>;
+            const COORDINATES: &'static [&'static str] = &[
+                "crank.x",
+                "crank.y",
+                "crank.angle",
+                "rod.x",
+                "rod.y",
+                "rod.angle",
+                "slider.x",
+                "slider.y",
+                "slider.angle",
+            ];
+            const ROWS: &'static [&'static str] = &[
+                "drive.x",
+                "drive.y",
+                "crank_pin.x",
+                "crank_pin.y",
+                "wrist_pin.x",
+                "wrist_pin.y",
+                "guide.normal",
+                "guide.angle",
+                "turns",
+            ];
+            const STATES: &'static [(&'static str, &'static str)] = &[];
+
+            fn full(state: &State<S>) -> [S; 18] {
+                state.absolute_()
+            }
+            fn equations(
+                &self,
+                t: S,
+                held: &Self::U,
+                x: &[S; 18],
+                lambda: &[S; 9],
+                each: &mut impl FnMut(S),
+            ) {
+                let (q, v): ([S; 9], [S; 9]) = absolute::split(x);
+                let (mut force, mut x_dot) = ([S::lit(0.0); 9], [S::lit(0.0); 0]);
+                self.at_rest(t, &held.input, x, lambda, &mut force, &mut x_dot);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
+                    .into_iter()
+                    .for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, 18>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
+            }
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, held.input)
+            }
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
+            }
+            fn starts_at(&self, x: &[S; 18]) -> Starts<S> {
+                self.placed(x)
+            }
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// The right-hand side and the multipliers: `M a + phi_q^T lambda = Q`, `phi_q a = gamma`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 89 add, 125 mul, 8 div, 4 neg, 3 sin_cos, 24 select.
+            #[inline(always)]
+            fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 9]) -> S {
+                let lit = S::lit;
+                // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
+                let theta_crank = x[2];
+                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
+                let theta_rod = x[5];
+                let (sin_theta_rod, cos_theta_rod) = theta_rod.sin_cos();
+                let y_0_2 = lit(100.0) * sin_theta_crank;
+                let y_1_2 = lit(-100.0) * cos_theta_crank;
+                let y_2_5 = lit(16.666666666666668) * sin_theta_rod;
+                let y_3_5 = lit(-16.666666666666668) * cos_theta_rod;
+                // phi_q M^-1 phi_q^T = L D L^T
+                let t1 = lit(0.3) * (sin_theta_rod * y_2_5);
+                let r_4 = lit(1.0) / (t1 + lit(3.6666666666666665));
+                let g_2_4 = t1 - lit(1.6666666666666667);
+                let l_2_4 = r_4 * g_2_4;
+                let g_3_4 = lit(-0.3) * cos_theta_rod * y_2_5;
+                let l_3_4 = r_4 * g_3_4;
+                let g_5_4 = lit(0.3) * (sin_theta_rod * y_3_5);
+                let l_5_4 = r_4 * g_5_4;
+                let t2 = lit(0.3) * (cos_theta_rod * y_3_5);
+                let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, lit(1.6666666666666667) - t2);
+                let growth_5 = ((t2 - lit(3.6666666666666665)) * r_5).abs();
+                let most_growth = lit(S::MOST_GROWTH);
+                let t3 = most_growth.lt(growth_5);
+                let kept_5 = S::select(t3, lit(0.0), r_5);
+                let g_2_5 = (-g_2_4).mul_add(l_5_4, g_5_4);
+                let l_2_5 = kept_5 * g_2_5;
+                let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-1.6666666666666667) - t2);
+                let l_3_5 = kept_5 * g_3_5;
+                let t4 = lit(0.1) * (sin_theta_crank * y_0_2);
+                let r_0 = lit(1.0) / (t4 + lit(5.0));
+                let g_1_0 = lit(0.1) * (sin_theta_crank * y_1_2);
+                let l_1_0 = r_0 * g_1_0;
+                let g_2_0 = t4 - lit(5.0);
+                let l_2_0 = r_0 * g_2_0;
+                let l_8_0 = y_0_2 * r_0;
+                let t5 = lit(0.1) * (cos_theta_crank * y_1_2);
+                let t6 = g_1_0.mul_add(l_1_0, t5);
+                let r_1 = lit(1.0) / (lit(5.0) - t6);
+                let growth_1 = ((t5 - lit(5.0)) * r_1).abs();
+                let t7 = most_growth.lt(growth_1);
+                let kept_1 = S::select(t7, lit(0.0), r_1);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_theta_crank * y_0_2);
+                let l_2_1 = g_2_1 * kept_1;
+                let g_3_1 = lit(-5.0) - t6;
+                let l_3_1 = kept_1 * g_3_1;
+                let t8 = g_1_0.mul_add(l_8_0, lit(100.0) * cos_theta_crank);
+                let g_8_1 = -t8;
+                let l_8_1 = g_8_1 * kept_1;
+                let t9 = t4 + t1 + lit(6.666666666666667);
+                let d_2 = (-g_2_1).mul_add(
+                    l_2_1,
+                    (-g_2_0).mul_add(l_2_0, (-g_2_5).mul_add(l_2_5, (-g_2_4).mul_add(l_2_4, t9))),
+                );
+                let r_2 = lit(1.0) / d_2;
+                let growth_2 = (t9 * r_2).abs();
+                let t10 = most_growth.lt(growth_2);
+                let kept_2 = S::select(t10, lit(0.0), r_2);
+                let g_3_2 = (-g_2_1).mul_add(
+                    l_3_1,
+                    (-l_1_0).mul_add(g_2_0, (-g_2_5).mul_add(l_3_5, (-g_2_4).mul_add(l_3_4, g_1_0 + g_5_4))),
+                );
+                let l_3_2 = kept_2 * g_3_2;
+                let g_8_2 = (-g_2_1).mul_add(l_8_1, (-g_2_0).mul_add(l_8_0, y_0_2));
+                let l_8_2 = kept_2 * g_8_2;
+                let t11 = lit(6.666666666666667) - t2;
+                let d_3 = (-g_3_2).mul_add(
+                    l_3_2,
+                    (-g_3_1).mul_add(l_3_1, (-g_3_5).mul_add(l_3_5, (-g_3_4).mul_add(l_3_4, t11)) - t6),
+                );
+                let r_3 = lit(1.0) / d_3;
+                let growth_3 = (r_3 * (t5 - t11)).abs();
+                let t12 = most_growth.lt(growth_3);
+                let kept_3 = S::select(t12, lit(0.0), r_3);
+                let g_8_3 = -g_3_2.mul_add(l_8_2, g_3_1.mul_add(l_8_1, t8));
+                let l_8_3 = kept_3 * g_8_3;
+                let d_8 = (-g_8_3).mul_add(
+                    l_8_3,
+                    (-g_8_2).mul_add(l_8_2, (-g_8_1).mul_add(l_8_1, (-y_0_2).mul_add(l_8_0, lit(1000.0)))),
+                );
+                let r_8 = lit(1.0) / d_8;
+                let growth_8 = lit(1000.0) * r_8.abs();
+                let t13 = most_growth.lt(growth_8);
+                // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
+                let omega_rod = x[14];
+                let t14 = omega_rod * omega_rod;
+                let b_4 = lit(0.3) * (cos_theta_rod * t14);
+                let t15 = lit(0.3) * (sin_theta_rod * t14);
+                let b_5 = (-l_5_4).mul_add(b_4, t15) + lit(9.81);
+                let omega_crank = x[11];
+                let t16 = omega_crank * omega_crank;
+                let b_0 = lit(0.1) * (cos_theta_crank * t16);
+                let amplitude = self.amplitude;
+                let t_2 = t;
+                let t17 = (-l_1_0).mul_add(b_0, lit(0.1) * sin_theta_crank * t16);
+                let b_1 = (lit(400.0) * amplitude).mul_add((lit(20.0) * t_2).sin(), t17) - lit(9.81);
+                let b_2 = (-l_2_1).mul_add(
+                    b_1,
+                    (-l_2_0).mul_add(b_0, (-l_2_5).mul_add(b_5, (-l_2_4).mul_add(b_4, b_4 + b_0))),
+                );
+                let b_3 = (-l_3_2).mul_add(
+                    b_2,
+                    (-l_3_1).mul_add(b_1, (-l_3_5).mul_add(b_5, (-l_3_4).mul_add(b_4, t15 + t17))),
+                );
+                let lambda_turns = S::select(t13, lit(0.0), r_8)
+                    * -l_8_3.mul_add(b_3, l_8_2.mul_add(b_2, l_8_1.mul_add(b_1, l_8_0 * b_0)));
+                let lambda_crank_pin_y = (-l_8_3).mul_add(lambda_turns, kept_3 * b_3);
+                let lambda_crank_pin_x =
+                    (-l_8_2).mul_add(lambda_turns, (-l_3_2).mul_add(lambda_crank_pin_y, kept_2 * b_2));
+                let lambda_drive_y = (-l_8_1).mul_add(
+                    lambda_turns,
+                    (-l_3_1).mul_add(lambda_crank_pin_y, (-l_2_1).mul_add(lambda_crank_pin_x, kept_1 * b_1)),
+                );
+                let t18 = lambda_crank_pin_y + lambda_drive_y;
+                let lambda_drive_x = (-l_1_0).mul_add(
+                    t18,
+                    (-l_8_0).mul_add(lambda_turns, (-l_2_0).mul_add(lambda_crank_pin_x, r_0 * b_0)),
+                );
+                let lambda_wrist_pin_y =
+                    (-l_3_5).mul_add(lambda_crank_pin_y, (-l_2_5).mul_add(lambda_crank_pin_x, kept_5 * b_5));
+                let lambda_wrist_pin_x = (-l_5_4).mul_add(
+                    lambda_wrist_pin_y,
+                    (-l_3_4).mul_add(lambda_crank_pin_y, (-l_2_4).mul_add(lambda_crank_pin_x, r_4 * b_4)),
+                );
+                let lambda_guide_normal = lambda_wrist_pin_y + lit(4.905);
+                // Results
+                dx[0] = x[9];
+                dx[1] = x[10];
+                dx[2] = omega_crank;
+                dx[3] = x[12];
+                dx[4] = x[13];
+                dx[5] = omega_rod;
+                dx[6] = x[15];
+                dx[7] = x[16];
+                dx[8] = x[17];
+                dx[9] = lit(5.0) * (lambda_crank_pin_x - lambda_drive_x);
+                dx[10] = lit(5.0).mul_add(lambda_crank_pin_y - lambda_drive_y, lit(-9.81));
+                dx[11] = (-y_1_2).mul_add(
+                    t18,
+                    (-y_0_2).mul_add(lambda_crank_pin_x + lambda_drive_x, lit(-1000.0) * lambda_turns),
+                );
+                dx[12] = lit(-1.6666666666666667) * (lambda_crank_pin_x - lambda_wrist_pin_x);
+                dx[13] =
+                    lit(-1.6666666666666667).mul_add(lambda_crank_pin_y - lambda_wrist_pin_y, lit(-9.81));
+                dx[14] = -y_3_5.mul_add(
+                    lambda_crank_pin_y + lambda_wrist_pin_y,
+                    y_2_5 * (lambda_crank_pin_x + lambda_wrist_pin_x),
+                );
+                dx[15] = lit(-2.0) * lambda_wrist_pin_x;
+                dx[16] = lit(-2.0) * (lambda_guide_normal - lambda_guide_normal);
+                dx[17] = lit(0.0);
+                lambda[0] = lambda_drive_x;
+                lambda[1] = lambda_drive_y;
+                lambda[2] = lambda_crank_pin_x;
+                lambda[3] = lambda_crank_pin_y;
+                lambda[4] = lambda_wrist_pin_x;
+                lambda[5] = lambda_wrist_pin_y;
+                lambda[6] = lambda_guide_normal;
+                lambda[7] = lit(0.0);
+                lambda[8] = lambda_turns;
+                let t19 = S::select(t3, lit(0.0), growth_5)
+                    .max(S::select(t7, lit(0.0), growth_1))
+                    .max(S::select(t10, lit(0.0), growth_2));
+                lit(1.0) / t19.max(S::select(t12, lit(0.0), growth_3)).max(S::select(t13, lit(0.0), growth_8))
+            }
+
+            /// Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution.
+            ///
+            /// 3 add, 13 mul, 3 sin_cos.
+            #[cold]
+            fn free(&self, t: S, u: &Input<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 9]) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-1.962);
+                force[2] = lit(0.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-5.886);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-4.905);
+                force[8] = lit(0.0);
+                let theta_crank = x[2];
+                let theta_rod = x[5];
+                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
+                    S::sin_cos_all([theta_crank, theta_rod]);
+                let omega_crank = x[11];
+                let t1 = omega_crank * omega_crank;
+                let t2 = lit(-0.1) * (cos_theta_crank * t1);
+                gamma[0] = t2;
+                let amplitude = self.amplitude;
+                let t_2 = t;
+                let t3 = lit(0.1) * (sin_theta_crank * t1);
+                gamma[1] = (lit(-400.0) * amplitude).mul_add((lit(20.0) * t_2).sin(), -t3);
+                let omega_rod = x[14];
+                let t4 = omega_rod * omega_rod;
+                let t5 = lit(-0.3) * (cos_theta_rod * t4);
+                gamma[2] = t5 + t2;
+                let t6 = lit(-0.3) * (sin_theta_rod * t4);
+                gamma[3] = t6 - t3;
+                gamma[4] = t5;
+                gamma[5] = t6;
+                gamma[6] = lit(0.0);
+                gamma[7] = lit(0.0);
+                gamma[8] = lit(0.0);
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 15 add, 7 mul, 2 neg, 3 sin_cos.
+            fn residual(&self, t: S, q: &[S; 9], phi: &mut [S; 9]) {
+                let lit = S::lit;
+                let x_crank = q[0];
+                let theta_crank = q[2];
+                let theta_rod = q[5];
+                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
+                    S::sin_cos_all([theta_crank, theta_rod]);
+                let t1 = lit(0.1) * cos_theta_crank;
+                phi[0] = x_crank - t1;
+                let y_crank = q[1];
+                let amplitude = self.amplitude;
+                let t_2 = t;
+                let t2 = lit(0.1) * sin_theta_crank;
+                phi[1] = (-amplitude).mul_add((lit(20.0) * t_2).sin(), y_crank - t2);
+                let x_rod = q[3];
+                let t3 = lit(0.3) * cos_theta_rod;
+                phi[2] = x_rod - x_crank - t1 - t3;
+                let y_rod = q[4];
+                let t4 = lit(0.3) * sin_theta_rod;
+                phi[3] = y_rod - y_crank - t2 - t4;
+                let x_slider = q[6];
+                phi[4] = x_slider - x_rod - t3;
+                let y_slider = q[7];
+                phi[5] = y_slider - y_rod - t4;
+                phi[6] = -y_slider;
+                let theta_slider = q[8];
+                phi[7] = -theta_slider;
+                phi[8] = lit(-3.0).mul_add(t_2, theta_crank) - lit(1.0471975511965979);
+            }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 14 add, 11 mul, 2 neg, 3 sin_cos.
+            fn residual_rate(&self, t: S, q: &[S; 9], v: &[S; 9], phi_dot: &mut [S; 9]) {
+                let lit = S::lit;
+                let vx_crank = v[0];
+                let omega_crank = v[2];
+                let theta_crank = q[2];
+                let theta_rod = q[5];
+                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
+                    S::sin_cos_all([theta_crank, theta_rod]);
+                let t1 = lit(0.1) * (omega_crank * sin_theta_crank);
+                phi_dot[0] = vx_crank + t1;
+                let vy_crank = v[1];
+                let amplitude = self.amplitude;
+                let t_2 = t;
+                let t2 = lit(0.1) * (omega_crank * cos_theta_crank);
+                phi_dot[1] = (-(lit(20.0) * amplitude)).mul_add((lit(20.0) * t_2).cos(), vy_crank - t2);
+                let vx_rod = v[3];
+                let omega_rod = v[5];
+                let t3 = lit(0.3) * (omega_rod * sin_theta_rod);
+                phi_dot[2] = vx_rod - vx_crank + t1 + t3;
+                let vy_rod = v[4];
+                let t4 = lit(0.3) * (omega_rod * cos_theta_rod);
+                phi_dot[3] = vy_rod - vy_crank - t2 - t4;
+                let vx_slider = v[6];
+                phi_dot[4] = vx_slider - vx_rod + t3;
+                let vy_slider = v[7];
+                phi_dot[5] = vy_slider - vy_rod - t4;
+                phi_dot[6] = -vy_slider;
+                let omega_slider = v[8];
+                phi_dot[7] = -omega_slider;
+                phi_dot[8] = omega_crank - lit(3.0);
+            }
+
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 4 mul, 2 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 21]) {
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let theta_crank = q[2];
+                let theta_rod = q[5];
+                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
+                    S::sin_cos_all([theta_crank, theta_rod]);
+                let t1 = lit(0.1) * sin_theta_crank;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.1) * cos_theta_crank;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                let t3 = lit(0.3) * sin_theta_rod;
+                phi_q[7] = t3;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                let t4 = lit(-0.3) * cos_theta_rod;
+                phi_q[11] = t4;
+                phi_q[12] = lit(-1.0);
+                phi_q[13] = t3;
+                phi_q[14] = lit(1.0);
+                phi_q[15] = lit(-1.0);
+                phi_q[16] = t4;
+                phi_q[17] = lit(1.0);
+                phi_q[18] = lit(-1.0);
+                phi_q[19] = lit(-1.0);
+                phi_q[20] = lit(1.0);
+            }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 85 add, 124 mul, 10 div, 4 neg, 2 sin_cos, 24 select.
+            fn closing_step(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 9], dq: &mut [S; 9]) -> S {
+                let lit = S::lit;
+                // phi_q W phi_q^T = L D L^T
+                let w_8 = w[8];
+                let w_7 = w[7];
+                let r_6 = lit(1.0) / w_7;
+                let l_5_6 = -(w_7 * r_6);
+                let w_6 = w[6];
+                let w_3 = w[3];
+                let theta_rod = q[5];
+                let (sin_theta_rod, cos_theta_rod) = theta_rod.sin_cos();
+                let w_5 = w[5];
+                let y_2_5 = lit(0.3) * sin_theta_rod * w_5;
+                let t1 = lit(0.3) * (sin_theta_rod * y_2_5);
+                let t2 = w_3 + t1;
+                let r_4 = lit(1.0) / (w_6 + t2);
+                let g_2_4 = t1 - w_3;
+                let l_2_4 = g_2_4 * r_4;
+                let t3 = lit(-0.3) * cos_theta_rod;
+                let g_3_4 = t3 * y_2_5;
+                let l_3_4 = g_3_4 * r_4;
+                let y_3_5 = t3 * w_5;
+                let g_5_4 = lit(0.3) * (sin_theta_rod * y_3_5);
+                let l_5_4 = g_5_4 * r_4;
+                let w_4 = w[4];
+                let t4 = cos_theta_rod * y_3_5;
+                let t5 = lit(-0.3).mul_add(t4, w_4);
+                let t6 = w_7 + t5;
+                let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, w_7.mul_add(l_5_6, t6));
+                let growth_5 = (t6 * r_5).abs();
+                let most_growth = lit(S::MOST_GROWTH);
+                let t7 = most_growth.lt(growth_5);
+                let kept_5 = S::select(t7, lit(0.0), r_5);
+                let g_2_5 = (-g_2_4).mul_add(l_5_4, g_5_4);
+                let l_2_5 = kept_5 * g_2_5;
+                let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-0.3).mul_add(t4, -w_4));
+                let l_3_5 = kept_5 * g_3_5;
+                let w_0 = w[0];
+                let theta_crank = q[2];
+                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
+                let w_2 = w[2];
+                let y_0_2 = lit(0.1) * (sin_theta_crank * w_2);
+                let t8 = lit(0.1) * (sin_theta_crank * y_0_2);
+                let d_0 = w_0 + t8;
+                let r_0 = lit(1.0) / d_0;
+                let t9 = cos_theta_crank * w_2;
+                let y_1_2 = lit(-0.1) * t9;
+                let g_1_0 = lit(0.1) * (sin_theta_crank * y_1_2);
+                let l_1_0 = r_0 * g_1_0;
+                let g_2_0 = t8 - w_0;
+                let l_2_0 = r_0 * g_2_0;
+                let l_8_0 = y_0_2 * r_0;
+                let w_1 = w[1];
+                let t10 = cos_theta_crank * y_1_2;
+                let t11 = lit(-0.1).mul_add(t10, w_1);
+                let t12 = g_1_0 * l_1_0;
+                let d_1 = t11 - t12;
+                let r_1 = lit(1.0) / d_1;
+                let growth_1 = (t11 * r_1).abs();
+                let t13 = most_growth.lt(growth_1);
+                let kept_1 = S::select(t13, lit(0.0), r_1);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_theta_crank * y_0_2);
+                let l_2_1 = g_2_1 * kept_1;
+                let g_3_1 = lit(-0.1).mul_add(t10, -w_1) - t12;
+                let l_3_1 = g_3_1 * kept_1;
+                let t14 = g_1_0.mul_add(l_8_0, lit(0.1) * t9);
+                let g_8_1 = -t14;
+                let l_8_1 = g_8_1 * kept_1;
+                let t15 = d_0 + t2;
+                let d_2 = (-g_2_1).mul_add(
+                    l_2_1,
+                    (-g_2_5).mul_add(l_2_5, (-g_2_4).mul_add(l_2_4, (-g_2_0).mul_add(l_2_0, t15))),
+                );
+                let r_2 = lit(1.0) / d_2;
+                let growth_2 = (t15 * r_2).abs();
+                let t16 = most_growth.lt(growth_2);
+                let kept_2 = S::select(t16, lit(0.0), r_2);
+                let g_3_2 = (-g_2_1).mul_add(
+                    l_3_1,
+                    (-g_2_5).mul_add(l_3_5, (-g_2_4).mul_add(l_3_4, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_4))),
+                );
+                let l_3_2 = kept_2 * g_3_2;
+                let g_8_2 = (-g_2_1).mul_add(l_8_1, (-g_2_0).mul_add(l_8_0, y_0_2));
+                let l_8_2 = kept_2 * g_8_2;
+                let d_3 = (-g_3_2).mul_add(
+                    l_3_2,
+                    (-g_3_1).mul_add(l_3_1, (-g_3_5).mul_add(l_3_5, (-g_3_4).mul_add(l_3_4, t5 + d_1))),
+                );
+                let r_3 = lit(1.0) / d_3;
+                let growth_3 = (r_3 * (t11 + t5)).abs();
+                let t17 = most_growth.lt(growth_3);
+                let kept_3 = S::select(t17, lit(0.0), r_3);
+                let g_8_3 = -g_3_2.mul_add(l_8_2, g_3_1.mul_add(l_8_1, t14));
+                let l_8_3 = kept_3 * g_8_3;
+                let d_8 = (-g_8_3).mul_add(
+                    l_8_3,
+                    (-g_8_2).mul_add(l_8_2, (-g_8_1).mul_add(l_8_1, (-y_0_2).mul_add(l_8_0, w_2))),
+                );
+                let r_8 = lit(1.0) / d_8;
+                let growth_8 = (w_2 * r_8).abs();
+                let t18 = most_growth.lt(growth_8);
+                // (phi_q W phi_q^T) mu = r
+                let residual_7 = r[7];
+                let residual_6 = r[6];
+                let residual_4 = r[4];
+                let residual_5 = r[5];
+                let b_5 = (-residual_4).mul_add(l_5_4, (-residual_6).mul_add(l_5_6, residual_5));
+                let residual_0 = r[0];
+                let residual_1 = r[1];
+                let t19 = residual_0 * l_1_0;
+                let b_1 = residual_1 - t19;
+                let residual_2 = r[2];
+                let b_2 = (-b_1).mul_add(
+                    l_2_1,
+                    (-l_2_5)
+                        .mul_add(b_5, (-residual_4).mul_add(l_2_4, (-residual_0).mul_add(l_2_0, residual_2))),
+                );
+                let residual_3 = r[3];
+                let b_3 = (-l_3_2).mul_add(
+                    b_2,
+                    (-b_1).mul_add(
+                        l_3_1,
+                        (-l_3_5).mul_add(b_5, (-residual_4).mul_add(l_3_4, residual_3 - t19)),
+                    ),
+                );
+                let residual_8 = r[8];
+                let b_8 = (-l_8_3).mul_add(
+                    b_3,
+                    (-l_8_2).mul_add(b_2, (-b_1).mul_add(l_8_1, (-residual_0).mul_add(l_8_0, residual_8))),
+                );
+                let mu_8 = S::select(t18, lit(0.0), r_8) * b_8;
+                let mu_3 = (-l_8_3).mul_add(mu_8, kept_3 * b_3);
+                let mu_2 = (-l_8_2).mul_add(mu_8, (-l_3_2).mul_add(mu_3, kept_2 * b_2));
+                let mu_1 =
+                    (-l_8_1).mul_add(mu_8, (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1)));
+                let t20 = mu_3 + mu_1;
+                let mu_0 =
+                    (-l_1_0).mul_add(t20, (-l_8_0).mul_add(mu_8, (-l_2_0).mul_add(mu_2, residual_0 * r_0)));
+                let mu_5 = (-l_3_5).mul_add(mu_3, (-l_2_5).mul_add(mu_2, kept_5 * b_5));
+                let mu_4 =
+                    (-l_5_4).mul_add(mu_5, (-l_3_4).mul_add(mu_3, (-l_2_4).mul_add(mu_2, residual_4 * r_4)));
+                // Results
+                dq[0] = w_0 * (mu_0 - mu_2);
+                dq[1] = w_1 * (mu_1 - mu_3);
+                dq[2] = y_1_2.mul_add(t20, y_0_2.mul_add(mu_2 + mu_0, w_2 * mu_8));
+                dq[3] = w_3 * (mu_2 - mu_4);
+                dq[4] = w_4 * (mu_3 - mu_5);
+                dq[5] = y_3_5.mul_add(mu_3 + mu_5, y_2_5 * (mu_2 + mu_4));
+                dq[6] = w_6 * mu_4;
+                dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, residual_6 * r_6));
+                dq[8] = -(w_8 * (residual_7 * (lit(1.0) / w_8)));
+                let t21 = S::select(t7, lit(0.0), growth_5)
+                    .max(S::select(t13, lit(0.0), growth_1))
+                    .max(S::select(t16, lit(0.0), growth_2));
+                lit(1.0) / t21.max(S::select(t17, lit(0.0), growth_3)).max(S::select(t18, lit(0.0), growth_8))
+            }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
+            fn reciprocal_mass(&self, inverse_mass: &mut [S; 9]) {
+                let lit = S::lit;
+                inverse_mass[0] = lit(5.0);
+                inverse_mass[1] = lit(5.0);
+                inverse_mass[2] = lit(1000.0);
+                inverse_mass[3] = lit(1.6666666666666667);
+                inverse_mass[4] = lit(1.6666666666666667);
+                inverse_mass[5] = lit(55.55555555555556);
+                inverse_mass[6] = lit(2.0);
+                inverse_mass[7] = lit(2.0);
+                inverse_mass[8] = lit(1000.0);
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// The right-hand side in the coordinates .
+            /// Returns the smallest square of a dyad's measure.
+            ///
+            /// 3 add, 6 mul, 2 sin_cos.
+            #[inline(always)]
+            fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], dx: &mut [S; 0]) -> S {
+                let lit = S::lit;
+                // Results
+                let amplitude = self.amplitude;
+                let t_2 = t;
+                let loop_0_y = lit(0.2).mul_add(
+                    lit(3.0).mul_add(t_2, lit(1.0471975511965979)).sin(),
+                    amplitude * (lit(20.0) * t_2).sin(),
+                );
+                lit(2.7777777777777777) * (-loop_0_y).mul_add(loop_0_y, lit(0.36))
+            }
+
+            /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
+            ///
+            /// 19 add, 29 mul, 1 div, 2 neg, 1 sqrt, 2 sin_cos, 3 select, 1 other.
+            fn place_0(
+                &self,
+                t: S,
+                u: &Input<S>,
+                m: &[S; 18],
+                x: &[S; 0],
+                q: &mut [S; 9],
+                v: &mut [S; 9],
+            ) -> S {
+                let lit = S::lit;
+                let t_2 = t;
+                let crank_angle = lit(3.0).mul_add(t_2, lit(1.0471975511965979));
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let crank_x = lit(0.1) * cos_crank_angle;
+                q[0] = crank_x;
+                let amplitude = self.amplitude;
+                let t1 = lit(20.0) * t_2;
+                let (sin_t1, cos_t1) = t1.sin_cos();
+                let t2 = amplitude * sin_t1;
+                let t3 = lit(0.1) * sin_crank_angle;
+                let crank_y = t2 + t3;
+                q[1] = crank_y;
+                q[2] = crank_angle;
+                let last_area_0 = m[8];
+                let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
+                let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
+                let root_0 = lit(0.0).max(square_0).sqrt();
+                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let t4 = lit(0.5) * area_0;
+                q[3] = crank_x + t4 + crank_x;
+                let t5 = lit(0.5) * loop_0_y;
+                q[4] = t3 - t5 + crank_y;
+                let last_angle_2 = m[5];
+                let last_cosine_2 = m[6];
+                let rod_sin = lit(-1.6666666666666667) * loop_0_y;
+                let last_sine_2 = m[7];
+                let rod_cos = lit(1.6666666666666667) * area_0;
+                let t6 = last_angle_2
+                    + (-last_sine_2)
+                        .mul_add(rod_cos, last_cosine_2 * rod_sin)
+                        .atan2(last_sine_2.mul_add(rod_sin, last_cosine_2 * rod_cos));
+                q[5] = t6;
+                q[6] = lit(0.2).mul_add(cos_crank_angle, area_0);
+                q[7] = lit(0.0);
+                q[8] = lit(0.0);
+                let crank_vx = lit(-0.3) * sin_crank_angle;
+                v[0] = crank_vx;
+                let t7 = lit(20.0) * (amplitude * cos_t1);
+                let t8 = lit(0.3) * cos_crank_angle;
+                let crank_vy = t7 + t8;
+                v[1] = crank_vy;
+                v[2] = lit(3.0);
+                let reciprocal_0 = lit(1.0) / area_0;
+                let t9 = lit(0.6).mul_add(cos_crank_angle, t7);
+                let drift_0_0 = -(reciprocal_0 * t9);
+                v[3] = t5.mul_add(drift_0_0, crank_vx + crank_vx);
+                v[4] = t4.mul_add(drift_0_0, t8 + crank_vy);
+                v[5] = drift_0_0;
+                v[6] = reciprocal_0 * (-loop_0_y).mul_add(t9, lit(-0.6) * sin_crank_angle * area_0);
+                v[7] = lit(0.0);
+                v[8] = lit(0.0);
+                lit(2.7777777777777777) * square_0
+            }
+
+            /// The joint coordinates and their rates at a pose that closes the joints.
+            fn project_0(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {}
+
+            /// What is to be remembered of a state, and the smallest square of a dyad's measure.
+            ///
+            /// 7 add, 17 mul, 3 div, 1 neg, 2 sqrt, 3 sin_cos, 5 select, 1 other.
+            fn look_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], memory: &mut [S; 18]) -> S {
+                let lit = S::lit;
+                let t_2 = t;
+                memory[0] = t_2;
+                let last_area_0 = m[8];
+                let amplitude = self.amplitude;
+                let t1 = lit(20.0) * t_2;
+                let (sin_t1, cos_t1) = t1.sin_cos();
+                let crank_angle = lit(3.0).mul_add(t_2, lit(1.0471975511965979));
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let loop_0_y = lit(0.2).mul_add(sin_crank_angle, amplitude * sin_t1);
+                let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
+                let root_0 = lit(0.0).max(square_0).sqrt();
+                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let t2 = (lit(1.0) / area_0
+                    * lit(-0.6).mul_add(cos_crank_angle, lit(-20.0) * amplitude * cos_t1))
+                .abs();
+                memory[1] = lit(-0.1) / t2.max(lit(0.6) * t2 / square_0.sqrt());
+                memory[2] = crank_angle;
+                memory[3] = cos_crank_angle;
+                memory[4] = sin_crank_angle;
+                let last_angle_2 = m[5];
+                let last_cosine_2 = m[6];
+                let rod_sin = lit(-1.6666666666666667) * loop_0_y;
+                let last_sine_2 = m[7];
+                let rod_cos = lit(1.6666666666666667) * area_0;
+                let t3 = last_angle_2
+                    + (-last_sine_2)
+                        .mul_add(rod_cos, last_cosine_2 * rod_sin)
+                        .atan2(last_sine_2.mul_add(rod_sin, last_cosine_2 * rod_cos));
+                memory[5] = t3;
+                let (sin_t3, cos_t3) = t3.sin_cos();
+                memory[6] = cos_t3;
+                memory[7] = sin_t3;
+                memory[8] = area_0;
+                lit(2.7777777777777777) * square_0
+            }
+
+            /// The same of a pose and velocity.
+            ///
+            /// 2 mul, 2 sin_cos.
+            #[cold]
+            fn survey_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+                let lit = S::lit;
+                memory[0] = t;
+                memory[1] = lit(0.0);
+                let theta_crank = q[2];
+                memory[2] = theta_crank;
+                let theta_rod = q[5];
+                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
+                    S::sin_cos_all([theta_crank, theta_rod]);
+                memory[3] = cos_theta_crank;
+                memory[4] = sin_theta_crank;
+                memory[5] = theta_rod;
+                memory[6] = cos_theta_rod;
+                memory[7] = sin_theta_rod;
+                memory[8] = lit(0.6) * cos_theta_rod;
+                cos_theta_rod * cos_theta_rod
+            }
+        }
+    }
+}
