@@ -6,30 +6,31 @@
 //! several expressions have in common ([`share`]), and the [`Tape`]: the list of single operations that is both
 //! emitted as code and evaluated here as its oracle.
 //!
+//! Formulas are written with operators: [`algebra`].
+//!
 //! It runs inside a procedural macro, unoptimised, for every user. So the data are flat, nothing recurses over the
 //! graph, no unordered collection is iterated, and the same calls give the same bytes on every host.
 //!
 //! ```
-//! use plm_cas::{Graph, Number, Tape, share};
+//! use plm_cas::{Expr, Graph, Number, Tape, share};
 //!
-//! let mut g = Graph::new();
-//! let (x, angle, t) = (g.symbol("x"), g.symbol("angle"), g.symbol("t"));
-//! let length = g.number(Number::parse_decimal("0.15").ok_or("not a number")?);
-//! let c = g.cos(angle);
-//! let reach = g.mul(length, c);
-//! let phi = g.sub(x, reach);
-//! assert_eq!(g.display(phi).to_string(), "x - 0.15*cos(angle)");
+//! let mut graph = Graph::new();
+//! let length = Number::parse_decimal("0.15").ok_or("not a number")?;
+//! let (phi, slope) = graph.enter(|| {
+//!     let (x, angle) = (Expr::symbol("x"), Expr::symbol("angle"));
+//!     let phi = x - Expr::from(length) * angle.cos();
+//!     (phi, phi.diff(angle))
+//! });
+//! assert_eq!(graph.display(phi).to_string(), "x - 0.15*cos(angle)");
+//! assert_eq!(graph.display(slope).to_string(), "0.15*sin(angle)");
 //!
-//! let slope = g.diff(phi, angle);
-//! assert_eq!(g.display(slope).to_string(), "0.15*sin(angle)");
-//! assert!(g.gradient(phi, &[x, t]).iter().map(|entry| entry.0).eq([0]));
-//!
-//! let roots = share(&mut g, &[phi, slope]);
-//! let tape = Tape::new(&g, &roots);
+//! let roots = share(&mut graph, &[phi, slope]);
+//! let tape = Tape::new(&graph, &roots);
 //! assert_eq!(tape.count().to_string(), "1 add, 2 mul, 1 sin_cos");
 //! # Ok::<(), &str>(())
 //! ```
 
+pub mod algebra;
 mod build;
 mod diff;
 mod graph;
@@ -44,6 +45,7 @@ mod share;
 mod substitute;
 mod tape;
 
+pub use algebra::{Rotation, Vec2};
 pub use graph::Graph;
 pub use node::{Expr, Function, Node};
 pub use number::Number;
