@@ -1,8 +1,8 @@
 //! The passes, in order.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, Graph, algebra};
 
 use crate::check::{self, Assembly};
 use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
@@ -47,7 +47,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| fallback::model(&reading).map(unchecked));
+        let code = expansion.code.or_else(|| stand_in(&reading));
         expansion = Expansion { code, ..Expansion::default() };
     }
     expansion.diagnostics = sink;
@@ -58,7 +58,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
-    fallback::model(&reading).map(unchecked)
+    stand_in(&reading)
 }
 
 /// What is observed, and its graph.
@@ -75,7 +75,17 @@ fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
 }
 
 /// From the model to source text.
-fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
+fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
+    let mut graph = std::mem::take(&mut model.graph);
+    let mut expansion = graph.enter(|| passes(model, observed, sink));
+    if let Some(oracle) = &mut expansion.oracle {
+        oracle.graph = RefCell::new(graph);
+    }
+    expansion
+}
+
+/// The passes behind the model, in its graph.
+fn passes(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
     check::check_reach(&model, sink);
     if sink.has_errors() {
         return Expansion::default();
@@ -85,16 +95,15 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
     if sink.has_errors() {
         return Expansion::default();
     }
-    let mut lowered = lower(derived, observed);
-    check_feedback(&lowered.model, &mut lowered.graph, sink);
+    let lowered = lower(derived, observed);
+    check_feedback(&lowered.model, sink);
     check::check_branches(&lowered.model, &lowered.equations, sink);
-    check::check_jumps(&lowered.model, &lowered.graph, sink);
+    check::check_jumps(&lowered.model, sink);
     if sink.has_errors() {
         return Expansion::default();
     }
-    let length =
-        report::length(&lowered.model, &lowered.graph, &check::defaults(&lowered.model, &lowered.graph));
-    check::check_pairs(&lowered.model, &lowered.equations, &lowered.graph, length, sink);
+    let length = report::length(&lowered.model, &check::defaults(&lowered.model));
+    check::check_pairs(&lowered.model, &lowered.equations, length, sink);
     if let (Some((rung @ (Rung::Tree | Rung::Loops), span)), Err(reason)) =
         (lowered.model.rung, &lowered.reduced)
     {
@@ -103,26 +112,28 @@ fn back_end(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansi
             .help("leave `rung` out: the least formulation is taken, and the report says which and why");
     }
     let mut report = lowered.report();
-    let Lowered { model, graph, equations, program, reduced, .. } = &lowered;
+    let Lowered { model, equations, program, reduced, .. } = &lowered;
     let forms = (program, reduced.as_ref().ok());
-    check::check_assembly(model, equations, forms, graph, lowered.assembly(), &mut report, sink);
+    check::check_assembly(model, equations, forms, lowered.assembly(), &mut report, sink);
     sink.allow(&model.allowed);
     let code = lowered.emit(&report);
-    let Lowered { model, graph, equations, program, reduced, .. } = lowered;
-    let oracle = Oracle { model, graph, equations, program, reduced: reduced.ok() };
+    let Lowered { model, equations, program, reduced, .. } = lowered;
+    let oracle = Oracle { graph: RefCell::default(), model, equations, program, reduced: reduced.ok() };
     Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() }
 }
 
 /// The source of a model that stands for one with errors; nothing about it is checked.
-fn unchecked(model: Model) -> Code {
-    let lowered = lower(Derived::of(model), None);
-    lowered.emit(&lowered.report())
+fn stand_in(reading: &Reading) -> Option<Code> {
+    let unchecked = || {
+        let lowered = lower(Derived::of(fallback::model(reading)?), None);
+        Some(lowered.emit(&lowered.report()))
+    };
+    Graph::new().enter(unchecked)
 }
 
 /// A model and its equations.
 struct Derived {
     model: Model,
-    graph: Graph,
     /// What conditions that are held over a step stand for.
     held: Vec<(Expr, Expr)>,
     equations: Equations,
@@ -130,17 +141,15 @@ struct Derived {
 
 impl Derived {
     fn of(mut model: Model) -> Self {
-        let mut graph = std::mem::take(&mut model.graph);
-        let held = hold(&mut model, &mut graph);
-        let equations = derive(&model, &mut graph);
-        Self { model, graph, held, equations }
+        let held = hold(&mut model);
+        let equations = derive(&model);
+        Self { model, held, equations }
     }
 }
 
 /// A model on the way to source text.
 struct Lowered {
     model: Model,
-    graph: Graph,
     equations: Equations,
     /// Rung 5, which assembly, reactions and the fallback need on every rung.
     program: Absolute,
@@ -154,60 +163,60 @@ struct Lowered {
 const VARIATIONS: u64 = 8;
 
 fn lower(derived: Derived, observed: Observed) -> Lowered {
-    let Derived { mut model, mut graph, held, equations } = derived;
-    let mut program = formulate(&model, &equations, &mut graph);
+    let Derived { mut model, held, equations } = derived;
+    let mut program = formulate(&model, &equations);
     let assembly = OnceCell::new();
     let reduced = match (model.rung, model.stabilisation) {
         (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
         (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
-        _ if feeds_back(&model, &graph) => Err("forces or rates read accelerations or reactions".to_owned()),
+        _ if feeds_back(&model) => Err("forces or rates read accelerations or reactions".to_owned()),
         _ => {
-            let length = report::length(&model, &graph, &check::defaults(&model, &graph));
-            let assembled = |graph: &Graph| {
-                let others = check::defaults(&model, graph);
-                let assemble = || check::assemble(&model, &equations, &program, graph, &others);
+            let length = report::length(&model, &check::defaults(&model));
+            let assembled = || {
+                let others = check::defaults(&model);
+                let assemble = || check::assemble(&model, &equations, &program, &others);
                 let found = assembly.get_or_init(assemble);
                 let mut values = found.values(&equations, &others);
-                check::add_sides(&model, graph, &mut values);
+                check::add_sides(&model, &mut values);
                 found.is_closed().then(|| Assembled {
-                    freedom: check::freedom(&equations, &program, graph, (&others, length), found),
+                    freedom: check::freedom(&equations, &program, (&others, length), found),
                     values,
                 })
             };
             // With other values of the parameters, dimensions do not make rows say what others say.
-            let freedom_elsewhere = |graph: &Graph| {
+            let freedom_elsewhere = || {
                 (1..=VARIATIONS).find_map(|seed| {
-                    let others = check::varied(&model, graph, seed)?;
-                    let found = check::assemble(&model, &equations, &program, graph, &others);
-                    let freedom = || check::freedom(&equations, &program, graph, (&others, length), &found);
+                    let others = check::varied(&model, seed)?;
+                    let found = check::assemble(&model, &equations, &program, &others);
+                    let freedom = || check::freedom(&equations, &program, (&others, length), &found);
                     found.is_closed().then(freedom)
                 })
             };
             let known = Known { length, assembled: &assembled, freedom_elsewhere: &freedom_elsewhere };
-            let reduced = reduce(&model, &equations, known, &mut graph);
+            let reduced = reduce(&model, &equations, known);
             if model.rung.is_some() {
                 reduced
             } else {
-                reduced.and_then(|reduced| cheaper(reduced, &program, &graph))
+                reduced.and_then(|reduced| cheaper(reduced, &program))
             }
         }
     };
     if let Some((mut outputs, from)) = observed {
         let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
-        let imported = graph.import(&from, &roots);
-        let components = graph.substitute(&imported, &held);
+        let imported = algebra::import(&from, &roots);
+        let components = algebra::substitute(&imported, &held);
         let places = outputs.iter_mut().flat_map(|output| &mut output.components);
         places.zip(components).for_each(|(place, component)| *place = component);
-        program.outputs.user.extend(lay_out(&outputs, &equations, &mut graph));
+        program.outputs.user.extend(lay_out(&outputs, &equations));
         model.outputs.extend(outputs);
     }
-    Lowered { model, graph, equations, program, reduced, assembly }
+    Lowered { model, equations, program, reduced, assembly }
 }
 
 /// Rung 4, if it has fewer operations than rung 5, of which iterations can take more; a rung above it is taken as it is.
-fn cheaper(reduced: Reduced, program: &Absolute, graph: &Graph) -> Result<Reduced, String> {
+fn cheaper(reduced: Reduced, program: &Absolute) -> Result<Reduced, String> {
     let Some(chart) = reduced.first().filter(|_| reduced.iterates()) else { return Ok(reduced) };
-    let [iterated, absolute] = [&chart.rate, &program.dynamics].map(|form| form.tape(graph).count().total());
+    let [iterated, absolute] = [&chart.rate, &program.dynamics].map(|form| form.tape().count().total());
     if iterated < absolute {
         return Ok(reduced);
     }
@@ -218,19 +227,19 @@ fn cheaper(reduced: Reduced, program: &Absolute, graph: &Graph) -> Result<Reduce
 impl Lowered {
     /// The declared start as it can be assembled.
     fn assembly(&self) -> &Assembly {
-        let Lowered { model, graph, equations, program, .. } = self;
-        let assemble = || check::assemble(model, equations, program, graph, &check::defaults(model, graph));
+        let Lowered { model, equations, program, .. } = self;
+        let assemble = || check::assemble(model, equations, program, &check::defaults(model));
         self.assembly.get_or_init(assemble)
     }
 
     fn report(&self) -> Report {
-        let defaults = check::defaults(&self.model, &self.graph);
+        let defaults = check::defaults(&self.model);
         let formulation = self.reduced.as_ref().map_err(String::as_str);
-        Report::new(&self.model, &self.equations, &self.program, formulation, &self.graph, &defaults)
+        Report::new(&self.model, &self.equations, &self.program, formulation, &defaults)
     }
 
     fn emit(&self, report: &Report) -> Code {
-        let Lowered { model, graph, equations, program, reduced, .. } = self;
-        emit::emit(model, graph, equations, program, reduced.as_ref().ok(), report)
+        let Lowered { model, equations, program, reduced, .. } = self;
+        emit::emit(model, equations, program, reduced.as_ref().ok(), report)
     }
 }

@@ -1,5 +1,7 @@
 //! The front end: from tokens to the model.
 
+use plm_cas::Graph;
+
 use crate::diag::Diagnostics;
 use crate::library::Library;
 use crate::model::Model;
@@ -43,6 +45,9 @@ impl Reading {
 
     fn resolved(&self, observes: bool, sink: &mut Diagnostics) -> Option<Model> {
         let mechanism = self.declaration.mechanism.as_ref()?;
-        resolve(&self.declaration, mechanism, (&self.library, &self.files), observes, sink)
+        let mut graph = Graph::new();
+        let libraries = (&self.library, &self.files);
+        let model = graph.enter(|| resolve(&self.declaration, mechanism, libraries, observes, sink))?;
+        Some(Model { graph, ..model })
     }
 }

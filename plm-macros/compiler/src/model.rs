@@ -7,7 +7,7 @@
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, Graph, algebra};
 
 use crate::diag::Use;
 use crate::span::Span;
@@ -417,8 +417,8 @@ impl Model {
     }
 
     /// Does an expression read a parameter without a default?
-    pub fn reads_required(&self, graph: &Graph, expr: Expr) -> bool {
-        let read = graph.symbols(&[expr]);
+    pub fn reads_required(&self, expr: Expr) -> bool {
+        let read = algebra::symbols(&[expr]);
         self.params.iter().any(|param| param.required && read.contains(&param.symbol))
     }
 

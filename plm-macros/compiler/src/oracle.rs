@@ -1,6 +1,8 @@
 //! The interpreter of a compiled mechanism: what the emitted code must compute, bit for bit.
 
-use plm_cas::{Expr, Graph, Tape};
+use std::cell::RefCell;
+
+use plm_cas::{Expr, Graph, algebra};
 
 use crate::derive::Equations;
 use crate::formulate::{Absolute, Chart, Function, Reduced};
@@ -23,7 +25,7 @@ pub struct InChart {
 #[derive(Debug)]
 pub struct Oracle {
     pub(crate) model: Model,
-    pub(crate) graph: Graph,
+    pub(crate) graph: RefCell<Graph>,
     pub(crate) equations: Equations,
     pub(crate) program: Absolute,
     pub(crate) reduced: Option<Reduced>,
@@ -125,13 +127,17 @@ impl Oracle {
     }
 
     fn run_at(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
-        let mut values: Vec<(Expr, f64)> = crate::check::defaults(&self.model, &self.graph);
+        self.graph.borrow_mut().enter(|| self.entered(function, time, symbols, x))
+    }
+
+    fn entered(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
+        let mut values: Vec<(Expr, f64)> = crate::check::defaults(&self.model);
         values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
         values.push((self.model.time, time));
         values.extend(symbols.iter().copied().zip(x.iter().copied()));
-        crate::check::add_sides(&self.model, &self.graph, &mut values);
+        crate::check::add_sides(&self.model, &mut values);
         let results: Vec<Expr> = function.roots();
-        let tape = Tape::new(&self.graph, &results);
+        let tape = algebra::tape(&results);
         let mut all = crate::check::run(&tape, &values);
         all.split_off(all.len() - function.results.len())
     }

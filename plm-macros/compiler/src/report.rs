@@ -1,6 +1,6 @@
 //! What the compiler found and chose, in words and numbers.
 
-use plm_cas::{Count, Expr, Graph, Tape};
+use plm_cas::{Count, Expr, algebra};
 
 use crate::check::Assembly;
 use crate::derive::Equations;
@@ -52,10 +52,9 @@ impl Report {
         equations: &Equations,
         program: &Absolute,
         reduced: Result<&Reduced, &str>,
-        graph: &Graph,
         values: &[(Expr, f64)],
     ) -> Report {
-        let count = |function: &Function| counted(function, graph);
+        let count = |function: &Function| counted(function);
         let constraints = [
             ("phi", &program.phi),
             ("phi_dot", &program.phi_dot),
@@ -75,7 +74,7 @@ impl Report {
             rank: None,
             formulation: formulation(model, reduced),
             state: reduced.map_or(2 * equations.q.len(), |reduced| 2 * reduced.freedom()) + equations.x.len(),
-            length: length(model, graph, values),
+            length: length(model, values),
             rate: count(reduced.ok().and_then(Reduced::first).map_or(&program.dynamics, |chart| &chart.rate)),
             functions: functions.map(|(name, function)| (name, count(function))).collect(),
             assembly: Vec::new(),
@@ -129,10 +128,10 @@ impl Report {
     }
 
     /// Adds how far the charts are from flat at the start, and counts the operations of the one that is taken there.
-    pub(crate) fn add_measures(&mut self, measures: &[f64], reduced: Option<&Reduced>, graph: &Graph) {
+    pub(crate) fn add_measures(&mut self, measures: &[f64], reduced: Option<&Reduced>) {
         let taken = taken_first(measures);
         if let Some(chart) = reduced.and_then(|reduced| reduced.charts.get(taken)).filter(|_| taken > 0) {
-            self.rate = counted(&chart.rate, graph);
+            self.rate = counted(&chart.rate);
             if let Some(line) = self.formulation.iter_mut().find(|line| line.starts_with(ACCELERATIONS)) {
                 *line = format!("Chart {taken} is taken first. {}", accelerations(chart));
             }
@@ -248,9 +247,9 @@ fn taken_first(measures: &[f64]) -> usize {
     }
 }
 
-fn counted(function: &Function, graph: &Graph) -> Count {
+fn counted(function: &Function) -> Count {
     let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
-    Tape::new(graph, &results).count()
+    algebra::tape(&results).count()
 }
 
 /// `forearm.angle: 0 deg moved by -25.7586 deg`.
@@ -264,12 +263,12 @@ fn moved(model: &Model, k: usize, start: f64, by: f64) -> String {
 }
 
 /// The largest extent of a body, or 1 m if all are points: the unit in which residuals and tolerances are judged.
-pub(crate) fn length(model: &Model, graph: &Graph, values: &[(Expr, f64)]) -> f64 {
+pub(crate) fn length(model: &Model, values: &[(Expr, f64)]) -> f64 {
     let mut length: f64 = 0.0;
     for body in &model.bodies {
         for port in &body.ports {
             for component in port.at {
-                length = length.max(crate::check::value(graph, component, values).abs());
+                length = length.max(crate::check::value(component, values).abs());
             }
         }
     }

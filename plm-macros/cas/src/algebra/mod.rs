@@ -18,7 +18,9 @@ use crate::node::{Expr, Function, Node};
 use crate::number::Number;
 
 pub use plane::{Rotation, Vec2};
-pub use several::{count, directionals, gradient, import, reachable, shared, substitute, symbols, tape};
+pub use several::{
+    count, directionals, gradient, import, product, reachable, shared, substitute, sum, symbols, tape,
+};
 
 thread_local! {
     static PRESENT: RefCell<Graph> = RefCell::new(Graph::new());
@@ -108,6 +110,11 @@ impl Expr {
         with(|graph| graph.node(self).clone())
     }
 
+    /// A name for emission; see [`Graph::hint`].
+    pub fn hint(self, name: &str) {
+        with(|graph| graph.hint(self, name));
+    }
+
     /// Its name, if it has one.
     pub fn name(self) -> Option<String> {
         with(|graph| graph.name(self).map(str::to_owned))
@@ -149,6 +156,36 @@ impl Expr {
         with(|graph| graph.cos(self))
     }
 
+    /// Tangent.
+    #[must_use]
+    pub fn tan(self) -> Expr {
+        with(|graph| graph.tan(self))
+    }
+
+    /// Arc sine, in [-pi/2, pi/2].
+    #[must_use]
+    pub fn asin(self) -> Expr {
+        with(|graph| graph.asin(self))
+    }
+
+    /// Arc cosine, in [0, pi].
+    #[must_use]
+    pub fn acos(self) -> Expr {
+        with(|graph| graph.acos(self))
+    }
+
+    /// e to this power.
+    #[must_use]
+    pub fn exp(self) -> Expr {
+        with(|graph| graph.exp(self))
+    }
+
+    /// Natural logarithm.
+    #[must_use]
+    pub fn ln(self) -> Expr {
+        with(|graph| graph.ln(self))
+    }
+
     /// The angle of the point (x, self), in [-pi, pi].
     #[must_use]
     pub fn atan2(self, x: Expr) -> Expr {
@@ -161,6 +198,12 @@ impl Expr {
         with(|graph| graph.abs(self))
     }
 
+    /// -1, 0 or 1.
+    #[must_use]
+    pub fn sign(self) -> Expr {
+        with(|graph| graph.sign(self))
+    }
+
     /// The smaller one.
     #[must_use]
     pub fn min(self, other: Expr) -> Expr {
@@ -171,6 +214,12 @@ impl Expr {
     #[must_use]
     pub fn max(self, other: Expr) -> Expr {
         with(|graph| graph.max(self, other))
+    }
+
+    /// Itself between two bounds.
+    #[must_use]
+    pub fn clamp(self, low: Expr, high: Expr) -> Expr {
+        with(|graph| graph.clamp(self, low, high))
     }
 
     /// A function by its name; see [`Graph::call`].
@@ -206,6 +255,12 @@ impl Expr {
 impl From<Number> for Expr {
     fn from(number: Number) -> Expr {
         with(|graph| graph.number(number))
+    }
+}
+
+impl From<i64> for Expr {
+    fn from(integer: i64) -> Expr {
+        with(|graph| graph.int(integer))
     }
 }
 

@@ -6,6 +6,16 @@ use crate::node::Expr;
 use crate::share::share;
 use crate::tape::{Count, Tape};
 
+/// The sum of all; 0 for none.
+pub fn sum(terms: &[Expr]) -> Expr {
+    with(|graph| graph.sum(terms))
+}
+
+/// The product of all; 1 for none.
+pub fn product(factors: &[Expr]) -> Expr {
+    with(|graph| graph.product(factors))
+}
+
 /// With the second of each pair in the place of the first; see [`Graph::substitute`].
 pub fn substitute(roots: &[Expr], pairs: &[(Expr, Expr)]) -> Vec<Expr> {
     with(|graph| graph.substitute(roots, pairs))

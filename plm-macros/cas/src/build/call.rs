@@ -192,7 +192,8 @@ impl Graph {
         if let Some(a_is_less) = self.compare(a, b) {
             return if a_is_less == (function == Function::Min) { a } else { b };
         }
-        self.intern_call(function, &[a.min(b), a.max(b)])
+        let (first, second) = if a <= b { (a, b) } else { (b, a) };
+        self.intern_call(function, &[first, second])
     }
 
     /// `a < b` for two constants.

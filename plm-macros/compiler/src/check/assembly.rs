@@ -3,7 +3,7 @@
 //! Positions: `q <- q - pinv(phi_q) phi` in SI with unit weights from the user's start; a lock takes its column out.
 //! Velocities: one step of the same kind from the start velocities.
 
-use plm_cas::{Expr, Graph, Tape};
+use plm_cas::{Expr, Tape, algebra};
 
 use super::branch;
 use super::pseudo_inverse;
@@ -72,20 +72,19 @@ pub(crate) fn assemble(
     model: &Model,
     equations: &Equations,
     program: &Absolute,
-    graph: &Graph,
     values: &[(Expr, f64)],
 ) -> Assembly {
-    let scene = Scene::new(equations, program, graph, values);
-    let (start, locked) = start_position(model, graph, values);
-    let length = crate::report::length(model, graph, values);
+    let scene = Scene::new(equations, program, values);
+    let (start, locked) = start_position(model, values);
+    let length = crate::report::length(model, values);
     let limits = |q: &[f64]| limits(model, length, q);
     let closed = scene.close(start.clone(), &locked, &limits);
-    let asked = branch::asked(model, equations, graph, values);
+    let asked = branch::asked(model, equations, values);
     let (q, phi, steps) = branch::find(&asked, closed, (&start, &locked), |q| {
         let (q, phi, steps) = scene.close(q, &locked, &limits);
         are_closed(&phi, &limits(&q)).then_some((q, phi, steps))
     });
-    let (mut v, velocity_locked) = start_velocity(model, graph, values, &q);
+    let (mut v, velocity_locked) = start_velocity(model, values, &q);
     let residual = scene.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(scene.step(&q, &velocity_locked, &residual)) {
         *velocity -= dv;
@@ -145,12 +144,11 @@ impl<'a> Scene<'a> {
     pub(super) fn new(
         equations: &'a Equations,
         program: &'a Absolute,
-        graph: &Graph,
         values: &'a [(Expr, f64)],
     ) -> Scene<'a> {
         let tape = |function: &crate::formulate::Function| {
             let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
-            Tape::new(graph, &results)
+            algebra::tape(&results)
         };
         Scene {
             equations,
@@ -246,39 +244,39 @@ impl<'a> Scene<'a> {
 }
 
 /// Start of (x, y, theta) of G per body and what is locked: `G = O + R(theta) centre`.
-fn start_position(model: &Model, graph: &Graph, values: &[(Expr, f64)]) -> (Vec<f64>, Vec<bool>) {
+fn start_position(model: &Model, values: &[(Expr, f64)]) -> (Vec<f64>, Vec<bool>) {
     let mut q = Vec::with_capacity(3 * model.bodies.len());
     for body in &model.bodies {
-        let [x, y, angle] = body.start.map(|start| value(graph, start.value, values));
-        let [dx, dy] = centre(body, graph, values, angle);
+        let [x, y, angle] = body.start.map(|start| value(start.value, values));
+        let [dx, dy] = centre(body, values, angle);
         q.extend([x + dx, y + dy, angle]);
     }
     (q, model.bodies.iter().flat_map(|body| body.start.map(|start| start.locked)).collect())
 }
 
 /// Start of (vx, vy, omega) of G per body and what is locked: `v_G = v_O + omega x (G - O)`.
-fn start_velocity(model: &Model, graph: &Graph, values: &[(Expr, f64)], q: &[f64]) -> (Vec<f64>, Vec<bool>) {
+fn start_velocity(model: &Model, values: &[(Expr, f64)], q: &[f64]) -> (Vec<f64>, Vec<bool>) {
     let mut v = Vec::with_capacity(q.len());
     for (body, pose) in model.bodies.iter().zip(q.chunks_exact(3)) {
-        let [vx, vy, omega] = body.start_velocity.map(|start| value(graph, start.value, values));
-        let [dx, dy] = centre(body, graph, values, pose[2]);
+        let [vx, vy, omega] = body.start_velocity.map(|start| value(start.value, values));
+        let [dx, dy] = centre(body, values, pose[2]);
         v.extend([vx - omega * dy, vy + omega * dx, omega]);
     }
     (v, model.bodies.iter().flat_map(|body| body.start_velocity.map(|start| start.locked)).collect())
 }
 
 /// G from O in absolute axes.
-fn centre(body: &Body, graph: &Graph, values: &[(Expr, f64)], angle: f64) -> [f64; 2] {
-    let [x, y] = body.centre.map(|component| value(graph, component, values));
+fn centre(body: &Body, values: &[(Expr, f64)], angle: f64) -> [f64; 2] {
+    let [x, y] = body.centre.map(|component| value(component, values));
     let (sin, cos) = plm_math::f64::sin_cos(angle);
     [cos * x - sin * y, sin * x + cos * y]
 }
 
 /// Value of an expression of bound symbols.
-pub(crate) fn value(graph: &Graph, expr: Expr, values: &[(Expr, f64)]) -> f64 {
-    match graph.as_number(expr) {
+pub(crate) fn value(expr: Expr, values: &[(Expr, f64)]) -> f64 {
+    match expr.as_number() {
         Some(number) => number.to_f64(),
-        None => run(&Tape::new(graph, &[expr]), values)[0],
+        None => run(&algebra::tape(&[expr]), values)[0],
     }
 }
 

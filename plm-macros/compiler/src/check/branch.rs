@@ -1,6 +1,6 @@
 //! The mirror images that loops are asked for, the compiler's twin of the runtime's search.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 use plm_math::f64::{atan2, sin_cos};
 
 use super::assembly::value;
@@ -24,15 +24,10 @@ pub(super) struct Asked {
 }
 
 /// What the joints ask for, in their order.
-pub(super) fn asked(
-    model: &Model,
-    equations: &Equations,
-    graph: &Graph,
-    values: &[(Expr, f64)],
-) -> Vec<Asked> {
+pub(super) fn asked(model: &Model, equations: &Equations, values: &[(Expr, f64)]) -> Vec<Asked> {
     let branches = equations.branches.iter().filter_map(|branch| {
         let (turn, _) = model.parts[branch.part].branch?;
-        let ends = branch.ends.map(|ends| ends.map(|end| end.map(|of| value(graph, of, values))));
+        let ends = branch.ends.map(|ends| ends.map(|end| end.map(|of| value(of, values))));
         Some(Asked { part: branch.part, bodies: branch.bodies, ends, turn })
     });
     branches.collect()

@@ -1,28 +1,22 @@
 //! Prescribed motions that no motor can follow.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Port, Steady};
 
 /// Reports rows whose place or speed jumps at a known time, each once.
-pub(crate) fn check_jumps(model: &Model, graph: &Graph, diagnostics: &mut Diagnostics) {
+pub(crate) fn check_jumps(model: &Model, diagnostics: &mut Diagnostics) {
     for row in 0..model.rows.len() {
         let mut steady: Vec<Steady> =
             model.jumps.iter().filter(|jump| jump.row == row).filter_map(|jump| jump.steady).collect();
         steady.sort_by(|a, b| a.of_speed.cmp(&b.of_speed).then(a.at.total_cmp(&b.at)));
         let Some((first, others)) = steady.split_first() else { continue };
-        report(model, row, (first, others), graph, diagnostics);
+        report(model, row, (first, others), diagnostics);
     }
 }
 
-fn report(
-    model: &Model,
-    row: usize,
-    (first, others): (&Steady, &[Steady]),
-    graph: &Graph,
-    diagnostics: &mut Diagnostics,
-) {
+fn report(model: &Model, row: usize, (first, others): (&Steady, &[Steady]), diagnostics: &mut Diagnostics) {
     let (of, row) = (row, &model.rows[row]);
     let (what, per) = if first.of_speed { ("speed", "/s") } else { ("place", "") };
     let Steady { at, by, .. } = first;
@@ -34,7 +28,7 @@ fn report(
     if !times.is_empty() {
         diagnostic.note(format!("it jumps too at t = {}", times.join(", ")));
     }
-    for port in moving_ports(model, of, graph) {
+    for port in moving_ports(model, of) {
         diagnostic.note_at(port.name.span, format!("the port `{}` of the ground moves", port.name.text));
     }
     diagnostic.help(if first.of_speed {
@@ -45,12 +39,12 @@ fn report(
 }
 
 /// Ports of the ground on which the part of a row stands and whose place reads what jumps in it.
-fn moving_ports<'a>(model: &'a Model, row: usize, graph: &'a Graph) -> impl Iterator<Item = &'a Port> {
+fn moving_ports(model: &Model, row: usize) -> impl Iterator<Item = &Port> {
     let jumps = model.jumps.iter().filter(move |jump| jump.row == row && jump.steady.is_some());
     let sides: Vec<Expr> = jumps.map(|jump| model.sides[jump.side].symbol).collect();
     let frames = model.parts[model.rows[row].part].frames.iter().filter(|frame| frame.body.is_none());
     frames.filter_map(|frame| model.ground.get(frame.port)).filter(move |port| {
-        let read = graph.symbols(&[port.at[0], port.at[1], port.angle]);
+        let read = algebra::symbols(&[port.at[0], port.at[1], port.angle]);
         sides.iter().any(|side| read.contains(side))
     })
 }

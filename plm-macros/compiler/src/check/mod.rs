@@ -15,7 +15,7 @@ mod verdict;
 
 use std::collections::BTreeSet;
 
-use plm_cas::{Expr, Graph, Tape};
+use plm_cas::{Expr, algebra};
 
 pub(crate) use assembly::{Assembly, assemble, run, value};
 pub(crate) use branch::check_branches;
@@ -50,7 +50,7 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
     }
     // A constraint of its own joins no frames.
     let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
-    let held: BTreeSet<Expr> = model.graph.symbols(&rows).into_iter().collect();
+    let held: BTreeSet<Expr> = algebra::symbols(&rows).into_iter().collect();
     for (reached, body) in reached.iter_mut().zip(&model.bodies) {
         *reached |= body.q.iter().any(|coordinate| held.contains(coordinate));
     }
@@ -73,28 +73,28 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
 }
 
 /// Default values of all symbols but coordinates and velocities, at time zero.
-pub(crate) fn defaults(model: &Model, graph: &Graph) -> Vec<(Expr, f64)> {
+pub(crate) fn defaults(model: &Model) -> Vec<(Expr, f64)> {
     // f64's `Scalar::AGREEMENT`.
     let agreement = 1e9;
     let mut values =
         vec![(model.time, 0.0), (model.most_growth, f64::INFINITY), (model.agreement, agreement)];
     for param in &model.params {
-        values.push((param.symbol, value(graph, param.default, &values)));
+        values.push((param.symbol, value(param.default, &values)));
     }
     for input in &model.inputs {
-        values.push((input.symbol, value(graph, input.default, &values)));
+        values.push((input.symbol, value(input.default, &values)));
     }
     for state in &model.states {
-        values.push((state.symbol, value(graph, state.start, &values)));
+        values.push((state.symbol, value(state.start, &values)));
     }
     values
 }
 
 /// Values of parameters, inputs and states where those parameters that have dimensions of a mechanism are others than declared;
 /// none without parameters.
-pub(crate) fn varied(model: &Model, graph: &Graph, seed: u64) -> Option<Vec<(Expr, f64)>> {
+pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
     let mut random = Random(seed);
-    let mut values = defaults(model, graph);
+    let mut values = defaults(model);
     for param in &model.params {
         let (_, value) = values.iter_mut().find(|(symbol, _)| *symbol == param.symbol)?;
         *value += (0.3 + 0.2 * value.abs()) * random.unit();
@@ -103,18 +103,18 @@ pub(crate) fn varied(model: &Model, graph: &Graph, seed: u64) -> Option<Vec<(Exp
 }
 
 /// Adds the sides of the conditions at a state whose other symbols have values.
-pub(crate) fn add_sides(model: &Model, graph: &Graph, values: &mut Vec<(Expr, f64)>) {
+pub(crate) fn add_sides(model: &Model, values: &mut Vec<(Expr, f64)>) {
     for side in &model.sides {
-        let difference = value(graph, side.difference, values);
+        let difference = value(side.difference, values);
         values.push((side.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
     }
 }
 
 /// Compliances that are known to be wrong only with the defaults of the parameters that they read; false if there are some.
-fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) -> bool {
+fn check_limits(model: &Model, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) -> bool {
     let mut are_kept = true;
     for limit in &model.limits {
-        let found = value(graph, limit.value, values);
+        let found = value(limit.value, values);
         if found.is_finite() && (found > 0.0 || (limit.or_zero && found == 0.0)) {
             continue;
         }
@@ -130,13 +130,13 @@ fn check_limits(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
 }
 
 /// Masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
-fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
+fn check_masses(model: &Model, values: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
     for body in &model.bodies {
         let mass = ("mass", body.mass, body.mass_span, "kg");
         let inertia = ("inertia", body.inertia, body.inertia_span, "kg*m^2");
         for (what, expr, span, unit) in [mass, inertia] {
-            let found = value(graph, expr, values);
-            if model.reads_required(graph, expr) {
+            let found = value(expr, values);
+            if model.reads_required(expr) {
                 continue;
             }
             if !(found > 0.0 && found.is_finite()) {
@@ -144,7 +144,7 @@ fn check_masses(model: &Model, graph: &Graph, values: &[(Expr, f64)], diagnostic
                 let message =
                     format!("the {what} of `{name}` must be positive and finite, found {found} {unit}");
                 let diagnostic = diagnostics.error(Code::NotPositive, span, message);
-                if graph.as_number(expr).is_none() {
+                if expr.as_number().is_none() {
                     diagnostic.note("this is its value with the defaults of the parameters");
                 }
             }
@@ -160,21 +160,20 @@ pub(crate) fn check_assembly(
     model: &Model,
     equations: &Equations,
     (program, reduced): (&Absolute, Option<&Reduced>),
-    graph: &Graph,
     found: &Assembly,
     report: &mut Report,
     diagnostics: &mut Diagnostics,
 ) {
-    let values = defaults(model, graph);
-    check_masses(model, graph, &values, diagnostics);
-    let limits_are_kept = check_limits(model, graph, &values, diagnostics);
+    let values = defaults(model);
+    check_masses(model, &values, diagnostics);
+    let limits_are_kept = check_limits(model, &values, diagnostics);
     let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
     let mut assembled = found.values(equations, &values);
-    add_sides(model, graph, &mut assembled);
-    let turns = run(&Tape::new(graph, &turns), &assembled);
+    add_sides(model, &mut assembled);
+    let turns = run(&algebra::tape(&turns), &assembled);
     report.add_assembly(model, equations, found, &turns);
-    report.add_measures(&measures(reduced, graph, &assembled), reduced, graph);
-    if has_parameters(model, graph) {
+    report.add_measures(&measures(reduced, &assembled), reduced);
+    if has_parameters(model) {
         return;
     }
     let rows = equations.phi.len();
@@ -183,39 +182,39 @@ pub(crate) fn check_assembly(
         let positions = Locks { locked: &found.locked, what: "position" };
         too_many_locks(model, &positions, &locks, diagnostics);
     } else if found.phi.iter().any(|residual| !residual.is_finite()) {
-        start::check_rows(model, equations, graph, &values, found, diagnostics);
+        start::check_rows(model, equations, &values, found, diagnostics);
     } else if !found.is_closed() {
         not_closed(model, found, report.length, diagnostics);
     } else {
-        branch::not_found(&branch::asked(model, equations, graph, &values), &found.q, model, diagnostics);
+        branch::not_found(&branch::asked(model, equations, &values), &found.q, model, diagnostics);
         redundant_joints(model, &joints, diagnostics);
         check_velocities(model, found, diagnostics);
         let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
-        let open = run(&Tape::new(graph, &compliant), &found.values(equations, &values));
+        let open = run(&algebra::tape(&compliant), &found.values(equations, &values));
         strained(model, &open, report.length, diagnostics);
         // What divides by such a compliance has been told of it.
         if limits_are_kept {
-            start::check_start(model, equations, graph, (program, &values), found, diagnostics);
+            start::check_start(model, equations, (program, &values), found, diagnostics);
         }
     }
 }
 
 /// How far each chart is from flat at the start: 1 at best, 0 where a loop lies in one line.
-fn measures(reduced: Option<&Reduced>, graph: &Graph, values: &[(Expr, f64)]) -> Vec<f64> {
+fn measures(reduced: Option<&Reduced>, values: &[(Expr, f64)]) -> Vec<f64> {
     let surveys =
         reduced.into_iter().flat_map(|reduced| &reduced.charts).filter_map(|chart| chart.survey.as_ref());
     let squares = surveys.filter_map(|survey| survey.results.last());
-    squares.map(|&(_, square)| value(graph, square, values).max(0.0).sqrt()).collect()
+    squares.map(|&(_, square)| value(square, values).max(0.0).sqrt()).collect()
 }
 
 /// Do constraints or starts depend on parameters?
-fn has_parameters(model: &Model, graph: &Graph) -> bool {
+fn has_parameters(model: &Model) -> bool {
     let starts = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
     let mut roots: Vec<Expr> = starts.map(|start| start.value).collect();
     roots.extend(model.rows.iter().map(|row| row.phi));
     roots.extend(model.bodies.iter().flat_map(|body| body.centre));
     roots.extend(model.sides.iter().filter(|side| !side.must_hold).map(|side| side.difference));
-    let held = graph.symbols(&roots);
+    let held = algebra::symbols(&roots);
     model.params.iter().any(|param| held.contains(&param.symbol))
 }
 

@@ -6,7 +6,7 @@
 //! vanishes identically (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM
 //! 27, 1980).
 
-use plm_cas::{Expr, Graph, Tape};
+use plm_cas::{Expr, Tape, algebra};
 
 use super::random::Random;
 use super::rank::{Row, rank};
@@ -21,20 +21,14 @@ const POSES: usize = 4;
 const ROUNDING: f64 = 1e-11;
 
 /// Reports the joints whose rows are not those of their pair.
-pub(crate) fn check_pairs(
-    model: &Model,
-    equations: &Equations,
-    graph: &Graph,
-    length: f64,
-    diagnostics: &mut Diagnostics,
-) {
-    let defaults = defaults(model, graph);
+pub(crate) fn check_pairs(model: &Model, equations: &Equations, length: f64, diagnostics: &mut Diagnostics) {
+    let defaults = defaults(model);
     for (index, part) in model.parts.iter().enumerate() {
         let (Some(pair), &[a, b]) = (part.pair, part.frames.as_slice()) else { continue };
         if a.body == b.body {
             continue;
         }
-        let joint = Joint::new(model, equations, graph, (index, pair, [a, b]), length);
+        let joint = Joint::new(model, equations, (index, pair, [a, b]), length);
         joint.check(part, &defaults, diagnostics);
     }
 }
@@ -43,7 +37,6 @@ pub(crate) fn check_pairs(
 struct Joint<'a> {
     model: &'a Model,
     equations: &'a Equations,
-    graph: &'a Graph,
     pair: Pair,
     frames: [FrameRef; 2],
     /// Its rows, by their places in the model.
@@ -66,7 +59,6 @@ impl<'a> Joint<'a> {
     fn new(
         model: &'a Model,
         equations: &'a Equations,
-        graph: &'a Graph,
         (part, pair, frames): (usize, Pair, [FrameRef; 2]),
         length: f64,
     ) -> Joint<'a> {
@@ -74,7 +66,7 @@ impl<'a> Joint<'a> {
         let residuals = rows.iter().map(|&row| equations.phi[row]);
         let entries = rows.iter().flat_map(|&row| equations.phi_q[row].iter().map(|&(_, entry)| entry));
         let roots: Vec<Expr> = residuals.chain(entries).collect();
-        Joint { model, equations, graph, pair, frames, rows, tape: Tape::new(graph, &roots), length }
+        Joint { model, equations, pair, frames, rows, tape: algebra::tape(&roots), length }
     }
 
     fn check(&self, part: &Part, defaults: &[(Expr, f64)], diagnostics: &mut Diagnostics) {
@@ -157,7 +149,7 @@ impl<'a> Joint<'a> {
             Some(body) => &self.model.bodies[body].ports[frame.port],
             None => &self.model.ground[frame.port],
         };
-        (at.map(|component| value(self.graph, component, fixed)), value(self.graph, *angle, fixed))
+        (at.map(|component| value(component, fixed)), value(*angle, fixed))
     }
 
     fn report_row(&self, part: &Part, row: usize, by: f64, diagnostics: &mut Diagnostics) {

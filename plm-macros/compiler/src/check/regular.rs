@@ -5,7 +5,7 @@
 //! parallelogram), where it is less. So where rows depend on others at the start, poses next to it are assembled too, and
 //! the largest rank counts.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::assembly::{Assembly, Scene, are_closed};
 use super::random::Random;
@@ -24,12 +24,11 @@ const FAR: f64 = 0.5;
 pub(crate) fn freedom(
     equations: &Equations,
     program: &Absolute,
-    graph: &Graph,
     (values, length): (&[(Expr, f64)], f64),
     found: &Assembly,
 ) -> usize {
     let (coordinates, rows) = (equations.q.len(), equations.phi.len());
-    let scene = Scene::new(equations, program, graph, values);
+    let scene = Scene::new(equations, program, values);
     let mut most = rank(&scene.phi_q(&found.q)).value();
     let mut random = Random(1);
     let free = vec![false; coordinates];

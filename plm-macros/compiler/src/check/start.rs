@@ -1,6 +1,6 @@
 //! The first evaluation: every constraint, force and rate must be a number at the assembled start.
 
-use plm_cas::{Expr, Graph, Node};
+use plm_cas::{Expr, Node, algebra};
 
 use super::Assembly;
 use crate::derive::{Equations, feeds_back};
@@ -13,21 +13,20 @@ use crate::span::Span;
 pub(super) fn check_rows(
     model: &Model,
     equations: &Equations,
-    graph: &Graph,
     values: &[(Expr, f64)],
     found: &Assembly,
     diagnostics: &mut Diagnostics,
 ) {
     let mut values = values.to_vec();
     values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
-    super::add_sides(model, graph, &mut values);
+    super::add_sides(model, &mut values);
     for (row, _) in model.rows.iter().zip(&found.phi).filter(|(_, residual)| !residual.is_finite()) {
-        report(graph, &values, &row.name, row.span, row.phi, diagnostics);
+        report(&values, &row.name, row.span, row.phi, diagnostics);
     }
 }
 
 /// Adds accelerations and multipliers at the start.
-fn add_unknowns(equations: &Equations, program: &Absolute, graph: &Graph, values: &mut Vec<(Expr, f64)>) {
+fn add_unknowns(equations: &Equations, program: &Absolute, values: &mut Vec<(Expr, f64)>) {
     let nq = equations.q.len();
     let results = program.dynamics.results.iter().filter_map(|(place, result)| match *place {
         Place::Element("dx", k) => Some((*equations.a.get(k.checked_sub(nq)?)?, *result)),
@@ -35,22 +34,21 @@ fn add_unknowns(equations: &Equations, program: &Absolute, graph: &Graph, values
         _ => None,
     });
     let known = values.clone();
-    values.extend(results.map(|(symbol, result)| (symbol, super::value(graph, result, &known))));
+    values.extend(results.map(|(symbol, result)| (symbol, super::value(result, &known))));
 }
 
 /// Evaluates loads and rates at the start; what is not finite is reported where it was declared.
 pub(crate) fn check_start(
     model: &Model,
     equations: &Equations,
-    graph: &Graph,
     (program, values): (&Absolute, &[(Expr, f64)]),
     found: &Assembly,
     diagnostics: &mut Diagnostics,
 ) {
     let mut values = found.values(equations, values);
-    super::add_sides(model, graph, &mut values);
-    if feeds_back(model, graph) {
-        add_unknowns(equations, program, graph, &mut values);
+    super::add_sides(model, &mut values);
+    if feeds_back(model) {
+        add_unknowns(equations, program, &mut values);
     }
     let loads = model.loads.iter().flat_map(|load| {
         let name = &model.parts[load.part].name;
@@ -58,23 +56,16 @@ pub(crate) fn check_start(
     });
     let rates = model.states.iter().map(|state| (state.name.text.as_str(), state.name.span, state.rate));
     for (name, span, expr) in loads.chain(rates) {
-        if !model.reads_required(graph, expr) && !super::value(graph, expr, &values).is_finite() {
-            report(graph, &values, name, span, expr, diagnostics);
+        if !model.reads_required(expr) && !super::value(expr, &values).is_finite() {
+            report(&values, name, span, expr, diagnostics);
         }
     }
 }
 
-fn report(
-    graph: &Graph,
-    values: &[(Expr, f64)],
-    name: &str,
-    span: Span,
-    expr: Expr,
-    diagnostics: &mut Diagnostics,
-) {
-    match zero_denominator(graph, values, expr) {
+fn report(values: &[(Expr, f64)], name: &str, span: Span, expr: Expr, diagnostics: &mut Diagnostics) {
+    match zero_denominator(values, expr) {
         Some(denominator) => {
-            let text = graph.display(denominator).to_string();
+            let text = denominator.to_string();
             diagnostics
                 .error(Code::DivisionByZero, span, format!("`{name}` divides by zero at the start"))
                 .note(format!("`{text}` is 0 there"))
@@ -83,17 +74,17 @@ fn report(
         None => {
             diagnostics
                 .error(Code::OutOfDomain, span, format!("`{name}` is not a number at the start"))
-                .note(format!("it is `{}`", shortened(&graph.display(expr).to_string())));
+                .note(format!("it is `{}`", shortened(&expr.to_string())));
         }
     }
 }
 
 /// A factor with a negative exponent that is zero.
-fn zero_denominator(graph: &Graph, values: &[(Expr, f64)], root: Expr) -> Option<Expr> {
-    graph.reachable(&[root]).into_iter().find_map(|expr| {
-        let Node::Product(factors) = graph.node(expr) else { return None };
+fn zero_denominator(values: &[(Expr, f64)], root: Expr) -> Option<Expr> {
+    algebra::reachable(&[root]).into_iter().find_map(|expr| {
+        let Node::Product(factors) = expr.node() else { return None };
         let denominators = factors.iter().filter(|(_, exponent)| *exponent < 0);
-        denominators.map(|&(factor, _)| factor).find(|&factor| super::value(graph, factor, values) == 0.0)
+        denominators.map(|&(factor, _)| factor).find(|&factor| super::value(factor, values) == 0.0)
     })
 }
 

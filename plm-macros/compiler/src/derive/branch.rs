@@ -1,6 +1,6 @@
 //! Which of the mirror images of a loop a pose is.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use crate::model::{FrameRef, Model, Pair, Part};
 
@@ -22,7 +22,7 @@ pub(crate) struct Branch {
 }
 
 /// The branches of a model, in the order of its joints.
-pub(crate) fn branches(model: &Model, graph: &mut Graph) -> Vec<Branch> {
+pub(crate) fn branches(model: &Model) -> Vec<Branch> {
     let mut joints: Joints = vec![Vec::new(); model.bodies.len()];
     for (index, part) in model.parts.iter().enumerate().filter(|(_, part)| part.pair.is_some()) {
         for frame in &part.frames {
@@ -32,45 +32,39 @@ pub(crate) fn branches(model: &Model, graph: &mut Graph) -> Vec<Branch> {
         }
     }
     let parts = model.parts.iter().enumerate();
-    parts.filter_map(|(index, part)| branch(model, &joints, graph, index, part)).collect()
+    parts.filter_map(|(index, part)| branch(model, &joints, index, part)).collect()
 }
 
 /// The joints of each body, as (part, the body's frame).
 type Joints = Vec<Vec<(usize, FrameRef)>>;
 
-fn branch(model: &Model, joints: &Joints, graph: &mut Graph, index: usize, part: &Part) -> Option<Branch> {
+fn branch(model: &Model, joints: &Joints, index: usize, part: &Part) -> Option<Branch> {
     let &[a, b] = part.frames.as_slice() else { return None };
     let bodies = [a.body?, b.body?];
     if part.pair != Some(Pair::Revolute) {
         return None;
     }
     let [pivot, on_second] = [port(model, a)?, port(model, b)?];
-    let before = far_point(model, joints, graph, index, a)?;
-    let after = far_point(model, joints, graph, index, b)?;
-    let mut absolute = |body: usize, at: [Expr; 2]| point(model, graph, body, at);
+    let before = far_point(model, joints, index, a)?;
+    let after = far_point(model, joints, index, b)?;
+    let absolute = |body: usize, at: [Expr; 2]| point(model, body, at);
     let [first, second] = bodies;
     let (from, middle, to) = (absolute(first, before), absolute(first, pivot), absolute(second, after));
-    let along = difference(graph, middle, from);
-    let onward = difference(graph, to, middle);
-    let cross = bilinear(graph, along, [onward[1], onward[0]], true);
-    let dot = bilinear(graph, along, onward, false);
+    let along = difference(middle, from);
+    let onward = difference(to, middle);
+    let cross = bilinear(along, [onward[1], onward[0]], true);
+    let dot = bilinear(along, onward, false);
     let ends = [[before, pivot], [on_second, after]];
-    Some(Branch { part: index, bodies, ends, turn: graph.atan2(cross, dot) })
+    Some(Branch { part: index, bodies, ends, turn: cross.atan2(dot) })
 }
 
 /// The port of another joint on the body, or its G, from G in the axes of the body; nothing if all are where the joint is, as
 /// on a slider that is a point.
-fn far_point(
-    model: &Model,
-    joints: &Joints,
-    graph: &Graph,
-    joint: usize,
-    own: FrameRef,
-) -> Option<[Expr; 2]> {
+fn far_point(model: &Model, joints: &Joints, joint: usize, own: FrameRef) -> Option<[Expr; 2]> {
     let pivot = port(model, own)?;
     let others = joints[own.body?].iter().filter(|(index, _)| *index != joint);
     let mut others = others.filter_map(|(_, frame)| port(model, *frame));
-    let centre = [graph.zero(); 2];
+    let centre = [Expr::ZERO; 2];
     others.find(|at| *at != pivot).or_else(|| (pivot != centre).then_some(centre))
 }
 
@@ -80,20 +74,20 @@ fn port(model: &Model, frame: FrameRef) -> Option<[Expr; 2]> {
 }
 
 /// Absolute position of a point of a body.
-fn point(model: &Model, graph: &mut Graph, body: usize, [px, py]: [Expr; 2]) -> [Expr; 2] {
+fn point(model: &Model, body: usize, [px, py]: [Expr; 2]) -> [Expr; 2] {
     let [x, y, angle] = model.bodies[body].q;
-    let (sin, cos) = (graph.sin(angle), graph.cos(angle));
-    let dx = bilinear(graph, [cos, sin], [px, py], true);
-    let dy = bilinear(graph, [sin, cos], [px, py], false);
-    [graph.add(x, dx), graph.add(y, dy)]
+    let (sin, cos) = (angle.sin(), angle.cos());
+    let dx = bilinear([cos, sin], [px, py], true);
+    let dy = bilinear([sin, cos], [px, py], false);
+    [x + dx, y + dy]
 }
 
-fn difference(graph: &mut Graph, a: [Expr; 2], b: [Expr; 2]) -> [Expr; 2] {
-    [graph.sub(a[0], b[0]), graph.sub(a[1], b[1])]
+fn difference(a: [Expr; 2], b: [Expr; 2]) -> [Expr; 2] {
+    [a[0] - b[0], a[1] - b[1]]
 }
 
 /// `a0 b0 + a1 b1`, or `a0 b0 - a1 b1`.
-fn bilinear(graph: &mut Graph, a: [Expr; 2], b: [Expr; 2], minus: bool) -> Expr {
-    let (first, second) = (graph.mul(a[0], b[0]), graph.mul(a[1], b[1]));
-    if minus { graph.sub(first, second) } else { graph.add(first, second) }
+fn bilinear(a: [Expr; 2], b: [Expr; 2], minus: bool) -> Expr {
+    let (first, second) = (a[0] * b[0], a[1] * b[1]);
+    if minus { first - second } else { first + second }
 }

@@ -3,7 +3,7 @@
 //! Each unknown that is read is a signal. Where the forces are affine in the signals, `Q = Q_0 + sum_j G_j s_j`, the
 //! signals enter the linear system that gives the unknowns, and the solution is exact.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::SparseRow;
 use crate::diag::{Code, Diagnostics};
@@ -19,44 +19,44 @@ pub(crate) struct Signal {
 }
 
 /// Takes the signals out of the applied forces.
-pub(super) fn signals(model: &Model, force: &mut [Expr], graph: &mut Graph) -> Vec<Signal> {
+pub(super) fn signals(model: &Model, force: &mut [Expr]) -> Vec<Signal> {
     let unknowns = unknowns(model);
-    let held = graph.symbols(force);
+    let held = algebra::symbols(force);
     let symbols = held.into_iter().filter(|symbol| unknowns.iter().any(|(of, _)| of == symbol));
     let symbols: Vec<Expr> = symbols.collect();
     let gains = symbols.iter().map(|&symbol| {
-        let entries = force.iter().enumerate().map(|(k, &of)| (k, graph.diff(of, symbol)));
+        let entries = force.iter().enumerate().map(|(k, &of)| (k, of.diff(symbol)));
         let entries: Vec<(usize, Expr)> = entries.collect();
-        let gain = entries.into_iter().filter(|&(_, entry)| !graph.is_zero(entry)).collect();
+        let gain = entries.into_iter().filter(|&(_, entry)| !entry.is_zero()).collect();
         Signal { symbol, gain }
     });
     let signals = gains.collect();
-    let zero = graph.zero();
+    let zero = Expr::ZERO;
     let pairs: Vec<(Expr, Expr)> = symbols.into_iter().map(|symbol| (symbol, zero)).collect();
     if !pairs.is_empty() {
-        let free = graph.substitute(force, &pairs);
+        let free = algebra::substitute(force, &pairs);
         force.copy_from_slice(&free);
     }
     signals
 }
 
 /// Does a force or a rate read an acceleration or a reaction?
-pub(crate) fn feeds_back(model: &Model, graph: &Graph) -> bool {
+pub(crate) fn feeds_back(model: &Model) -> bool {
     let roots: Vec<Expr> = causes(model).into_iter().map(|cause| cause.value).collect();
-    let held = graph.symbols(&roots);
+    let held = algebra::symbols(&roots);
     unknowns(model).iter().any(|(symbol, _)| held.contains(symbol))
 }
 
 /// Reports forces that are not affine in what they read of the unknowns, and conditions that read them.
-pub(crate) fn check(model: &Model, graph: &mut Graph, sink: &mut Diagnostics) {
+pub(crate) fn check(model: &Model, sink: &mut Diagnostics) {
     let unknowns = unknowns(model);
     // Whose force, and what it reads.
     let mut cycles: Vec<(Name, Vec<&str>)> = Vec::new();
     for cause in causes(model).into_iter().filter(|cause| cause.is_force) {
-        let held = graph.symbols(&[cause.value]);
+        let held = algebra::symbols(&[cause.value]);
         for (symbol, name) in unknowns.iter().filter(|(symbol, _)| held.contains(symbol)) {
-            let gain = graph.diff(cause.value, *symbol);
-            let left = graph.symbols(&[gain]);
+            let gain = cause.value.diff(*symbol);
+            let left = algebra::symbols(&[gain]);
             if !unknowns.iter().any(|(of, _)| left.contains(of)) {
                 continue;
             }
@@ -77,7 +77,7 @@ pub(crate) fn check(model: &Model, graph: &mut Graph, sink: &mut Diagnostics) {
             .help("feed it back in proportion, or through a `state` that follows it with a lag");
     }
     for side in &model.sides {
-        let held = graph.symbols(&[side.difference]);
+        let held = algebra::symbols(&[side.difference]);
         if let Some((_, name)) = unknowns.iter().find(|(symbol, _)| held.contains(symbol)) {
             let message = format!("`{}` jumps on a condition that reads {name}", side.name);
             sink.error(Code::Feedback, model.name.span, message)

@@ -7,7 +7,7 @@
 
 mod boundary;
 
-use plm_cas::{Expr, Function, Graph, Node};
+use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::check::value;
 use crate::model::{Jump, Model};
@@ -29,56 +29,56 @@ pub(super) struct Kink {
 }
 
 /// Writes what bends in rows and in moving ports of the ground as conditions.
-pub(super) fn unfold(model: &mut Model, graph: &mut Graph) {
+pub(super) fn unfold(model: &mut Model) {
     loop {
         let moving = moving(model);
         let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
-        let found = graph.reachable(&roots).into_iter().find_map(|expr| {
-            let Node::Call(function, arguments) = graph.node(expr) else { return None };
-            let (function, arguments) = (*function, arguments.to_vec());
+        let found = algebra::reachable(&roots).into_iter().find_map(|expr| {
+            let Node::Call(function, arguments) = expr.node() else { return None };
+            let arguments = arguments.into_vec();
             let bends = matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max);
-            let moves = graph.symbols(&arguments).iter().any(|symbol| moving.contains(symbol));
+            let moves = algebra::symbols(&arguments).iter().any(|symbol| moving.contains(symbol));
             (bends && moves).then_some((expr, function, arguments))
         });
         let Some((call, function, arguments)) = found else { return };
-        let unfolded = unfolded(function, &arguments, graph);
+        let unfolded = unfolded(function, &arguments);
         let pairs = [(call, unfolded)];
-        substitute(model, &pairs, graph);
+        substitute(model, &pairs);
     }
 }
 
 /// A call as a choice between what it is on either side.
-fn unfolded(function: Function, arguments: &[Expr], graph: &mut Graph) -> Expr {
-    let (zero, one) = (graph.zero(), graph.one());
+fn unfolded(function: Function, arguments: &[Expr]) -> Expr {
+    let (zero, one) = (Expr::ZERO, Expr::ONE);
     match (function, arguments) {
         (Function::Min, &[a, b]) => {
-            let less = graph.less(a, b);
-            graph.select(less, a, b)
+            let less = a.less(b);
+            less.select(a, b)
         }
         (Function::Max, &[a, b]) => {
-            let less = graph.less(a, b);
-            graph.select(less, b, a)
+            let less = a.less(b);
+            less.select(b, a)
         }
         (Function::Sign, &[x]) => {
-            let (below, minus) = (graph.less(x, zero), graph.int(-1));
-            graph.select(below, minus, one)
+            let (below, minus) = (x.less(zero), Expr::from(-1));
+            below.select(minus, one)
         }
         _ => {
             let x = arguments.first().copied().unwrap_or(zero);
-            let (below, negative) = (graph.less(x, zero), graph.neg(x));
-            graph.select(below, negative, x)
+            let (below, negative) = (x.less(zero), -x);
+            below.select(negative, x)
         }
     }
 }
 
 /// Puts the second of each pair in the place of the first, in rows and in the ports of the ground that they stand on.
-pub(super) fn substitute(model: &mut Model, pairs: &[(Expr, Expr)], graph: &mut Graph) {
+pub(super) fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
     for row in &mut model.rows {
-        row.phi = graph.substitute(&[row.phi], pairs)[0];
+        row.phi = algebra::substitute(&[row.phi], pairs)[0];
     }
     for port in &mut model.ground {
         let [x, y] = port.at;
-        let replaced = graph.substitute(&[x, y, port.angle], pairs);
+        let replaced = algebra::substitute(&[x, y, port.angle], pairs);
         (port.at, port.angle) = ([replaced[0], replaced[1]], replaced[2]);
     }
 }
@@ -90,42 +90,42 @@ fn moving(model: &Model) -> Vec<Expr> {
 }
 
 /// The conditions of all rows that change while it runs.
-pub(super) fn kinks(model: &Model, graph: &mut Graph) -> Vec<Kink> {
+pub(super) fn kinks(model: &Model) -> Vec<Kink> {
     let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
     let moving = moving(model);
-    let conditions = graph.reachable(&roots).into_iter().filter_map(|expr| match *graph.node(expr) {
+    let conditions = algebra::reachable(&roots).into_iter().filter_map(|expr| match expr.node() {
         Node::Less(a, b) => Some((expr, a, b)),
         _ => None,
     });
     let conditions: Vec<(Expr, Expr, Expr)> = conditions.collect();
     let mut found = Vec::new();
     for (condition, a, b) in conditions {
-        let difference = graph.sub(a, b);
-        if !graph.symbols(&[difference]).iter().any(|symbol| moving.contains(symbol)) {
+        let difference = a - b;
+        if !algebra::symbols(&[difference]).iter().any(|symbol| moving.contains(symbol)) {
             continue;
         }
-        found.extend(kink(model, (condition, difference), graph));
+        found.extend(kink(model, (condition, difference)));
     }
     found
 }
 
-fn kink(model: &Model, (condition, difference): (Expr, Expr), graph: &mut Graph) -> Option<Kink> {
-    let boundary = Boundary::new(model, difference, graph);
+fn kink(model: &Model, (condition, difference): (Expr, Expr)) -> Option<Kink> {
+    let boundary = Boundary::new(model, difference);
     let mut kink = Kink { condition, difference, row: model.rows.len(), jumps: Vec::new(), bends: false };
     for (index, row) in model.rows.iter().enumerate() {
-        if !graph.reachable(&[row.phi]).contains(&condition) {
+        if !algebra::reachable(&[row.phi]).contains(&condition) {
             continue;
         }
         kink.row = kink.row.min(index);
         let sides =
-            [graph.one(), graph.zero()].map(|holds| graph.substitute(&[row.phi], &[(condition, holds)])[0]);
-        let gap = graph.sub(sides[0], sides[1]);
-        let [rate, bend] = derivatives(model, gap, graph);
-        let order = boundary.order(&[gap, rate, bend], sides, graph);
+            [Expr::ONE, Expr::ZERO].map(|holds| algebra::substitute(&[row.phi], &[(condition, holds)])[0]);
+        let gap = sides[0] - sides[1];
+        let [rate, bend] = derivatives(model, gap);
+        let order = boundary.order(&[gap, rate, bend], sides);
         kink.bends |= order != Order::Smooth;
         if matches!(order, Order::Place | Order::Speed) {
-            let steady = boundary.jump(gap, rate, sides, graph);
-            let [along, _] = derivatives(model, difference, graph);
+            let steady = boundary.jump(gap, rate, sides);
+            let [along, _] = derivatives(model, difference);
             let terms = [gap, rate, bend, difference, along];
             kink.jumps.push(Jump { side: 0, row: index, terms, steady });
         }
@@ -134,15 +134,15 @@ fn kink(model: &Model, (condition, difference): (Expr, Expr), graph: &mut Graph)
 }
 
 /// First and second derivative along a motion at constant speed.
-fn derivatives(model: &Model, expr: Expr, graph: &mut Graph) -> [Expr; 2] {
+fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
     let bodies = model.bodies.iter().flat_map(|body| body.q.into_iter().zip(body.v));
     let mut flow: Vec<(Expr, Expr)> = bodies.collect();
-    flow.push((model.time, graph.one()));
-    let rate = graph.directional(expr, &flow);
-    [rate, graph.directional(rate, &flow)]
+    flow.push((model.time, Expr::ONE));
+    let rate = expr.directional(&flow);
+    [rate, rate.directional(&flow)]
 }
 
 /// Value of what holds numbers alone.
-fn number(graph: &Graph, expr: Expr) -> f64 {
-    value(graph, expr, &[])
+fn number(expr: Expr) -> f64 {
+    value(expr, &[])
 }

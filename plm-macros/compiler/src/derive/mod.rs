@@ -15,7 +15,7 @@ mod feedback;
 mod kinks;
 mod sides;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
 pub(crate) use feedback::{Signal, check as check_feedback, feeds_back};
@@ -60,7 +60,7 @@ pub(crate) struct Equations {
 }
 
 /// Derives the equations of motion of a model.
-pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
+pub(crate) fn derive(model: &Model) -> Equations {
     let q: Vec<Expr> = model.bodies.iter().flat_map(|body| body.q).collect();
     let v: Vec<Expr> = model.bodies.iter().flat_map(|body| body.v).collect();
     let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
@@ -69,20 +69,20 @@ pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
     let mut gamma = Vec::with_capacity(phi.len());
     let columns = Columns::new(model);
     for &row in &phi {
-        let touched = columns.of(graph, row);
+        let touched = columns.of(row);
         let wrt: Vec<Expr> = touched.iter().map(|&column| q[column]).collect();
         let entries: SparseRow =
-            graph.gradient(row, &wrt).into_iter().map(|(k, entry)| (touched[k], entry)).collect();
+            algebra::gradient(row, &wrt).into_iter().map(|(k, entry)| (touched[k], entry)).collect();
         let mut flow: Vec<(Expr, Expr)> = touched.iter().map(|&column| (q[column], v[column])).collect();
-        flow.push((model.time, graph.one()));
-        let rate = graph.directional(row, &flow);
-        let curvature = graph.directional(rate, &flow);
-        gamma.push(graph.neg(curvature));
+        flow.push((model.time, Expr::ONE));
+        let rate = row.directional(&flow);
+        let curvature = rate.directional(&flow);
+        gamma.push(-curvature);
         phi_dot.push(rate);
         phi_q.push(entries);
     }
-    let mut force = applied_force(model, graph);
-    let signals = feedback::signals(model, &mut force, graph);
+    let mut force = applied_force(model);
+    let signals = feedback::signals(model, &mut force);
     Equations {
         a: model.bodies.iter().flat_map(|body| body.a).collect(),
         lambda: model.rows.iter().map(|row| row.lambda).collect(),
@@ -90,7 +90,7 @@ pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
         mass: model.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia]).collect(),
         force,
         signals,
-        branches: branch::branches(model, graph),
+        branches: branch::branches(model),
         x_dot: model.states.iter().map(|state| state.rate).collect(),
         q,
         v,
@@ -102,11 +102,11 @@ pub(crate) fn derive(model: &Model, graph: &mut Graph) -> Equations {
 }
 
 /// Gravity and the loads of all parts, summed per coordinate.
-fn applied_force(model: &Model, graph: &mut Graph) -> Vec<Expr> {
+fn applied_force(model: &Model) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); 3 * model.bodies.len()];
     for (i, body) in model.bodies.iter().enumerate() {
         for (k, &gravity) in model.gravity.iter().enumerate() {
-            terms[3 * i + k].push(graph.mul(body.mass, gravity));
+            terms[3 * i + k].push(body.mass * gravity);
         }
     }
     for load in &model.loads {
@@ -114,7 +114,7 @@ fn applied_force(model: &Model, graph: &mut Graph) -> Vec<Expr> {
             terms[3 * load.body + k].push(component);
         }
     }
-    terms.iter().map(|sum| graph.sum(sum)).collect()
+    terms.iter().map(|sum| algebra::sum(sum)).collect()
 }
 
 /// Finds the coordinates that an expression holds.
@@ -133,8 +133,8 @@ impl Columns {
     }
 
     /// Columns of the coordinates in `expr`, ascending.
-    fn of(&self, graph: &Graph, expr: Expr) -> Vec<usize> {
-        let held = graph.symbols(&[expr]);
+    fn of(&self, expr: Expr) -> Vec<usize> {
+        let held = algebra::symbols(&[expr]);
         let column = |symbol: &Expr| {
             self.sorted.binary_search_by_key(symbol, |&(s, _)| s).ok().map(|k| self.sorted[k].1)
         };

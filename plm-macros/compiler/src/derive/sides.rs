@@ -3,21 +3,21 @@
 //! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
 //! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
-use plm_cas::{Expr, Function, Graph, Node};
+use plm_cas::{Expr, Function, Node, algebra};
 
 use super::kinks::{self, Kink};
 use crate::model::{Jump, Model, Side};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
 /// its place. Gives each condition and what stands for it.
-pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
-    kinks::unfold(model, graph);
-    let kinks = kinks::kinks(model, graph);
+pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
+    kinks::unfold(model);
+    let kinks = kinks::kinks(model);
     let mut conditions: Vec<(Expr, String)> = Vec::new();
     for (name, root) in causes(model) {
-        for expr in graph.reachable(&[root]) {
+        for expr in algebra::reachable(&[root]) {
             let seen = conditions.iter().any(|(condition, _)| *condition == expr);
-            if matches!(graph.node(expr), Node::Less(..)) && !seen {
+            if matches!(expr.node(), Node::Less(..)) && !seen {
                 conditions.push((expr, name.clone()));
             }
         }
@@ -25,17 +25,17 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
     let roots: Vec<Expr> = causes(model).into_iter().map(|(_, root)| root).collect();
     let mut pairs = Vec::new();
     for (condition, name) in conditions {
-        let Node::Less(a, b) = *graph.node(condition) else { continue };
-        let difference = graph.sub(a, b);
-        let instant = instant(model, difference, graph);
-        if instant.is_none() && !jumps(&roots, condition, difference, graph) {
+        let Node::Less(a, b) = condition.node() else { continue };
+        let difference = a - b;
+        let instant = instant(model, difference);
+        if instant.is_none() && !jumps(&roots, condition, difference) {
             model.kinks.push(difference);
             continue;
         }
-        pairs.push(side(model, (condition, difference, instant), name, graph));
+        pairs.push(side(model, (condition, difference, instant), name));
     }
-    let jumps = hold_rows(model, kinks, &mut pairs, graph);
-    bends(model, &roots, graph);
+    let jumps = hold_rows(model, kinks, &mut pairs);
+    bends(model, &roots);
     if pairs.is_empty() {
         return pairs;
     }
@@ -45,31 +45,31 @@ pub(crate) fn hold(model: &mut Model, graph: &mut Graph) -> Vec<(Expr, Expr)> {
         let index = model.sides.iter().position(|side| side.symbol == symbol);
         model.jumps.extend(index.map(|side| Jump { side, ..jump }));
     }
-    kinks::substitute(model, &pairs, graph);
+    kinks::substitute(model, &pairs);
     let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
-    let in_rows = graph.reachable(&rows);
+    let in_rows = algebra::reachable(&rows);
     let released = pairs.iter().filter(|pair| in_rows.contains(&pair.1));
     model.released = released.map(|&(condition, held)| (held, condition)).collect();
     for load in &mut model.loads {
-        load.force = std::array::from_fn(|k| graph.substitute(&[load.force[k]], &pairs)[0]);
+        load.force = std::array::from_fn(|k| algebra::substitute(&[load.force[k]], &pairs)[0]);
     }
     for state in &mut model.states {
-        state.rate = graph.substitute(&[state.rate], &pairs)[0];
+        state.rate = algebra::substitute(&[state.rate], &pairs)[0];
     }
     for output in &mut model.outputs {
-        output.components = graph.substitute(&output.components, &pairs);
+        output.components = algebra::substitute(&output.components, &pairs);
     }
     pairs
 }
 
 /// Adds what `min`, `max` and `abs` compare to the kinks, and leaves those that can be looked at: they read the state or the
 /// time, and nothing that is not known before accelerations are. Where a side is held steps end already.
-fn bends(model: &mut Model, roots: &[Expr], graph: &mut Graph) {
+fn bends(model: &mut Model, roots: &[Expr]) {
     let mut kinks = std::mem::take(&mut model.kinks);
-    for expr in graph.reachable(roots) {
-        let difference = match graph.node(expr) {
+    for expr in algebra::reachable(roots) {
+        let difference = match expr.node() {
             Node::Call(Function::Min | Function::Max, arguments) => match arguments[..] {
-                [a, b] => graph.sub(a, b),
+                [a, b] => a - b,
                 _ => continue,
             },
             Node::Call(Function::Abs, arguments) => match arguments[..] {
@@ -88,10 +88,10 @@ fn bends(model: &mut Model, roots: &[Expr], graph: &mut Graph) {
         .chain(model.inputs.iter().map(|input| input.symbol))
         .collect();
     for kink in kinks {
-        let read = graph.symbols(&[kink]);
+        let read = algebra::symbols(&[kink]);
         let known = read.iter().all(|symbol| moving.contains(symbol) || held.contains(symbol));
         let moves = known && read.iter().any(|symbol| moving.contains(symbol));
-        let negative = graph.neg(kink);
+        let negative = -kink;
         let same = |expr: Expr| expr == kink || expr == negative;
         let is_held = model.sides.iter().any(|side| same(side.difference));
         if moves && !is_held && !model.kinks.iter().any(|other| same(*other)) {
@@ -105,36 +105,30 @@ fn side(
     model: &mut Model,
     (condition, difference, instant): (Expr, Expr, Option<[Expr; 2]>),
     name: String,
-    graph: &mut Graph,
 ) -> (Expr, Expr) {
-    let symbol = graph.symbol(&format!("side_{}", model.sides.len()));
-    let zero = graph.zero();
+    let symbol = Expr::symbol(format!("side_{}", model.sides.len()));
+    let zero = Expr::ZERO;
     model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
-    (condition, graph.less(symbol, zero))
+    (condition, symbol.less(zero))
 }
 
 /// Sides of the conditions in rows; gives what may jump there, with the symbols of these sides.
-fn hold_rows(
-    model: &mut Model,
-    kinks: Vec<Kink>,
-    pairs: &mut Vec<(Expr, Expr)>,
-    graph: &mut Graph,
-) -> Vec<(Expr, Jump)> {
+fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>) -> Vec<(Expr, Jump)> {
     let mut jumps = Vec::new();
     for Kink { condition, difference, row, jumps: of_rows, bends } in kinks {
         let known = pairs.iter().find(|pair| pair.0 == condition).copied();
-        let instant = instant(model, difference, graph);
+        let instant = instant(model, difference);
         let pair = match known {
             Some(pair) => pair,
             None if instant.is_none() && !bends => continue,
             None => {
                 let name = model.rows[row].name.clone();
-                let pair = side(model, (condition, difference, instant), name, graph);
+                let pair = side(model, (condition, difference, instant), name);
                 pairs.push(pair);
                 pair
             }
         };
-        if let Some(symbol) = graph.symbols(&[pair.1]).first().copied() {
+        if let Some(symbol) = algebra::symbols(&[pair.1]).first().copied() {
             jumps.extend(of_rows.into_iter().map(|jump| (symbol, jump)));
         }
     }
@@ -153,8 +147,8 @@ fn causes(model: &Model) -> Vec<(String, Expr)> {
 
 /// The one time at which a difference vanishes that is linear in the time and reads nothing but parameters and inputs,
 /// and its slope.
-fn instant(model: &Model, difference: Expr, graph: &mut Graph) -> Option<[Expr; 2]> {
-    let held = graph.symbols(&[difference]);
+fn instant(model: &Model, difference: Expr) -> Option<[Expr; 2]> {
+    let held = algebra::symbols(&[difference]);
     let constant = |symbol: &Expr| {
         model.params.iter().any(|param| param.symbol == *symbol)
             || model.inputs.iter().any(|input| input.symbol == *symbol)
@@ -162,41 +156,40 @@ fn instant(model: &Model, difference: Expr, graph: &mut Graph) -> Option<[Expr; 
     if !held.contains(&model.time) || !held.iter().all(|symbol| *symbol == model.time || constant(symbol)) {
         return None;
     }
-    let slope = graph.diff(difference, model.time);
-    if graph.symbols(&[slope]).contains(&model.time) {
+    let slope = difference.diff(model.time);
+    if algebra::symbols(&[slope]).contains(&model.time) {
         return None;
     }
-    Some([root(difference, model.time, slope, graph), slope])
+    Some([root(difference, model.time, slope), slope])
 }
 
 /// `s - d / d'`, where `d` is linear in the symbol `s`.
-pub(super) fn root(difference: Expr, symbol: Expr, slope: Expr, graph: &mut Graph) -> Expr {
-    let step = graph.div(difference, slope);
-    graph.sub(symbol, step)
+pub(super) fn root(difference: Expr, symbol: Expr, slope: Expr) -> Expr {
+    let step = difference / slope;
+    symbol - step
 }
 
 /// Do the two values between which a condition chooses differ where it changes?
-fn jumps(roots: &[Expr], condition: Expr, difference: Expr, graph: &mut Graph) -> bool {
-    let choices: Vec<Expr> = graph
-        .reachable(roots)
+fn jumps(roots: &[Expr], condition: Expr, difference: Expr) -> bool {
+    let choices: Vec<Expr> = algebra::reachable(roots)
         .into_iter()
-        .filter_map(|expr| match *graph.node(expr) {
+        .filter_map(|expr| match expr.node() {
             Node::Select(by, yes, no) if by == condition => Some((yes, no)),
             _ => None,
         })
         .collect::<Vec<_>>()
         .into_iter()
-        .map(|(yes, no)| graph.sub(yes, no))
+        .map(|(yes, no)| yes - no)
         .collect();
     // The boundary, solved for a symbol in which it is linear.
-    let boundary = graph.symbols(&[difference]).into_iter().find_map(|symbol| {
-        let slope = graph.diff(difference, symbol);
-        let linear = !graph.is_zero(slope) && !graph.symbols(&[slope]).contains(&symbol);
-        linear.then(|| (symbol, root(difference, symbol, slope, graph)))
+    let boundary = algebra::symbols(&[difference]).into_iter().find_map(|symbol| {
+        let slope = difference.diff(symbol);
+        let linear = !slope.is_zero() && !algebra::symbols(&[slope]).contains(&symbol);
+        linear.then(|| (symbol, root(difference, symbol, slope)))
     });
     let Some(boundary) = boundary else { return true };
     choices.iter().any(|&choice| {
-        let there = graph.substitute(&[choice], &[boundary])[0];
-        !graph.is_zero(there)
+        let there = algebra::substitute(&[choice], &[boundary])[0];
+        !there.is_zero()
     })
 }

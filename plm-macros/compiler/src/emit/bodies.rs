@@ -173,7 +173,7 @@ pub(super) fn write(
 ) {
     let mut reserved = vec!["lit"];
     reserved.extend(shape.arguments);
-    let lines: Lines = lines::lower(emission.graph, function, &emission.bindings(origin), &reserved);
+    let lines: Lines = lines::lower(function, &emission.bindings(origin), &reserved);
     for doc in shape.docs {
         push(text, format_args!("        /// {doc}\n"));
     }

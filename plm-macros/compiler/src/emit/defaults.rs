@@ -168,13 +168,13 @@ fn body_start(emission: &Emission, body: &Body, bindings: &Bindings) -> String {
 }
 
 /// An expression of parameters as one Rust expression; a block where it needs locals.
-pub(crate) fn inline(emission: &Emission, expr: Expr, bindings: &Bindings) -> String {
-    if let Some(number) = emission.graph.as_number(expr) {
+pub(crate) fn inline(_emission: &Emission, expr: Expr, bindings: &Bindings) -> String {
+    if let Some(number) = expr.as_number() {
         return piece::literal(number.to_f64());
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
-    let lines = lines::lower(emission.graph, &function, bindings, &reserved);
+    let lines = lines::lower(&function, bindings, &reserved);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
         _ => format!("{{\n{}            }}", blocks::body(&lines, 16)),

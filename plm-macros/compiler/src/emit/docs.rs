@@ -1,6 +1,6 @@
 //! Documentation of the emitted items: equations, shapes, units, counts.
 
-use plm_cas::{Count, Expr, Graph, Number};
+use plm_cas::{Count, Expr, Number};
 
 use super::{Emission, push};
 use crate::units::DisplayUnit;
@@ -27,10 +27,10 @@ pub(crate) fn field(text: &mut String, docs: &[String], what: &str, unit: &Displ
 }
 
 /// What a value is unless it is set: a number in the unit that it was declared in, else its expression.
-pub(crate) fn by_default(graph: &Graph, value: Expr, unit: &DisplayUnit) -> String {
-    let in_unit = graph.as_number(value).and_then(|number| number.div(unit.factor));
+pub(crate) fn by_default(value: Expr, unit: &DisplayUnit) -> String {
+    let in_unit = value.as_number().and_then(|number| number.div(unit.factor));
     let Some(number) = in_unit.map(Number::to_f64) else {
-        return format!("; `{}` by default", graph.display(value));
+        return format!("; `{value}` by default");
     };
     let size = number.abs();
     let number =
@@ -60,7 +60,7 @@ pub(crate) fn module(emission: &Emission) -> String {
 
 /// The table of constraints.
 fn rows(emission: &Emission) -> String {
-    let Emission { model, graph, .. } = emission;
+    let Emission { model, .. } = emission;
     let mut text = String::new();
     if model.rows.is_empty() {
         return text;
@@ -69,7 +69,7 @@ fn rows(emission: &Emission) -> String {
         "///\n/// | row | constraint | equation | unit |\n/// |----:|------------|----------|------|\n",
     );
     for (k, row) in model.rows.iter().enumerate().take(MOST_ROWS) {
-        let equation = graph.display(row.phi).to_string().replace('|', "\\|");
+        let equation = row.phi.to_string().replace('|', "\\|");
         push(
             &mut text,
             format_args!("/// | {k} | `{}` | `{equation} = 0` | {} |\n", row.name, row.unit.text),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use super::{Emission, defaults, push};
 use crate::units::DisplayUnit;
@@ -50,7 +50,7 @@ fn of_bodies(emission: &Emission) -> Vec<[Limited; 2]> {
 }
 
 fn check(text: &mut String, emission: &Emission) {
-    let Emission { model, fields, graph, .. } = emission;
+    let Emission { model, fields, .. } = emission;
     if model.params.is_empty() {
         return;
     }
@@ -64,7 +64,7 @@ fn check(text: &mut String, emission: &Emission) {
         limited(&limit.part, &limit.what, &limit.unit, least, limit.value)
     });
     // Constants have been looked at.
-    let varies = |limited: &Limited| graph.as_number(limited.value).is_none();
+    let varies = |limited: &Limited| limited.value.as_number().is_none();
     let all: Vec<Limited> = of_bodies(emission).into_iter().flatten().chain(others).filter(varies).collect();
     let mut limits = String::new();
     if !all.is_empty() {
@@ -105,7 +105,7 @@ fn check(text: &mut String, emission: &Emission) {
 /// After assembly in `start_state`: bodies without mass must be carried, where parameters can make some.
 pub(crate) fn carried(emission: &Emission) -> String {
     let bodies = of_bodies(emission);
-    let varies = |limited: &Limited| emission.graph.as_number(limited.value).is_none();
+    let varies = |limited: &Limited| limited.value.as_number().is_none();
     if !may_be_carried(emission) || !bodies.iter().flatten().any(varies) {
         return String::new();
     }
@@ -124,14 +124,14 @@ pub(crate) fn carried(emission: &Emission) -> String {
 
 /// Fields of the parameters that joints, masses or known times read.
 fn shaping<'a>(emission: &'a Emission) -> Vec<&'a str> {
-    let Emission { model, fields, graph, .. } = emission;
+    let Emission { model, fields, .. } = emission;
     let mut roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
     roots.extend(
         model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre[0], body.centre[1]]),
     );
     roots.extend(model.limits.iter().map(|limit| limit.value));
     roots.extend(model.sides.iter().map(|side| side.difference));
-    let read = graph.symbols(&roots);
+    let read = algebra::symbols(&roots);
     let params = model.params.iter().zip(&fields.params);
     params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field.as_str()).collect()
 }

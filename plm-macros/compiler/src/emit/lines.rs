@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Count, Expr, Graph, Op, Ref, Tape};
+use plm_cas::{Count, Expr, Op, Ref, Tape};
 
 use super::names::Names;
 use super::piece::{Piece, literal};
@@ -49,10 +49,10 @@ pub(crate) struct Lines {
 }
 
 /// Lowers a function; `reserved` are the names of its arguments.
-pub(crate) fn lower(graph: &Graph, function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
-    let tape = function.tape(graph);
+pub(crate) fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
+    let tape = function.tape();
     let first_result = tape.outputs.len() - function.results.len();
-    let mut lowering = Lowering::new(graph, &tape, first_result, bindings, reserved);
+    let mut lowering = Lowering::new(&tape, first_result, bindings, reserved);
     let mut root = 0;
     let mut done = 0;
     for section in &function.sections {
@@ -76,7 +76,6 @@ pub(crate) fn lower(graph: &Graph, function: &Function, bindings: &Bindings, res
 }
 
 struct Lowering<'a> {
-    graph: &'a Graph,
     tape: &'a Tape,
     bindings: &'a Bindings,
     names: Names,
@@ -94,13 +93,7 @@ struct Lowering<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    fn new(
-        graph: &'a Graph,
-        tape: &'a Tape,
-        first_result: usize,
-        bindings: &'a Bindings,
-        reserved: &[&str],
-    ) -> Self {
+    fn new(tape: &'a Tape, first_result: usize, bindings: &'a Bindings, reserved: &[&str]) -> Self {
         let uses = uses(tape, &tape.outputs[first_result..]);
         let groups = angle_groups(tape, &uses);
         let needed =
@@ -113,18 +106,7 @@ impl<'a> Lowering<'a> {
             is_result[result.index()] = true;
         }
         let pieces = Vec::with_capacity(tape.ops.len());
-        Lowering {
-            graph,
-            tape,
-            bindings,
-            names,
-            uses,
-            is_result,
-            pieces,
-            groups,
-            early: BTreeMap::new(),
-            lines,
-        }
+        Lowering { tape, bindings, names, uses, is_result, pieces, groups, early: BTreeMap::new(), lines }
     }
 
     /// Announces a section; a section without statements leaves no title.
@@ -220,9 +202,9 @@ impl<'a> Lowering<'a> {
 
     /// Gives a value a name.
     fn bind(&mut self, index: usize, piece: Piece) -> Piece {
-        let hint = self.tape.ops[index].expr.and_then(|expr| self.graph.name(expr));
+        let hint = self.tape.ops[index].expr.and_then(Expr::name);
         let name = match hint {
-            Some(hint) => self.names.unique(hint),
+            Some(hint) => self.names.unique(&hint),
             None => self.names.numbered("t"),
         };
         let local = self.named(name);

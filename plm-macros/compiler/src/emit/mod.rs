@@ -28,7 +28,7 @@ mod types;
 
 use std::fmt::Write;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use crate::derive::Equations;
 use crate::formulate::{Absolute, Function, Reduced};
@@ -71,7 +71,6 @@ impl Code {
 /// Everything that emission reads.
 pub(crate) struct Emission<'a> {
     pub(crate) model: &'a Model,
-    pub(crate) graph: &'a Graph,
     pub(crate) equations: &'a Equations,
     pub(crate) program: &'a Absolute,
     /// The rung above 5 that was taken.
@@ -159,7 +158,6 @@ impl Fields {
 /// Emits a mechanism on rung 5, or on the one above that is given.
 pub(crate) fn emit(
     model: &Model,
-    graph: &Graph,
     equations: &Equations,
     program: &Absolute,
     reduced: Option<&Reduced>,
@@ -167,7 +165,6 @@ pub(crate) fn emit(
 ) -> Code {
     let emission = Emission {
         model,
-        graph,
         equations,
         program,
         reduced,

@@ -91,7 +91,7 @@ fn user_output(text: &mut String, emission: &Emission, bindings: &lines::Binding
 
 fn function_body(emission: &Emission, bindings: &lines::Bindings, function: &Function) -> String {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let lines = lines::lower(emission.graph, function, bindings, &reserved);
+    let lines = lines::lower(function, bindings, &reserved);
     format!("{}{}", emission.pose_line(), blocks::with_literals(&lines, 12))
 }
 

@@ -6,11 +6,11 @@ use super::{Emission, push};
 use crate::check::{defaults, value};
 
 pub(crate) fn emit(text: &mut String, emission: &Emission) {
-    let Emission { model, graph, .. } = emission;
-    let known = defaults(model, graph);
-    let number = |expr: Expr| match graph.as_number(expr) {
+    let Emission { model, .. } = emission;
+    let known = defaults(model);
+    let number = |expr: Expr| match expr.as_number() {
         Some(number) => number.to_f64(),
-        None => value(graph, expr, &known),
+        None => value(expr, &known),
     };
     let contours = model.bodies.iter().filter(|body| !body.contour.is_empty()).map(|body| {
         let points = body.contour.iter().map(|at| format!("[{:?}, {:?}]", number(at[0]), number(at[1])));

@@ -47,7 +47,7 @@ fn of_absolute(emission: &Emission) -> String {
     let length = 2 * nq + equations.x.len();
     let absolute = if emission.reduced.is_some() { "self.absolute_()" } else { "self.x" };
     // Forces that read the unknowns are known for independent constraints alone.
-    let refusal = if feeds_back(emission.model, emission.graph) {
+    let refusal = if feeds_back(emission.model) {
         format!("            return Err(Fault::new(t.to_f64(), rt::Cause::Singular {{ rows: {nc} }}));\n")
     } else {
         String::new()

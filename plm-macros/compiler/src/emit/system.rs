@@ -1,6 +1,6 @@
 //! The contracts of the runtime, implemented for the mechanism.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use super::{Emission, defaults, mechanism, push, reduced, sides, singular, solved};
 use crate::formulate::coordinate_name;
@@ -108,12 +108,12 @@ fn system(text: &mut String, emission: &Emission) {
 
 /// `energy`, where no constraint knows the time.
 pub(super) fn energy(text: &mut String, emission: &Emission) {
-    let Emission { model, graph, .. } = emission;
+    let Emission { model, .. } = emission;
     let rows = model.rows.iter().map(|row| row.phi);
     let sides = model.jumps.iter().map(|jump| model.sides[jump.side].difference);
     let released = model.released.iter().map(|(_, condition)| *condition);
     let roots: Vec<Expr> = rows.chain(sides).chain(released).collect();
-    if graph.symbols(&roots).contains(&model.time) {
+    if algebra::symbols(&roots).contains(&model.time) {
         return;
     }
     let (length, _) = emission.state_length();

@@ -20,7 +20,7 @@ pub(crate) fn emit(emission: &Emission) -> String {
 
 /// The mechanism itself; its name is the only one beside it that it must not meet.
 pub(crate) fn mechanism(emission: &Emission) -> String {
-    let Emission { model, fields, shown, graph, .. } = emission;
+    let Emission { model, fields, shown, .. } = emission;
     let scalar = if shown == "S" { "T" } else { "S" };
     let mut text = String::new();
     docs::lines(&mut text, 4, &model.docs);
@@ -38,7 +38,7 @@ pub(crate) fn mechanism(emission: &Emission) -> String {
         let default = if param.required {
             "; it has no default".to_owned()
         } else {
-            docs::by_default(graph, param.default, &param.unit)
+            docs::by_default(param.default, &param.unit)
         };
         let what = format!("Parameter `{}`", param.name.text);
         docs::field(&mut text, &param.docs, &what, &param.unit, &default);
@@ -78,7 +78,7 @@ fn inputs(text: &mut String, emission: &Emission) {
     );
     text.push_str("    pub struct Input<S = f64> {\n");
     for (input, field) in model.inputs.iter().zip(&fields.inputs) {
-        let default = docs::by_default(emission.graph, input.default, &input.unit);
+        let default = docs::by_default(input.default, &input.unit);
         docs::field(text, &input.docs, &format!("Input `{}`", input.name.text), &input.unit, &default);
         push(text, format_args!("        pub {field}: S,\n"));
     }

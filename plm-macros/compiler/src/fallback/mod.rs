@@ -39,20 +39,21 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
     };
     names.walk(&mechanism.items, "", 0);
     names.show_observed();
-    let Found { mut graph, params, inputs, mut bodies, states, outputs, .. } = names.found;
+    let Found { params, inputs, mut bodies, states, outputs, .. } = names.found;
     if bodies.is_empty() {
         // No array of the emitted code is empty that must not be.
-        bodies.push(body(&mut graph, name("unread".to_owned(), mechanism.name.span)));
+        bodies.push(body(name("unread".to_owned(), mechanism.name.span)));
     }
     Some(Model {
         name: name(mechanism.name.text.clone(), mechanism.name.span),
         visibility: mechanism.visibility.clone(),
         docs: mechanism.docs.clone(),
         crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
-        time: graph.symbol("t"),
-        most_growth: graph.symbol("most_growth"),
-        agreement: graph.symbol("agreement"),
-        gravity: [graph.zero(); 2],
+        graph: Graph::new(),
+        time: Expr::symbol("t"),
+        most_growth: Expr::symbol("most_growth"),
+        agreement: Expr::symbol("agreement"),
+        gravity: [Expr::ZERO; 2],
         rung: None,
         stabilisation: Stabilisation::Projection,
         params,
@@ -73,14 +74,12 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         sides: Vec::new(),
         kinks: Vec::new(),
         allowed: Vec::new(),
-        graph,
     })
 }
 
 /// What was found so far.
 #[derive(Default)]
 struct Found {
-    graph: Graph,
     params: Vec<Param>,
     inputs: Vec<Input>,
     bodies: Vec<Body>,
@@ -118,8 +117,7 @@ impl<'a> Names<'a> {
                         let ports = ports.map(|port| (format!("{}.{port}", name.text), Thing::Port));
                         self.things.extend(ports);
                         self.things.push((name.text.clone(), Thing::Body(of)));
-                        let body = body(&mut self.found.graph, name);
-                        self.found.bodies.push(body);
+                        self.found.bodies.push(body(name));
                     }
                 }
                 ItemKind::State(value) => self.state(prefix, value),
@@ -178,7 +176,7 @@ impl<'a> Names<'a> {
 
     fn param(&mut self, item: &Item, value: &'a ast::Value) {
         let Some(name) = self.name("", &value.name) else { return };
-        let (symbol, default) = (self.symbol(), self.found.graph.zero());
+        let (symbol, default) = (self.symbol(), Expr::ZERO);
         let (unit, docs) = (value.unit.clone().unwrap_or_else(no_unit), item.docs.clone());
         let required = value.value.is_none();
         self.found.params.push(Param { name, symbol, default, required, unit, docs });
@@ -186,14 +184,14 @@ impl<'a> Names<'a> {
 
     fn input(&mut self, item: &Item, value: &'a ast::Value) {
         let Some(name) = self.name("", &value.name) else { return };
-        let (symbol, default) = (self.symbol(), self.found.graph.zero());
+        let (symbol, default) = (self.symbol(), Expr::ZERO);
         let (unit, docs) = (value.unit.clone().unwrap_or_else(no_unit), item.docs.clone());
         self.found.inputs.push(Input { name, symbol, default, unit, docs });
     }
 
     fn state(&mut self, prefix: &str, value: &'a ast::Value) {
         let Some(name) = self.name(prefix, &value.name) else { return };
-        let (symbol, zero) = (self.symbol(), self.found.graph.zero());
+        let (symbol, zero) = (self.symbol(), Expr::ZERO);
         let unit = value.unit.clone().unwrap_or_else(no_unit);
         self.found.states.push(State { name, symbol, rate: zero, start: zero, locked: false, unit });
     }
@@ -201,7 +199,7 @@ impl<'a> Names<'a> {
     fn output(&mut self, output: &'a ast::Output) {
         let Some(name) = self.output_name(output) else { return };
         let count = if self.shapes.is_vector(&output.value) { 2 } else { 1 };
-        let components = vec![self.found.graph.zero(); count];
+        let components = vec![Expr::ZERO; count];
         let unit = output.unit.as_ref().map_or_else(no_unit, |(unit, _)| unit.clone());
         self.found.outputs.push(Output { name, components, unit, declared: true, docs: String::new() });
     }
@@ -272,7 +270,7 @@ impl<'a> Names<'a> {
     /// A symbol of its own, whatever else is called the same.
     fn symbol(&mut self) -> Expr {
         self.found.symbols += 1;
-        self.found.graph.symbol(&format!("value_{}", self.found.symbols))
+        Expr::symbol(format!("value_{}", self.found.symbols))
     }
 }
 
@@ -285,11 +283,11 @@ fn no_unit() -> DisplayUnit {
 }
 
 /// A body of 1 kg that floats.
-fn body(graph: &mut Graph, name: Name) -> Body {
-    let mut symbols = |prefixes: [&str; 3]| prefixes.map(|of| graph.symbol(&format!("{of}_{}", name.text)));
+fn body(name: Name) -> Body {
+    let symbols = |prefixes: [&str; 3]| prefixes.map(|of| Expr::symbol(format!("{of}_{}", name.text)));
     let (q, v, a) =
         (symbols(["x", "y", "theta"]), symbols(["vx", "vy", "omega"]), symbols(["ax", "ay", "alpha"]));
-    let (zero, one, span) = (graph.zero(), graph.one(), name.span);
+    let (zero, one, span) = (Expr::ZERO, Expr::ONE, name.span);
     let start = Start { value: zero, locked: false, given: false, span };
     Body {
         mass: one,

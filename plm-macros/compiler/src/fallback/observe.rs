@@ -1,5 +1,7 @@
 //! Names of what is observed, as `resolve` would find them.
 
+use plm_cas::Expr;
+
 use super::{Names, name, no_unit};
 use crate::model::{Name, Output};
 use crate::resolve::{OF_CENTRE, OF_PORT};
@@ -96,7 +98,7 @@ impl<'a> Names<'a> {
         if self.found.outputs.iter().any(|output| output.name.text == text) {
             return;
         }
-        let components = vec![self.found.graph.zero(); if is_vector { 2 } else { 1 }];
+        let components = vec![Expr::ZERO; if is_vector { 2 } else { 1 }];
         let (name, unit) = (name(text, span), no_unit());
         self.found.outputs.push(Output { name, components, unit, declared: false, docs: String::new() });
     }

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeSet;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::feedback;
 use super::function::{Function, Place, Section};
@@ -54,43 +54,43 @@ pub(crate) struct Absolute {
 }
 
 /// Lays out rung 5.
-pub(crate) fn formulate(model: &Model, equations: &Equations, graph: &mut Graph) -> Absolute {
-    let weights: Vec<Expr> = (0..equations.q.len()).map(|k| graph.symbol(&format!("w_{k}"))).collect();
+pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
+    let weights: Vec<Expr> = (0..equations.q.len()).map(|k| Expr::symbol(format!("w_{k}"))).collect();
     let residual: Vec<Expr> =
-        (0..equations.phi.len()).map(|k| graph.symbol(&format!("residual_{k}"))).collect();
+        (0..equations.phi.len()).map(|k| Expr::symbol(format!("residual_{k}"))).collect();
     let stored = |array: &'static str, values: &[Expr]| -> Vec<(Place, Expr)> {
         values.iter().enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
     };
     let entries: Vec<Expr> = equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
     let phi_q = Function::of_results(stored("phi_q", &entries));
-    let one = graph.one();
-    let inverse_mass: Vec<Expr> = equations.mass.iter().map(|&mass| graph.div(one, mass)).collect();
-    let motion = motion(model, equations, &inverse_mass, graph);
+    let one = Expr::ONE;
+    let inverse_mass: Vec<Expr> = equations.mass.iter().map(|&mass| one / mass).collect();
+    let motion = motion(model, equations, &inverse_mass);
     // What the unknowns do to forces and rates elsewhere.
     let read = motion.read.clone();
-    let x_dot = graph.substitute(&equations.x_dot, &read);
+    let x_dot = algebra::substitute(&equations.x_dot, &read);
     let mut free = stored("force", &equations.force);
-    free.extend(stored("gamma", &stabilised(model, equations, graph)));
+    free.extend(stored("gamma", &stabilised(model, equations)));
     // Assembly and projection hold no sides.
-    let released = |function: Function, graph: &mut Graph| function.substitute(&model.released, graph);
+    let released = |function: Function| function.substitute(&model.released);
     let functions = Absolute {
         dynamics: dynamics(equations, &x_dot, motion),
-        phi: released(Function::of_results(stored("phi", &equations.phi)), graph),
-        phi_dot: released(Function::of_results(stored("phi_dot", &equations.phi_dot)), graph),
-        phi_q: released(phi_q, graph),
-        min_norm: released(min_norm(equations, (&weights, &residual), model.most_growth, graph), graph),
-        jumps: sides::jumps(model, graph),
+        phi: released(Function::of_results(stored("phi", &equations.phi))),
+        phi_dot: released(Function::of_results(stored("phi_dot", &equations.phi_dot))),
+        phi_q: released(phi_q),
+        min_norm: released(min_norm(equations, (&weights, &residual), model.most_growth)),
+        jumps: sides::jumps(model),
         inverse_mass: Function::of_results(stored("inverse_mass", &inverse_mass)),
         free: Function::of_results(free),
         x_dot: Function::of_results(stored("x_dot", &x_dot)),
-        at_rest: at_rest(equations, graph),
-        guards: sides::guards(model, &[], graph),
-        instants: sides::instants(model, graph),
-        outputs: outputs::formulate(model, equations, &read, graph),
+        at_rest: at_rest(equations),
+        guards: sides::guards(model, &[]),
+        instants: sides::instants(model),
+        outputs: outputs::formulate(model, equations, &read),
         weights,
         residual,
     };
-    functions.optimise(graph)
+    functions.optimise()
 }
 
 /// Does the elimination of `phi_q W phi_q^T` take more products than `most`? Two rows meet where both hold a coordinate.
@@ -115,55 +115,55 @@ pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
 }
 
 impl Absolute {
-    fn optimise(self, graph: &mut Graph) -> Absolute {
+    fn optimise(self) -> Absolute {
         Absolute {
-            dynamics: self.dynamics.optimise(graph),
-            phi: self.phi.optimise(graph),
-            phi_dot: self.phi_dot.optimise(graph),
-            phi_q: self.phi_q.optimise(graph),
-            min_norm: self.min_norm.optimise(graph),
-            inverse_mass: self.inverse_mass.optimise(graph),
-            free: self.free.optimise(graph),
-            x_dot: self.x_dot.optimise(graph),
-            at_rest: self.at_rest.optimise(graph),
+            dynamics: self.dynamics.optimise(),
+            phi: self.phi.optimise(),
+            phi_dot: self.phi_dot.optimise(),
+            phi_q: self.phi_q.optimise(),
+            min_norm: self.min_norm.optimise(),
+            inverse_mass: self.inverse_mass.optimise(),
+            free: self.free.optimise(),
+            x_dot: self.x_dot.optimise(),
+            at_rest: self.at_rest.optimise(),
             ..self
         }
     }
 }
 
 /// All forces, those that read multipliers included, and the rates, where nothing accelerates.
-fn at_rest(equations: &Equations, graph: &mut Graph) -> Function {
+fn at_rest(equations: &Equations) -> Function {
     let mut force = equations.force.clone();
     for signal in &equations.signals {
         for &(k, gain) in &signal.gain {
-            let added = graph.mul(gain, signal.symbol);
-            force[k] = graph.add(force[k], added);
+            let added = gain * signal.symbol;
+            force[k] += added;
         }
     }
     let count = force.len();
     let mut values = force;
     values.extend(&equations.x_dot);
-    let zero = graph.zero();
+    let zero = Expr::ZERO;
     let rest: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, zero)).collect();
-    let values = graph.substitute(&values, &rest);
+    let values = algebra::substitute(&values, &rest);
     let places = (0..count).map(|k| Place::Element("force", k));
     let places = places.chain((0..equations.x.len()).map(|k| Place::Element("x_dot", k)));
     Function::of_results(places.zip(values).collect())
 }
 
 /// `gamma`, with Baumgarte's feedback where the model asks for it.
-fn stabilised(model: &Model, equations: &Equations, graph: &mut Graph) -> Vec<Expr> {
+fn stabilised(model: &Model, equations: &Equations) -> Vec<Expr> {
     let Stabilisation::Baumgarte(tau) = model.stabilisation else { return equations.gamma.clone() };
-    let one = graph.one();
-    let alpha = graph.div(one, tau);
-    let beta_squared = graph.mul(alpha, alpha);
-    let alpha_twice = graph.add(alpha, alpha);
+    let one = Expr::ONE;
+    let alpha = one / tau;
+    let beta_squared = alpha * alpha;
+    let alpha_twice = alpha + alpha;
     let rows = equations.gamma.iter().zip(&equations.phi_dot).zip(&equations.phi);
     let feedback = |((&gamma, &phi_dot), &phi): ((&Expr, &Expr), &Expr)| {
-        let damping = graph.mul(alpha_twice, phi_dot);
-        let stiffness = graph.mul(beta_squared, phi);
-        let sum = graph.add(damping, stiffness);
-        graph.sub(gamma, sum)
+        let damping = alpha_twice * phi_dot;
+        let stiffness = beta_squared * phi;
+        let sum = damping + stiffness;
+        gamma - sum
     };
     rows.map(feedback).collect()
 }
@@ -180,14 +180,14 @@ struct Motion {
 }
 
 /// Solves the equations of motion; forces that read the unknowns are solved along with them.
-fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: &mut Graph) -> Motion {
-    let (system, scaled) = normal_matrix(equations, inverse_mass, graph);
-    let factor = factorise(graph, equations.phi.len(), &system, Some(model.most_growth));
-    let gamma = stabilised(model, equations, graph);
+fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]) -> Motion {
+    let (system, scaled) = normal_matrix(equations, inverse_mass);
+    let factor = factorise(equations.phi.len(), &system, Some(model.most_growth));
+    let gamma = stabilised(model, equations);
     let solver = Solver { model, equations, scaled: &scaled, factor: &factor };
-    let free = equations.force.iter().zip(inverse_mass).map(|(&force, &inverse)| graph.mul(force, inverse));
+    let free = equations.force.iter().zip(inverse_mass).map(|(&force, &inverse)| force * inverse);
     let free: Vec<Expr> = free.collect();
-    let mut solution = solver.solve(free, Some(&gamma), "", graph);
+    let mut solution = solver.solve(free, Some(&gamma), "");
     let jacobian = equations.phi_q.iter().flatten().chain(scaled.iter().flatten());
     let mut sections = vec![
         Section::new(
@@ -203,13 +203,13 @@ fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr], graph: &m
     ];
     let mut health = factor.health;
     if !equations.signals.is_empty() {
-        let loops = solver.close(&mut solution, inverse_mass, graph);
-        health = graph.min(health, loops.health);
+        let loops = solver.close(&mut solution, inverse_mass);
+        health = health.min(loops.health);
         sections.push(Section::new("What forces read of the unknowns", loops.trace));
     }
     let mut held = equations.x_dot.clone();
     held.extend(equations.signals.iter().map(|signal| signal.symbol));
-    let held = graph.symbols(&held);
+    let held = algebra::symbols(&held);
     let unknowns = equations.a.iter().zip(&solution.acceleration);
     let unknowns = unknowns.chain(equations.lambda.iter().zip(&solution.lambda));
     let read =
@@ -236,55 +236,55 @@ struct Solution {
 
 impl Solver<'_> {
     /// The motion under accelerations `free` that forces give without constraints.
-    fn solve(&self, free: Vec<Expr>, gamma: Option<&[Expr]>, suffix: &str, graph: &mut Graph) -> Solution {
+    fn solve(&self, free: Vec<Expr>, gamma: Option<&[Expr]>, suffix: &str) -> Solution {
         let named = free.into_iter().enumerate().map(|(k, value)| {
             let name = format!("free_{}{suffix}", coordinate_name(self.model, k));
-            graph.define(&name, value)
+            value.named(&name)
         });
         let free: Vec<Expr> = named.collect();
         let rhs = self.equations.phi_q.iter().enumerate().map(|(i, row)| {
-            let mut terms: Vec<Expr> = row.iter().map(|&(j, entry)| graph.mul(entry, free[j])).collect();
-            terms.extend(gamma.map(|gamma| graph.neg(gamma[i])));
-            graph.sum(&terms)
+            let mut terms: Vec<Expr> = row.iter().map(|&(j, entry)| entry * free[j]).collect();
+            terms.extend(gamma.map(|gamma| -gamma[i]));
+            algebra::sum(&terms)
         });
         let rhs: Vec<Expr> = rhs.collect();
         let names: Vec<String> =
             self.model.rows.iter().map(|row| format!("lambda_{}{suffix}", row.name)).collect();
-        let (lambda, trace) = self.factor.solve(graph, &rhs, &names);
-        let acceleration = back_substituted(&free, self.scaled, &lambda, graph);
+        let (lambda, trace) = self.factor.solve(&rhs, &names);
+        let acceleration = back_substituted(&free, self.scaled, &lambda);
         Solution { free, acceleration, lambda, trace }
     }
 
     /// Adds what the signals do to a motion without them.
-    fn close(&self, motion: &mut Solution, inverse_mass: &[Expr], graph: &mut Graph) -> feedback::Solved {
+    fn close(&self, motion: &mut Solution, inverse_mass: &[Expr]) -> feedback::Solved {
         let signals = &self.equations.signals;
         let units = signals.iter().enumerate().map(|(k, signal)| {
-            let mut free = vec![graph.zero(); inverse_mass.len()];
+            let mut free = vec![Expr::ZERO; inverse_mass.len()];
             for &(j, gain) in &signal.gain {
-                free[j] = graph.mul(gain, inverse_mass[j]);
+                free[j] = gain * inverse_mass[j];
             }
-            self.solve(free, None, &format!("_of_signal_{k}"), graph)
+            self.solve(free, None, &format!("_of_signal_{k}"))
         });
         let units: Vec<Solution> = units.collect();
         let read = |solution: &Solution| -> Vec<Expr> {
             signals.iter().map(|signal| self.value_of(signal.symbol, solution)).collect()
         };
         let columns: Vec<Vec<Expr>> = units.iter().map(read).collect();
-        let mut solved = feedback::solve(&read(motion), &columns, graph);
+        let mut solved = feedback::solve(&read(motion), &columns);
         let mut trace: Vec<Expr> = units.iter().flat_map(|unit| unit.trace.iter().copied()).collect();
         trace.append(&mut solved.trace);
         solved.trace = trace;
-        let add = |sum: &mut Vec<Expr>, of: &dyn Fn(&Solution) -> &Vec<Expr>, graph: &mut Graph| {
+        let add = |sum: &mut Vec<Expr>, of: &dyn Fn(&Solution) -> &Vec<Expr>| {
             for (k, value) in sum.iter_mut().enumerate() {
                 let mut terms = vec![*value];
                 for (unit, &signal) in units.iter().zip(&solved.signals) {
-                    terms.push(graph.mul(of(unit)[k], signal));
+                    terms.push(of(unit)[k] * signal);
                 }
-                *value = graph.sum(&terms);
+                *value = algebra::sum(&terms);
             }
         };
-        add(&mut motion.acceleration, &|unit| &unit.acceleration, graph);
-        add(&mut motion.lambda, &|unit| &unit.lambda, graph);
+        add(&mut motion.acceleration, &|unit| &unit.acceleration);
+        add(&mut motion.lambda, &|unit| &unit.lambda);
         solved
     }
 
@@ -313,26 +313,26 @@ fn dynamics(equations: &Equations, x_dot: &[Expr], motion: Motion) -> Function {
 }
 
 /// `a = M^-1 Q - Y^T lambda`.
-fn back_substituted(free: &[Expr], scaled: &[SparseRow], lambda: &[Expr], graph: &mut Graph) -> Vec<Expr> {
+fn back_substituted(free: &[Expr], scaled: &[SparseRow], lambda: &[Expr]) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = free.iter().map(|&a| vec![a]).collect();
     for (row, &multiplier) in scaled.iter().zip(lambda) {
         for &(j, entry) in row {
-            let product = graph.mul(entry, multiplier);
-            terms[j].push(graph.neg(product));
+            let product = entry * multiplier;
+            terms[j].push(-product);
         }
     }
-    terms.iter().map(|sum| graph.sum(sum)).collect()
+    terms.iter().map(|sum| algebra::sum(sum)).collect()
 }
 
 /// `phi_q diag(scale) phi_q^T` by its lower entries, and `phi_q diag(scale)`.
-fn normal_matrix(equations: &Equations, scale: &[Expr], graph: &mut Graph) -> (Symmetric, Vec<SparseRow>) {
+fn normal_matrix(equations: &Equations, scale: &[Expr]) -> (Symmetric, Vec<SparseRow>) {
     let mut by_column: Vec<Vec<(usize, Expr)>> = vec![Vec::new(); scale.len()];
     let mut scaled: Vec<SparseRow> = Vec::with_capacity(equations.phi_q.len());
     for (i, row) in equations.phi_q.iter().enumerate() {
         let mut scaled_row = SparseRow::with_capacity(row.len());
         for &(j, entry) in row {
-            let product = graph.mul(entry, scale[j]);
-            let product = graph.define(&format!("y_{i}_{j}"), product);
+            let product = entry * scale[j];
+            let product = product.named(format!("y_{i}_{j}"));
             scaled_row.push((j, product));
             by_column[j].push((i, entry));
         }
@@ -342,35 +342,30 @@ fn normal_matrix(equations: &Equations, scale: &[Expr], graph: &mut Graph) -> (S
     for (i, row) in scaled.iter().enumerate() {
         for &(j, left) in row {
             for &(k, right) in by_column[j].iter().filter(|&&(k, _)| k <= i) {
-                terms.entry((i, k)).or_default().push(graph.mul(left, right));
+                terms.entry((i, k)).or_default().push(left * right);
             }
         }
     }
-    let mut system: Symmetric = terms.into_iter().map(|(key, sum)| (key, graph.sum(&sum))).collect();
-    system.retain(|&(i, k), entry| i == k || !graph.is_zero(*entry));
+    let mut system: Symmetric = terms.into_iter().map(|(key, sum)| (key, algebra::sum(&sum))).collect();
+    system.retain(|&(i, k), entry| i == k || !(*entry).is_zero());
     for i in 0..equations.phi.len() {
-        system.entry((i, i)).or_insert_with(|| graph.zero());
+        system.entry((i, i)).or_insert_with(|| Expr::ZERO);
     }
     (system, scaled)
 }
 
 /// The weighted minimum-norm step that closes a residual: the Newton step of assembly (weights 0 and 1) and of
 /// projection (weights 1 / mass).
-fn min_norm(
-    equations: &Equations,
-    (weights, residual): (&[Expr], &[Expr]),
-    most_growth: Expr,
-    graph: &mut Graph,
-) -> Function {
-    let (system, scaled) = normal_matrix(equations, weights, graph);
-    let factor = factorise(graph, equations.phi.len(), &system, Some(most_growth));
+fn min_norm(equations: &Equations, (weights, residual): (&[Expr], &[Expr]), most_growth: Expr) -> Function {
+    let (system, scaled) = normal_matrix(equations, weights);
+    let factor = factorise(equations.phi.len(), &system, Some(most_growth));
     let names: Vec<String> = (0..residual.len()).map(|k| format!("mu_{k}")).collect();
-    let (mu, solution) = factor.solve(graph, residual, &names);
-    let zero = vec![graph.zero(); weights.len()];
-    let step = back_substituted(&zero, &scaled, &mu, graph);
+    let (mu, solution) = factor.solve(residual, &names);
+    let zero = vec![Expr::ZERO; weights.len()];
+    let step = back_substituted(&zero, &scaled, &mu);
     let mut results: Vec<(Place, Expr)> = Vec::with_capacity(step.len() + 1);
     for (k, &value) in step.iter().enumerate() {
-        results.push((Place::Element("dq", k), graph.neg(value)));
+        results.push((Place::Element("dq", k), -value));
     }
     results.push((Place::Value, factor.health));
     let sections = vec![

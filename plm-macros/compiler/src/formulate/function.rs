@@ -1,6 +1,6 @@
 //! A function of the program: what it computes, in which order, and where the results go.
 
-use plm_cas::{Expr, Graph, Tape, share};
+use plm_cas::{Expr, Tape, algebra};
 
 /// Where a result is stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,9 +42,9 @@ impl Function {
     }
 
     /// Shares common sub-expressions within the function.
-    pub(crate) fn optimise(self, graph: &mut Graph) -> Function {
+    pub(crate) fn optimise(self) -> Function {
         let roots: Vec<Expr> = self.roots();
-        let mut shared = share(graph, &roots).into_iter();
+        let mut shared = algebra::shared(&roots).into_iter();
         let mut next = |old: Expr| shared.next().unwrap_or(old);
         let sections = self.sections.into_iter().map(|section| Section {
             roots: section.roots.into_iter().map(&mut next).collect(),
@@ -56,11 +56,11 @@ impl Function {
     }
 
     /// With the second of each pair in the place of the first.
-    pub(crate) fn substitute(mut self, pairs: &[(Expr, Expr)], graph: &mut Graph) -> Function {
+    pub(crate) fn substitute(mut self, pairs: &[(Expr, Expr)]) -> Function {
         if pairs.is_empty() {
             return self;
         }
-        let roots = graph.substitute(&self.roots(), pairs);
+        let roots = algebra::substitute(&self.roots(), pairs);
         let mut roots = roots.into_iter();
         let places = self.sections.iter_mut().flat_map(|section| section.roots.iter_mut());
         let places = places.chain(self.results.iter_mut().map(|(_, value)| value));
@@ -75,7 +75,7 @@ impl Function {
     }
 
     /// The function as a list of instructions.
-    pub(crate) fn tape(&self, graph: &Graph) -> Tape {
-        Tape::new(graph, &self.roots())
+    pub(crate) fn tape(&self) -> Tape {
+        algebra::tape(&self.roots())
     }
 }

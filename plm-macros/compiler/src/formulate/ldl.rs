@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::order::minimum_degree;
 
@@ -27,64 +27,57 @@ pub(crate) struct Factor {
 
 /// Factorises `matrix` of size `n`; every diagonal entry must be present. A row whose diagonal entry over its pivot is above
 /// `most`, if that is given, depends on rows before it and is left out: its reciprocal is zero.
-pub(crate) fn factorise(graph: &mut Graph, n: usize, matrix: &Symmetric, most: Option<Expr>) -> Factor {
+pub(crate) fn factorise(n: usize, matrix: &Symmetric, most: Option<Expr>) -> Factor {
     let mut near = vec![BTreeSet::new(); n];
     for &(i, j) in matrix.keys().filter(|(i, j)| i != j) {
         near[i].insert(j);
         near[j].insert(i);
     }
-    let mut work = Elimination { graph, entries: matrix.clone(), trace: Vec::new() };
+    let mut work = Elimination { entries: matrix.clone(), trace: Vec::new() };
     let mut columns = Vec::with_capacity(n);
-    let mut reciprocals = vec![work.graph.one(); n];
+    let mut reciprocals = vec![Expr::ONE; n];
     let mut worst: Option<Expr> = None;
     for (pivot, below) in minimum_degree(near) {
         let (before, now) = (matrix[&(pivot, pivot)], work.entries[&(pivot, pivot)]);
         let mut reciprocal = work.reciprocal(pivot);
         if now != before {
-            let mut growth = work.growth(before, reciprocal);
+            let mut growth = growth(before, reciprocal);
             if let Some(most) = most {
                 [reciprocal, growth] = work.kept(pivot, most, [reciprocal, growth]);
             }
             // A pivot of zero stands for good: `max` gives its second argument where one of both is NaN, as growths of
             // later pivots may be.
-            worst = Some(worst.map_or(growth, |worst| work.graph.max(growth, worst)));
+            worst = Some(worst.map_or(growth, |worst| growth.max(worst)));
         }
         let column = work.eliminate(pivot, reciprocal, &below);
         reciprocals[pivot] = reciprocal;
         columns.push((pivot, column));
     }
-    let one = work.graph.one();
-    let health = worst.map_or(one, |worst| work.graph.div(one, worst));
+    let one = Expr::ONE;
+    let health = worst.map_or(one, |worst| one / worst);
     Factor { columns, reciprocals, trace: work.trace, health }
 }
 
 /// The matrix while it is being eliminated.
-struct Elimination<'a> {
-    graph: &'a mut Graph,
+struct Elimination {
     entries: Symmetric,
     trace: Vec<Expr>,
 }
 
-impl Elimination<'_> {
+impl Elimination {
     /// `1 / d`.
     fn reciprocal(&mut self, pivot: usize) -> Expr {
         let d = self.define(&format!("d_{pivot}"), self.entries[&(pivot, pivot)]);
-        let one = self.graph.one();
-        let inverse = self.graph.div(one, d);
+        let one = Expr::ONE;
+        let inverse = one / d;
         self.define(&format!("r_{pivot}"), inverse)
-    }
-
-    /// `|diagonal / pivot|`.
-    fn growth(&mut self, diagonal: Expr, reciprocal: Expr) -> Expr {
-        let growth = self.graph.mul(diagonal, reciprocal);
-        self.graph.abs(growth)
     }
 
     /// The reciprocal of a pivot and its growth; zeros if that is above `most`.
     fn kept(&mut self, pivot: usize, most: Expr, [reciprocal, growth]: [Expr; 2]) -> [Expr; 2] {
         let growth = self.define(&format!("growth_{pivot}"), growth);
-        let (depends, zero) = (self.graph.less(most, growth), self.graph.zero());
-        let [reciprocal, growth] = [reciprocal, growth].map(|value| self.graph.select(depends, zero, value));
+        let (depends, zero) = (most.less(growth), Expr::ZERO);
+        let [reciprocal, growth] = [reciprocal, growth].map(|value| depends.select(zero, value));
         [self.define(&format!("kept_{pivot}"), reciprocal), growth]
     }
 
@@ -95,7 +88,7 @@ impl Elimination<'_> {
         for &row in rows {
             let key = (row.max(pivot), row.min(pivot));
             let entry = self.define(&format!("g_{row}_{pivot}"), self.entries[&key]);
-            let scaled = self.graph.mul(entry, reciprocal);
+            let scaled = entry * reciprocal;
             below.push((row, entry));
             column.push((row, self.define(&format!("l_{row}_{pivot}"), scaled)));
         }
@@ -109,14 +102,14 @@ impl Elimination<'_> {
 
     /// `entries[key] -= factor * entry`.
     fn update(&mut self, key: (usize, usize), factor: Expr, entry: Expr) {
-        let product = self.graph.mul(factor, entry);
-        let old = self.entries.get(&key).copied().unwrap_or_else(|| self.graph.zero());
-        let new = self.graph.sub(old, product);
+        let product = factor * entry;
+        let old = self.entries.get(&key).copied().unwrap_or(Expr::ZERO);
+        let new = old - product;
         self.entries.insert(key, new);
     }
 
     fn define(&mut self, name: &str, value: Expr) -> Expr {
-        let atom = self.graph.define(name, value);
+        let atom = value.named(name);
         self.trace.push(atom);
         atom
     }
@@ -124,28 +117,34 @@ impl Elimination<'_> {
 
 impl Factor {
     /// Solves `L D L^T lambda = rhs`; `names` are those of the solution. Returns it and every step on the way.
-    pub(crate) fn solve(&self, graph: &mut Graph, rhs: &[Expr], names: &[String]) -> (Vec<Expr>, Vec<Expr>) {
+    pub(crate) fn solve(&self, rhs: &[Expr], names: &[String]) -> (Vec<Expr>, Vec<Expr>) {
         let mut trace = Vec::new();
         let mut b = rhs.to_vec();
         for &(pivot, ref column) in &self.columns {
-            b[pivot] = graph.define(&format!("b_{pivot}"), b[pivot]);
+            b[pivot] = b[pivot].named(format!("b_{pivot}"));
             trace.push(b[pivot]);
             for &(row, factor) in column {
-                let product = graph.mul(factor, b[pivot]);
-                b[row] = graph.sub(b[row], product);
+                let product = factor * b[pivot];
+                b[row] -= product;
             }
         }
         let mut solution = b.clone();
         for &(pivot, ref column) in self.columns.iter().rev() {
-            let mut terms = vec![graph.mul(b[pivot], self.reciprocals[pivot])];
+            let mut terms = vec![b[pivot] * self.reciprocals[pivot]];
             for &(row, factor) in column {
-                let product = graph.mul(factor, solution[row]);
-                terms.push(graph.neg(product));
+                let product = factor * solution[row];
+                terms.push(-product);
             }
-            let value = graph.sum(&terms);
-            solution[pivot] = graph.define(&names[pivot], value);
+            let value = algebra::sum(&terms);
+            solution[pivot] = value.named(&names[pivot]);
             trace.push(solution[pivot]);
         }
         (solution, trace)
     }
+}
+
+/// `|diagonal / pivot|`.
+fn growth(diagonal: Expr, reciprocal: Expr) -> Expr {
+    let growth = diagonal * reciprocal;
+    growth.abs()
 }

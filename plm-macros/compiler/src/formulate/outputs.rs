@@ -1,6 +1,6 @@
 //! What can be read from a state: the user's outputs, energies and power.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::function::{Function, Place};
 use crate::derive::Equations;
@@ -31,21 +31,16 @@ pub(crate) struct Outputs {
 }
 
 /// Lays out the outputs; `signals` are the unknowns that forces read, and their values.
-pub(crate) fn formulate(
-    model: &Model,
-    equations: &Equations,
-    signals: &[(Expr, Expr)],
-    graph: &mut Graph,
-) -> Outputs {
-    let user = user(&model.outputs, equations, graph);
+pub(crate) fn formulate(model: &Model, equations: &Equations, signals: &[(Expr, Expr)]) -> Outputs {
+    let user = user(&model.outputs, equations);
     let turns =
         equations.branches.iter().enumerate().map(|(k, branch)| (Place::Element("value", k), branch.turn));
-    let branches = Function::of_results(turns.collect()).optimise(graph);
-    let kinetic = kinetic_energy(equations, graph);
-    let gravity = gravity_energy(model, graph);
-    let power = load_power(model, graph);
-    let power = graph.substitute(&[power], signals)[0];
-    let mut scalar = |value: Expr| Function::of_results(vec![(Place::Value, value)]).optimise(graph);
+    let branches = Function::of_results(turns.collect()).optimise();
+    let kinetic = kinetic_energy(equations);
+    let gravity = gravity_energy(model);
+    let power = load_power(model);
+    let power = algebra::substitute(&[power], signals)[0];
+    let scalar = |value: Expr| Function::of_results(vec![(Place::Value, value)]).optimise();
     Outputs {
         user,
         kinetic_energy: scalar(kinetic),
@@ -56,54 +51,54 @@ pub(crate) fn formulate(
 }
 
 /// Lays out outputs of the user.
-pub(crate) fn user(outputs: &[model::Output], equations: &Equations, graph: &mut Graph) -> Vec<Output> {
+pub(crate) fn user(outputs: &[model::Output], equations: &Equations) -> Vec<Output> {
     let mut solved: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect();
     solved.sort_unstable();
     let lay_out = |output: &model::Output| {
-        let held = graph.symbols(&output.components);
+        let held = algebra::symbols(&output.components);
         let solves = held.iter().any(|symbol| solved.binary_search(symbol).is_ok());
         let results = match output.components.as_slice() {
             &[one] => vec![(Place::Value, one)],
             many => many.iter().enumerate().map(|(k, &value)| (Place::Element("value", k), value)).collect(),
         };
-        Output { function: Function::of_results(results).optimise(graph), solves }
+        Output { function: Function::of_results(results).optimise(), solves }
     };
     outputs.iter().map(lay_out).collect()
 }
 
 /// `1/2 v^T M v`.
-fn kinetic_energy(equations: &Equations, graph: &mut Graph) -> Expr {
+fn kinetic_energy(equations: &Equations) -> Expr {
     let terms = equations.mass.iter().zip(&equations.v).map(|(&mass, &v)| {
-        let square = graph.powi(v, 2);
-        graph.mul(mass, square)
+        let square = v.powi(2);
+        mass * square
     });
     let terms: Vec<Expr> = terms.collect();
-    let two = graph.int(2);
-    let sum = graph.sum(&terms);
-    graph.div(sum, two)
+    let two = Expr::from(2);
+    let sum = algebra::sum(&terms);
+    sum / two
 }
 
 /// `-sum m g . r`.
-fn gravity_energy(model: &Model, graph: &mut Graph) -> Expr {
+fn gravity_energy(model: &Model) -> Expr {
     let mut terms = Vec::new();
     for body in &model.bodies {
         for (&gravity, &place) in model.gravity.iter().zip(&body.q) {
-            let weight = graph.mul(body.mass, gravity);
-            let against = graph.neg(weight);
-            terms.push(graph.mul(against, place));
+            let weight = body.mass * gravity;
+            let against = -weight;
+            terms.push(against * place);
         }
     }
-    graph.sum(&terms)
+    algebra::sum(&terms)
 }
 
 /// `sum F . v` over the loads.
-fn load_power(model: &Model, graph: &mut Graph) -> Expr {
+fn load_power(model: &Model) -> Expr {
     let mut terms = Vec::new();
     for load in &model.loads {
         let v = model.bodies[load.body].v;
         for (&force, v) in load.force.iter().zip(v) {
-            terms.push(graph.mul(force, v));
+            terms.push(force * v);
         }
     }
-    graph.sum(&terms)
+    algebra::sum(&terms)
 }

@@ -73,7 +73,7 @@ impl<'a> Resolver<'a> {
         }
         let Ok(key) = self.key(scope, &ast.name) else { return };
         let name = format!("{}{key}", self.prefix(scope));
-        let mut symbols = |prefixes: [&str; 3]| prefixes.map(|of| self.graph.symbol(&format!("{of}_{name}")));
+        let symbols = |prefixes: [&str; 3]| prefixes.map(|of| Expr::symbol(format!("{of}_{name}")));
         let q = symbols(["x", "y", "theta"]);
         let v = symbols(["vx", "vy", "omega"]);
         let a = symbols(["ax", "ay", "alpha"]);
@@ -81,9 +81,9 @@ impl<'a> Resolver<'a> {
             self.directions.insert(q[i], v[i]);
             self.directions.insert(v[i], a[i]);
         }
-        let axis = [self.graph.cos(q[2]), self.graph.sin(q[2])];
-        self.graph.hint(axis[0], &format!("c_{name}"));
-        self.graph.hint(axis[1], &format!("s_{name}"));
+        let axis = [q[2].cos(), q[2].sin()];
+        axis[0].hint(&format!("c_{name}"));
+        axis[1].hint(&format!("s_{name}"));
         let span = ast.name.ident.span;
         let slot = self.known_slot(span, Value::Body(Some(self.bodies.len())));
         let ports = self.ports_of(scope, ast);
@@ -134,7 +134,7 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         };
         let value = self.eval_number(scope, expr, dimension, Reads::FIXED)?;
-        let number = self.graph.as_number(value);
+        let number = value.as_number();
         if let Some(number) = number.filter(|number| number.is_zero() || number.is_negative()) {
             let found =
                 super::expect::literal_text(expr).unwrap_or_else(|| Number::to_f64(number).to_string());
@@ -159,7 +159,7 @@ impl<'a> Resolver<'a> {
 
     fn evaluate_placement(&mut self, body: usize) -> Eval<Placement> {
         let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         let drawing = match &ast.coordinates {
             None => false,
             Some(word) if word.text == "relative" => false,
@@ -215,7 +215,7 @@ impl<'a> Resolver<'a> {
     /// drawn unless it is told otherwise.
     pub(super) fn starts(&mut self, body: usize) -> Eval<[Start; 6]> {
         let placement = self.placement(body)?;
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         let [x, y] = placement.centre;
         let drawn = [x, y, placement.drawing_angle, zero, zero, zero];
         let span = self.bodies[body].name.span;

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use plm_cas::{Expr, Number};
+use plm_cas::{Expr, Number, algebra};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -59,13 +59,13 @@ impl<'a> Resolver<'a> {
             stands_for.push((symbol, lambda));
         }
         for load in loads {
-            load.force = load.force.map(|force| self.graph.substitute(&[force], &stands_for)[0]);
+            load.force = load.force.map(|force| algebra::substitute(&[force], &stands_for)[0]);
         }
         for state in states {
-            state.rate = self.graph.substitute(&[state.rate], &stands_for)[0];
+            state.rate = algebra::substitute(&[state.rate], &stands_for)[0];
         }
         for output in outputs {
-            output.components = self.graph.substitute(&output.components, &stands_for);
+            output.components = algebra::substitute(&output.components, &stands_for);
         }
         let (soft, rigid): (Vec<_>, Vec<_>) =
             rows.into_iter().enumerate().partition(|(row, _)| multipliers.contains_key(row));
@@ -93,10 +93,10 @@ impl<'a> Resolver<'a> {
             let mut sum = phi;
             if let Some((_, relaxation)) = relaxation {
                 let rate = self.total_derivative(phi);
-                let lagging = self.graph.mul(relaxation, rate);
-                sum = self.graph.add(phi, lagging);
+                let lagging = relaxation * rate;
+                sum = phi + lagging;
             }
-            *value = self.graph.div(sum, *value);
+            *value = sum / *value;
         }
         Ok(given)
     }
@@ -154,7 +154,7 @@ impl<'a> Resolver<'a> {
         or_zero: bool,
     ) -> Eval<()> {
         let wrong = |number: &Number| number.is_negative() || (number.is_zero() && !or_zero);
-        let number = self.graph.as_number(value);
+        let number = value.as_number();
         if number.is_none() {
             let (part, unit) = (self.instances[instance].name.clone(), dimension.si_unit());
             self.limits.push(Limit { part, what: word.to_owned(), value, unit, or_zero, span: expr.span });
@@ -179,12 +179,12 @@ impl<'a> Resolver<'a> {
     /// The force `-phi_q^T lambda` on every body that a row holds.
     fn push(&mut self, phi: Expr, lambda: Expr, part: usize, loads: &mut Vec<Load>) {
         for body in 0..self.bodies.len() {
-            let mut force = [self.graph.zero(); 3];
-            for (axis, entry) in self.graph.gradient(phi, &self.bodies[body].q) {
-                let along = self.graph.mul(entry, lambda);
-                force[axis] = self.graph.neg(along);
+            let mut force = [Expr::ZERO; 3];
+            for (axis, entry) in algebra::gradient(phi, &self.bodies[body].q) {
+                let along = entry * lambda;
+                force[axis] = -along;
             }
-            if force != [self.graph.zero(); 3] {
+            if force != [Expr::ZERO; 3] {
                 loads.push(Load { body, part, force });
             }
         }

@@ -50,16 +50,9 @@ impl<'a> Resolver<'a> {
             Operator::LessEqual => (b, a, true),
             _ => (a, b, true),
         };
-        let less = self.less(low, high);
+        let less = less(low, high);
         let condition = if negated { Condition::Not(Box::new(less)) } else { less };
         Ok(Value::Condition(condition, nature.reads))
-    }
-
-    fn less(&mut self, low: Expr, high: Expr) -> Condition {
-        match (self.graph.as_number(low), self.graph.as_number(high)) {
-            (Some(low), Some(high)) => Condition::Known(low.to_f64() < high.to_f64()),
-            _ => Condition::Less(low, high),
-        }
     }
 
     /// Equality is for choices; that of two computed numbers is an accident.
@@ -117,33 +110,18 @@ impl<'a> Resolver<'a> {
             (Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
                 let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
                 let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
-                Ok(Value::Scalar(self.select(&condition, a, b), nature))
+                Ok(Value::Scalar(select(&condition, a, b), nature))
             }
             (Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
                 let nature = self.joined(scope, span, (&a, of_a), (&b, of_b))?;
                 let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
-                Ok(Value::Vector([0, 1].map(|i| self.select(&condition, a[i], b[i])), nature))
+                Ok(Value::Vector([0, 1].map(|i| select(&condition, a[i], b[i])), nature))
             }
             (a, b) => {
                 let message = format!("one branch is {}, the other {}", a.kind(), b.kind());
                 self.error(scope, Code::WrongKind, span, message);
                 Err(Failed)
             }
-        }
-    }
-
-    /// Selections that give `yes` where the condition holds.
-    pub(super) fn select(&mut self, condition: &Condition, yes: Expr, no: Expr) -> Expr {
-        match condition {
-            Condition::Known(true) => yes,
-            Condition::Known(false) => no,
-            Condition::Less(low, high) => {
-                let less = self.graph.less(*low, *high);
-                self.graph.select(less, yes, no)
-            }
-            Condition::Not(inner) => self.select(inner, no, yes),
-            Condition::All(inner) => inner.iter().rev().fold(yes, |yes, one| self.select(one, yes, no)),
-            Condition::Any(inner) => inner.iter().rev().fold(no, |no, one| self.select(one, yes, no)),
         }
     }
 }
@@ -166,4 +144,26 @@ fn joined(conditions: &[Condition], decisive: bool) -> Option<bool> {
         return Some(decisive);
     }
     (!each.contains(&None)).then_some(!decisive)
+}
+
+fn less(low: Expr, high: Expr) -> Condition {
+    match (low.as_number(), high.as_number()) {
+        (Some(low), Some(high)) => Condition::Known(low.to_f64() < high.to_f64()),
+        _ => Condition::Less(low, high),
+    }
+}
+
+/// Selections that give `yes` where the condition holds.
+pub(super) fn select(condition: &Condition, yes: Expr, no: Expr) -> Expr {
+    match condition {
+        Condition::Known(true) => yes,
+        Condition::Known(false) => no,
+        Condition::Less(low, high) => {
+            let less = (*low).less(*high);
+            less.select(yes, no)
+        }
+        Condition::Not(inner) => select(inner, no, yes),
+        Condition::All(inner) => inner.iter().rev().fold(yes, |yes, one| select(one, yes, no)),
+        Condition::Any(inner) => inner.iter().rev().fold(no, |no, one| select(one, yes, no)),
+    }
 }

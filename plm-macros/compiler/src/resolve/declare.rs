@@ -2,13 +2,15 @@
 
 use std::borrow::Cow;
 
+use plm_cas::Expr;
+
 use super::expect::Wanted;
 use super::scope::{ScopeId, SlotId, Thunk};
 use super::value::{Nature, Reads, Value};
 use super::{Resolver, StateState, ValueState};
 use crate::diag::Code;
 use crate::model::{Name, Rung};
-use crate::syntax::ast::{self, Expr, ExprKind, Item, ItemKind, Mechanism};
+use crate::syntax::ast::{self, ExprKind, Item, ItemKind, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
 /// All repetitions together may have so many turns.
@@ -17,7 +19,7 @@ const MAX_TURNS: usize = 4096;
 impl<'a> Resolver<'a> {
     /// The slot of `gravity`; zero if nothing is declared.
     pub(super) fn default_gravity(&mut self, mechanism: &'a Mechanism) -> SlotId {
-        let zero = Value::Scalar(self.graph.zero(), Nature::written(Dimension::ACCELERATION, Reads::NOTHING));
+        let zero = Value::Scalar(Expr::ZERO, Nature::written(Dimension::ACCELERATION, Reads::NOTHING));
         self.known_slot(mechanism.name.span, zero)
     }
 
@@ -54,7 +56,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn declare_gravity(&mut self, scope: ScopeId, item: &'a Item, value: &'a Expr) {
+    fn declare_gravity(&mut self, scope: ScopeId, item: &'a Item, value: &'a ast::Expr) {
         let reads = Reads::SCHEDULED.and(Reads::INPUT);
         let thunk =
             Thunk { scope, expr: value, wanted: Wanted::NumberOrVector(Dimension::ACCELERATION, reads) };
@@ -69,7 +71,7 @@ impl<'a> Resolver<'a> {
         self.checks.push(self.gravity);
     }
 
-    fn declare_stabilisation(&mut self, scope: ScopeId, method: &'a ast::Ident, time: Option<&'a Expr>) {
+    fn declare_stabilisation(&mut self, scope: ScopeId, method: &'a ast::Ident, time: Option<&'a ast::Expr>) {
         if let Some((first, _)) = self.stabilisation {
             let first = first.span;
             self.error(scope, Code::RepeatedItem, method.span, "the stabilisation is declared twice")
@@ -113,7 +115,7 @@ impl<'a> Resolver<'a> {
             self.field_slot(instance, scope, ast, &unit, kind)
         } else {
             let name = Name { text: key.to_string(), span };
-            let symbol = self.graph.symbol(&name.text);
+            let symbol = Expr::symbol(&name.text);
             let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
             if kind == Reads::INPUT {
                 self.input_symbols.push(symbol);
@@ -131,11 +133,13 @@ impl<'a> Resolver<'a> {
     fn name_and_unit(&mut self, scope: ScopeId, ast: &'a ast::Value) -> Option<(Cow<'a, str>, DisplayUnit)> {
         let key = self.key(scope, &ast.name).ok()?;
         let unit = match (&ast.unit, &ast.value) {
-            (Some(unit), _) | (None, Some(Expr { kind: ExprKind::Quantity(_, unit), .. })) => unit.clone(),
-            (None, Some(Expr { kind: ExprKind::Number(_), .. })) => DisplayUnit::si(Dimension::NUMBER),
+            (Some(unit), _) | (None, Some(ast::Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
+                unit.clone()
+            }
+            (None, Some(ast::Expr { kind: ExprKind::Number(_), .. })) => DisplayUnit::si(Dimension::NUMBER),
             (None, value) => {
                 let span = ast.name.ident.span;
-                if !matches!(value, Some(Expr { kind: ExprKind::Unknown, .. })) {
+                if !matches!(value, Some(ast::Expr { kind: ExprKind::Unknown, .. })) {
                     let message = format!("`{key}` has no unit");
                     let help = format!("write `{key}: m`, or `{key}: 1` for a bare number");
                     self.error(scope, Code::MissingUnit, span, message).help(help);
@@ -153,8 +157,8 @@ impl<'a> Resolver<'a> {
         self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let text = format!("{}{key}", self.prefix(scope));
-        let symbol = self.graph.symbol(&text);
-        let stand_in = self.graph.symbol(&format!("rate_{text}"));
+        let symbol = Expr::symbol(&text);
+        let stand_in = Expr::symbol(format!("rate_{text}"));
         self.directions.insert(symbol, stand_in);
         let name = Name { text, span: ast.name.ident.span };
         let value = Value::Scalar(symbol, Nature::written(unit.dimension, Reads::STATE));
@@ -169,7 +173,7 @@ impl<'a> Resolver<'a> {
         self.bind(scope, &ast.name.ident, key, slot);
     }
 
-    fn declare_rate(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a Expr) {
+    fn declare_rate(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a ast::Expr) {
         self.late_rates.push((scope, name, value));
     }
 
@@ -201,7 +205,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn declare_let(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a Expr) {
+    fn declare_let(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a ast::Expr) {
         self.refuse_unit_name(scope, name, dimension_of(None, Some(value)));
         let Ok(key) = self.key(scope, name) else { return };
         let slot = self.waiting_slot(name.ident.span, Thunk { scope, expr: value, wanted: Wanted::Anything });
@@ -250,7 +254,7 @@ impl<'a> Resolver<'a> {
                 return;
             }
             let turn = self.new_scope(Some(scope), None);
-            let value = Value::Scalar(self.graph.int(index), Nature::BARE);
+            let value = Value::Scalar(Expr::from(index), Nature::BARE);
             let slot = self.known_slot(repeat.index.span, value);
             self.bind(turn, &repeat.index, Cow::Borrowed(&repeat.index.text), slot);
             self.declare(&repeat.items, turn, part);
@@ -275,9 +279,9 @@ impl<'a> Resolver<'a> {
 }
 
 /// The dimension that a declaration shows, by its unit or by a literal.
-fn dimension_of(unit: Option<&DisplayUnit>, value: Option<&Expr>) -> Option<Dimension> {
+fn dimension_of(unit: Option<&DisplayUnit>, value: Option<&ast::Expr>) -> Option<Dimension> {
     match (unit, value) {
-        (Some(unit), _) | (None, Some(Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
+        (Some(unit), _) | (None, Some(ast::Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
             Some(unit.dimension)
         }
         _ => None,

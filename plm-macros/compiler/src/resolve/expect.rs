@@ -77,12 +77,12 @@ impl<'a> Resolver<'a> {
                 Wanted::Number(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
                 Value::Scalar(found, nature),
             ) => {
-                self.fits(scope, expr, self.graph.is_zero(*found), *nature, dimension)?;
+                self.fits(scope, expr, (*found).is_zero(), *nature, dimension)?;
                 self.reads_only(scope, expr, nature.reads, reads)?;
                 Ok(Value::Scalar(*found, Nature::written(dimension, nature.reads)))
             }
             (Wanted::NumberOrVector(dimension, reads), Value::Vector(found, nature)) => {
-                let is_zero = found.iter().all(|component| self.graph.is_zero(*component));
+                let is_zero = found.iter().all(|component| (*component).is_zero());
                 self.fits(scope, expr, is_zero, *nature, dimension)?;
                 self.reads_only(scope, expr, nature.reads, reads)?;
                 Ok(Value::Vector(*found, Nature::written(dimension, nature.reads)))
@@ -114,7 +114,7 @@ impl<'a> Resolver<'a> {
         reads: Reads,
     ) -> Eval<(Expr, Nature)> {
         let (found, nature) = self.eval_scalar(scope, expr)?;
-        self.fits(scope, expr, self.graph.is_zero(found), nature, dimension)?;
+        self.fits(scope, expr, found.is_zero(), nature, dimension)?;
         self.reads_only(scope, expr, nature.reads, reads)?;
         Ok((found, nature))
     }
@@ -128,7 +128,7 @@ impl<'a> Resolver<'a> {
         reads: Reads,
     ) -> Eval<([Expr; 2], Reads)> {
         let value = self.eval(scope, expr)?;
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         let (found, nature) = match value {
             Value::Vector(found, nature) => (found, nature),
             // `0` needs no unit, and no second component.
@@ -153,16 +153,11 @@ impl<'a> Resolver<'a> {
     /// A whole number that is known now.
     pub(super) fn eval_int(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<i64> {
         let (found, nature) = self.eval_scalar(scope, expr)?;
-        self.whole_number(found, nature).ok_or_else(|| {
+        whole_number(found, nature).ok_or_else(|| {
             let message = "a whole number is expected that is known here";
             self.error(scope, Code::NotInteger, expr.span, message);
             Failed
         })
-    }
-
-    pub(super) fn whole_number(&self, found: Expr, nature: Nature) -> Option<i64> {
-        let number = self.graph.as_number(found).filter(|_| nature.dimension == Dimension::NUMBER);
-        number.and_then(Number::as_int)
     }
 
     pub(super) fn wrong_kind(
@@ -281,6 +276,11 @@ pub(super) fn text_of(expr: &ast::Expr) -> Option<String> {
 /// What to show in an example where there is no literal to repeat.
 fn blank(text: &str) -> &str {
     if text.starts_with("a ") { "1" } else { text }
+}
+
+pub(super) fn whole_number(found: Expr, nature: Nature) -> Option<i64> {
+    let number = found.as_number().filter(|_| nature.dimension == Dimension::NUMBER);
+    number.and_then(Number::as_int)
 }
 
 #[cfg(test)]

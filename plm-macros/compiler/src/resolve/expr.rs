@@ -3,6 +3,7 @@
 use plm_cas::{Expr, Node, Number};
 
 use super::Resolver;
+use super::expect::whole_number;
 use super::scope::ScopeId;
 use super::value::{Condition, Eval, Failed, Form, Nature, Reads, Value};
 use crate::diag::Code;
@@ -29,8 +30,8 @@ impl<'a> Resolver<'a> {
         self.depth -= 1;
         let value = value?;
         let is_finite = match &value {
-            Value::Scalar(x, _) => self.is_finite(*x),
-            Value::Vector(pair, _) => pair.iter().all(|x| self.is_finite(*x)),
+            Value::Scalar(x, _) => is_finite(*x),
+            Value::Vector(pair, _) => pair.iter().all(|x| is_finite(*x)),
             _ => true,
         };
         if is_finite {
@@ -41,22 +42,10 @@ impl<'a> Resolver<'a> {
         Err(Failed)
     }
 
-    /// Are the numbers of an expression finite? Those of its parts have been looked at.
-    fn is_finite(&self, x: Expr) -> bool {
-        let is_finite = |number: &Number| number.to_f64().is_finite();
-        match self.graph.node(x) {
-            Node::Number(number) => is_finite(number),
-            Node::Sum { constant, terms } => {
-                is_finite(constant) && terms.iter().all(|(coefficient, _)| is_finite(coefficient))
-            }
-            _ => true,
-        }
-    }
-
     fn eval_kind(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
         match &expr.kind {
             ExprKind::Unknown => Err(Failed),
-            ExprKind::Number(number) => Ok(Value::Scalar(self.graph.number(*number), Nature::BARE)),
+            ExprKind::Number(number) => Ok(Value::Scalar(Expr::from(*number), Nature::BARE)),
             ExprKind::Quantity(inner, unit) => self.quantity(scope, inner, unit),
             ExprKind::Pair(x, y) => self.pair(scope, expr.span, x, y),
             ExprKind::Name(name) => self.lookup(scope, name),
@@ -94,7 +83,7 @@ impl<'a> Resolver<'a> {
             }
             Value::Scalar(number, nature) => {
                 let nature = Nature::written(unit.dimension, nature.reads);
-                Value::Scalar(self.graph.scale(unit.factor, number), nature)
+                Value::Scalar(Expr::from(unit.factor) * number, nature)
             }
             Value::Vector(pair, nature) => {
                 if nature.dimension != Dimension::NUMBER {
@@ -109,7 +98,7 @@ impl<'a> Resolver<'a> {
                     self.error(scope, Code::BadUnit, inner.span, message).help(help);
                     return Err(Failed);
                 }
-                let pair = pair.map(|component| self.graph.scale(unit.factor, component));
+                let pair = pair.map(|component| Expr::from(unit.factor) * component);
                 Value::Vector(pair, Nature::written(unit.dimension, nature.reads))
             }
             other => return Err(self.wrong_kind(scope, inner, "a number", &other)),
@@ -125,8 +114,8 @@ impl<'a> Resolver<'a> {
 
     fn negative(&mut self, scope: ScopeId, inner: &'a ast::Expr, value: Value) -> Eval<Value> {
         Ok(match value {
-            Value::Scalar(x, nature) => Value::Scalar(self.graph.neg(x), nature),
-            Value::Vector(pair, nature) => Value::Vector(pair.map(|x| self.graph.neg(x)), nature),
+            Value::Scalar(x, nature) => Value::Scalar(-x, nature),
+            Value::Vector(pair, nature) => Value::Vector(pair.map(|x| -x), nature),
             other => return Err(self.wrong_kind(scope, inner, "a number or a vector", &other)),
         })
     }
@@ -135,18 +124,18 @@ impl<'a> Resolver<'a> {
     fn power(&mut self, scope: ScopeId, base: &'a ast::Expr, exponent: &'a ast::Expr) -> Eval<Value> {
         let (x, nature) = self.eval_scalar(scope, base)?;
         let (n, of_n) = self.eval_scalar(scope, exponent)?;
-        let n = self.whole_number(n, of_n).and_then(|n| i32::try_from(n).ok());
+        let n = whole_number(n, of_n).and_then(|n| i32::try_from(n).ok());
         let Some(n) = n.filter(|n| n.abs() <= MAX_EXPONENT) else {
             let message = format!("an exponent is a whole number up to {MAX_EXPONENT} that is known here");
             self.error(scope, Code::NotInteger, exponent.span, message)
                 .help("for a square root there is `sqrt(x)`, for anything else `exp(a*ln(x))`");
             return Err(Failed);
         };
-        if n < 0 && self.graph.is_zero(x) {
+        if n < 0 && x.is_zero() {
             return Err(self.division_by_zero(scope, base.span));
         }
         let nature = Nature { dimension: nature.dimension.power(n), ..nature };
-        Ok(Value::Scalar(self.graph.powi(x, n), nature))
+        Ok(Value::Scalar(x.powi(n), nature))
     }
 
     fn chain(&mut self, scope: ScopeId, first: &'a ast::Expr, links: &'a [Link]) -> Eval<Value> {
@@ -176,31 +165,31 @@ impl<'a> Resolver<'a> {
         match (link.operator, left, right) {
             (Operator::Mul, Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
                 let nature = of_a.scaled(of_b, of_a.dimension.times(of_b.dimension));
-                Ok(Value::Scalar(self.graph.mul(a, b), nature))
+                Ok(Value::Scalar(a * b, nature))
             }
             (Operator::Mul, Value::Scalar(a, of_a), Value::Vector(v, of_v))
             | (Operator::Mul, Value::Vector(v, of_v), Value::Scalar(a, of_a)) => {
                 let nature = of_a.scaled(of_v, of_a.dimension.times(of_v.dimension));
-                Ok(Value::Vector(v.map(|x| self.graph.mul(a, x)), nature))
+                Ok(Value::Vector(v.map(|x| a * x), nature))
             }
-            (Operator::Div, _, Value::Scalar(b, _)) if self.graph.is_zero(b) => {
+            (Operator::Div, _, Value::Scalar(b, _)) if b.is_zero() => {
                 Err(self.division_by_zero(scope, link.operand.span))
             }
             (Operator::Div, Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
                 let nature = of_a.scaled(of_b, of_a.dimension.over(of_b.dimension));
-                Ok(Value::Scalar(self.graph.div(a, b), nature))
+                Ok(Value::Scalar(a / b, nature))
             }
             (Operator::Div, Value::Vector(v, of_v), Value::Scalar(b, of_b)) => {
                 let nature = of_v.scaled(of_b, of_v.dimension.over(of_b.dimension));
-                Ok(Value::Vector(v.map(|x| self.graph.div(x, b)), nature))
+                Ok(Value::Vector(v.map(|x| x / b), nature))
             }
             (operator @ (Operator::Add | Operator::Sub), Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
                 let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
-                Ok(Value::Scalar(self.plus_minus(operator, a, b), nature))
+                Ok(Value::Scalar(plus_minus(operator, a, b), nature))
             }
             (operator @ (Operator::Add | Operator::Sub), Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
                 let nature = self.joined(scope, span, (&a, of_a), (&b, of_b))?;
-                let sum = [0, 1].map(|i| self.plus_minus(operator, a[i], b[i]));
+                let sum = [0, 1].map(|i| plus_minus(operator, a[i], b[i]));
                 Ok(Value::Vector(sum, nature))
             }
             (operator, ..) => {
@@ -213,10 +202,6 @@ impl<'a> Resolver<'a> {
                 Err(Failed)
             }
         }
-    }
-
-    fn plus_minus(&mut self, operator: Operator, a: Expr, b: Expr) -> Expr {
-        if operator == Operator::Sub { self.graph.sub(a, b) } else { self.graph.add(a, b) }
     }
 
     fn division_by_zero(&mut self, scope: ScopeId, span: Span) -> Failed {
@@ -234,7 +219,7 @@ impl<'a> Resolver<'a> {
     ) -> Eval<Nature> {
         let ((a, of_a), (b, of_b)) = (left, right);
         let is_bare_zero =
-            |xs: &[Expr], of: Nature| of.form == Form::Bare && xs.iter().all(|x| self.graph.is_zero(*x));
+            |xs: &[Expr], of: Nature| of.form == Form::Bare && xs.iter().all(|x| (*x).is_zero());
         if is_bare_zero(a, of_a) {
             return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_b });
         }
@@ -264,4 +249,20 @@ impl<'a> Resolver<'a> {
             other => Err(self.wrong_kind(scope, expr, "a condition", &other)),
         }
     }
+}
+
+/// Are the numbers of an expression finite? Those of its parts have been looked at.
+fn is_finite(x: Expr) -> bool {
+    let is_finite = |number: &Number| number.to_f64().is_finite();
+    match x.node() {
+        Node::Number(number) => is_finite(&number),
+        Node::Sum { constant, terms } => {
+            is_finite(&constant) && terms.iter().all(|(coefficient, _)| is_finite(coefficient))
+        }
+        _ => true,
+    }
+}
+
+fn plus_minus(operator: Operator, a: Expr, b: Expr) -> Expr {
+    if operator == Operator::Sub { a - b } else { a + b }
 }

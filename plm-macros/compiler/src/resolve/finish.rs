@@ -1,6 +1,6 @@
 //! The model from all that was evaluated.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Graph, algebra};
 
 use super::Resolver;
 use super::value::{Eval, Failed, Reads, Value, all};
@@ -30,7 +30,7 @@ impl<'a> Resolver<'a> {
         self.evaluate_observed(&mut outputs);
         let mut sides = self.finish_requirements();
         self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         loads.retain(|load| load.force != [zero; 3]);
         let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
         self.warn_of_silence(declaration, mechanism);
@@ -43,7 +43,7 @@ impl<'a> Resolver<'a> {
             visibility: mechanism.visibility.clone(),
             docs: mechanism.docs.clone(),
             crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
-            graph: self.graph,
+            graph: Graph::new(),
             time: self.time,
             most_growth: self.most_growth,
             agreement: self.agreement,
@@ -76,8 +76,8 @@ impl<'a> Resolver<'a> {
         let states = std::mem::take(&mut self.params);
         all(states.into_iter().map(|state| {
             let required = state.ast.value.is_none();
-            let default = if required { self.graph.one() } else { self.default_of(&state)? };
-            if self.graph.symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
+            let default = if required { Expr::ONE } else { self.default_of(&state)? };
+            if algebra::symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
                 let message =
                     format!("the default of `{}` reads a parameter that stands below it", state.name.text);
                 self.error(state.scope, Code::NotConstant, state.name.span, message);
@@ -99,7 +99,7 @@ impl<'a> Resolver<'a> {
     fn default_of(&mut self, state: &super::ValueState<'a>) -> Eval<Expr> {
         match &state.ast.value {
             Some(expr) => self.eval_number(state.scope, expr, state.unit.dimension, Reads::FIXED),
-            None => Ok(self.graph.zero()),
+            None => Ok(Expr::ZERO),
         }
     }
 
@@ -107,7 +107,7 @@ impl<'a> Resolver<'a> {
     pub(super) fn finish_gravity(&mut self) -> Eval<[Expr; 2]> {
         let span = self.slots[self.gravity].span;
         match self.force(self.gravity, 0, span)? {
-            Value::Scalar(gravity, _) => Ok([self.graph.zero(), self.graph.neg(gravity)]),
+            Value::Scalar(gravity, _) => Ok([Expr::ZERO, -gravity]),
             Value::Vector(gravity, _) => Ok(gravity),
             _ => Err(Failed),
         }
@@ -120,7 +120,7 @@ impl<'a> Resolver<'a> {
             // The time constant that the manual's own integrator was found to need (issue 2, point 5).
             None => {
                 let tenth = plm_cas::Number::rational(1, 10).ok_or(Failed)?;
-                Ok(Stabilisation::Baumgarte(self.graph.number(tenth)))
+                Ok(Stabilisation::Baumgarte(Expr::from(tenth)))
             }
             Some(time) if method.text == "projection" => {
                 self.error(0, Code::UnexpectedToken, time.span, "projection has no time constant");
@@ -145,7 +145,7 @@ impl<'a> Resolver<'a> {
         let depth = self.depth(scope, depth);
         let ports = self.finish_ports(Some(body));
         let placement = self.placement(body)?;
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let [x, y, angle, vx, vy, omega] = starts?;
         let state = &self.bodies[body];
@@ -205,7 +205,7 @@ impl<'a> Resolver<'a> {
             let (name, locked) = (self.states[k].name.clone(), self.states[k].locked);
             let start = match self.states[k].start {
                 Some((scope, expr)) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
-                None => Ok(self.graph.zero()),
+                None => Ok(Expr::ZERO),
             };
             let Some((scope, rate, _)) = self.states[k].rate else {
                 let text = &ast.name.ident.text;

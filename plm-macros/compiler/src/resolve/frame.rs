@@ -119,7 +119,7 @@ impl<'a> Resolver<'a> {
             Some(angle) => {
                 self.eval_quantity(scope, angle, Dimension::ANGLE, reads).map(|(x, of)| (x, of.reads))
             }
-            None => Ok((self.graph.zero(), Reads::NOTHING)),
+            None => Ok((Expr::ZERO, Reads::NOTHING)),
         };
         let ((at, of_at), (angle, of_angle)) = (at?, angle?);
         Ok((at, angle, of_at.and(of_angle)))
@@ -128,38 +128,36 @@ impl<'a> Resolver<'a> {
     /// A port of the ground may move as the time goes.
     fn ground_frame(&mut self, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
         let (at, angle, reads) = self.written(scope, port, Reads::SCHEDULED)?;
-        let axis = [self.graph.cos(angle), self.graph.sin(angle)];
+        let axis = [angle.cos(), angle.sin()];
         Ok(FrameGeometry { local: at, turn: angle, arm: at, position: at, angle, axis, reads })
-    }
-
-    /// A point as it was written, from G in the axes of the body.
-    pub(super) fn placed(&mut self, placement: &Placement, at: [Expr; 2]) -> [Expr; 2] {
-        let graph = &mut self.graph;
-        let from_centre = [0, 1].map(|i| graph.sub(at[i], placement.centre[i]));
-        if !placement.drawing {
-            return from_centre;
-        }
-        let back = graph.neg(placement.drawing_angle);
-        turn(graph, from_centre, back)
     }
 
     fn body_frame(&mut self, body: usize, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
         let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
         let placement = self.placement(body)?;
-        let local = self.placed(&placement, at);
-        let graph = &mut self.graph;
+        let local = placed(&placement, at);
         let state = &self.bodies[body];
         let (q, body_axis) = (state.q, state.axis);
-        let arm = in_axes(graph, body_axis, local);
-        let own_axis = [graph.cos(alpha), graph.sin(alpha)];
+        let arm = in_axes(body_axis, local);
+        let own_axis = [alpha.cos(), alpha.sin()];
         Ok(FrameGeometry {
             local,
             turn: alpha,
             arm,
-            position: [0, 1].map(|i| graph.add(q[i], arm[i])),
-            angle: graph.add(q[2], alpha),
-            axis: in_axes(graph, body_axis, own_axis),
+            position: [0, 1].map(|i| q[i] + arm[i]),
+            angle: (q[2] + alpha),
+            axis: in_axes(body_axis, own_axis),
             reads: Reads::POSITION,
         })
     }
+}
+
+/// A point as it was written, from G in the axes of the body.
+pub(super) fn placed(placement: &Placement, at: [Expr; 2]) -> [Expr; 2] {
+    let from_centre = [0, 1].map(|i| at[i] - placement.centre[i]);
+    if !placement.drawing {
+        return from_centre;
+    }
+    let back = -placement.drawing_angle;
+    turn(from_centre, back)
 }

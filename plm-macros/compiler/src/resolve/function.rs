@@ -1,6 +1,6 @@
 //! The functions of the language.
 
-use plm_cas::{Expr, Graph, Number};
+use plm_cas::{Expr, Number};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -111,7 +111,7 @@ impl<'a> Resolver<'a> {
             Form::Written if name == "abs" => Form::Written,
             _ => Form::Derived,
         };
-        Ok(Value::Scalar(function_of_one(&mut self.graph, name, x), Nature { dimension, form, ..nature }))
+        Ok(Value::Scalar(function_of_one(name, x), Nature { dimension, form, ..nature }))
     }
 
     fn root(&mut self, scope: ScopeId, argument: &ast::Expr, nature: Nature) -> Eval<Dimension> {
@@ -123,7 +123,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn domain(&mut self, scope: ScopeId, name: &str, argument: &ast::Expr, x: Expr) -> Eval<()> {
-        let Some(value) = self.graph.as_number(x).map(Number::to_f64) else { return Ok(()) };
+        let Some(value) = x.as_number().map(Number::to_f64) else { return Ok(()) };
         let (inside, domain) = match name {
             "sqrt" => (value >= 0.0, "0 and above"),
             "ln" => (value > 0.0, "above 0"),
@@ -157,13 +157,13 @@ impl<'a> Resolver<'a> {
         }
         let rest = found[1..].iter().map(|(x, _)| *x);
         Ok(match name {
-            "clamp" => Value::Scalar(self.graph.clamp(first, found[1].0, found[2].0), nature),
+            "clamp" => Value::Scalar(first.clamp(found[1].0, found[2].0), nature),
             "atan2" => {
                 let nature = Nature::derived(Dimension::ANGLE, nature.reads);
-                Value::Scalar(self.graph.atan2(first, found[1].0), nature)
+                Value::Scalar(first.atan2(found[1].0), nature)
             }
-            "min" => Value::Scalar(rest.fold(first, |least, x| self.graph.min(least, x)), nature),
-            _ => Value::Scalar(rest.fold(first, |most, x| self.graph.max(most, x)), nature),
+            "min" => Value::Scalar(rest.fold(first, Expr::min), nature),
+            _ => Value::Scalar(rest.fold(first, Expr::max), nature),
         })
     }
 
@@ -178,21 +178,21 @@ impl<'a> Resolver<'a> {
     fn vector_product(&mut self, scope: ScopeId, name: &str, arguments: &'a [ast::Expr]) -> Eval<Value> {
         let (u, of_u) = self.vector(scope, &arguments[0])?;
         let (v, of_v) = self.vector(scope, &arguments[1])?;
-        let product = if name == "dot" { dot(&mut self.graph, u, v) } else { cross(&mut self.graph, u, v) };
+        let product = if name == "dot" { dot(u, v) } else { cross(u, v) };
         Ok(Value::Scalar(product, of_u.scaled(of_v, of_u.dimension.times(of_v.dimension))))
     }
 
     fn norm(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
         let (v, nature) = self.vector(scope, argument)?;
-        let square = dot(&mut self.graph, v, v);
-        Ok(Value::Scalar(self.graph.sqrt(square), nature))
+        let square = dot(v, v);
+        Ok(Value::Scalar(square.sqrt(), nature))
     }
 
     /// The vector turned by an angle, counter-clockwise.
     fn turn(&mut self, scope: ScopeId, vector: &'a ast::Expr, angle: &'a ast::Expr) -> Eval<Value> {
         let (v, of_v) = self.vector(scope, vector)?;
         let (by, of_angle) = self.eval_quantity(scope, angle, Dimension::ANGLE, Reads::ALL)?;
-        let turned = turn(&mut self.graph, v, by);
+        let turned = turn(v, by);
         Ok(Value::Vector(turned, of_v.scaled(of_angle, of_v.dimension)))
     }
 
@@ -210,14 +210,13 @@ impl<'a> Resolver<'a> {
         let (angle, of_angle) = self.eval_quantity(scope, &arguments[2], Dimension::ANGLE, Reads::ALL)?;
         let ((point, of_point), (origin, of_origin)) = (point?, origin?);
         let nature = self.joined(scope, span, (&point, of_point), (&origin, of_origin))?;
-        let graph = &mut self.graph;
         let found = if name == "to_absolute" {
-            let arm = turn(graph, point, angle);
-            [graph.add(origin[0], arm[0]), graph.add(origin[1], arm[1])]
+            let arm = turn(point, angle);
+            [origin[0] + arm[0], origin[1] + arm[1]]
         } else {
-            let arm = [graph.sub(point[0], origin[0]), graph.sub(point[1], origin[1])];
-            let back = graph.neg(angle);
-            turn(graph, arm, back)
+            let arm = [point[0] - origin[0], point[1] - origin[1]];
+            let back = -angle;
+            turn(arm, back)
         };
         Ok(Value::Vector(found, nature.scaled(of_angle, nature.dimension)))
     }
@@ -244,48 +243,48 @@ impl<'a> Resolver<'a> {
     }
 }
 
-fn function_of_one(graph: &mut Graph, name: &str, x: Expr) -> Expr {
+fn function_of_one(name: &str, x: Expr) -> Expr {
     match name {
-        "abs" => graph.abs(x),
-        "sign" => graph.sign(x),
-        "sqrt" => graph.sqrt(x),
-        "exp" => graph.exp(x),
-        "ln" => graph.ln(x),
-        "sin" => graph.sin(x),
-        "cos" => graph.cos(x),
-        "tan" => graph.tan(x),
-        "asin" => graph.asin(x),
-        _ => graph.acos(x),
+        "abs" => x.abs(),
+        "sign" => x.sign(),
+        "sqrt" => x.sqrt(),
+        "exp" => x.exp(),
+        "ln" => x.ln(),
+        "sin" => x.sin(),
+        "cos" => x.cos(),
+        "tan" => x.tan(),
+        "asin" => x.asin(),
+        _ => x.acos(),
     }
 }
 
 /// `ux vx + uy vy`
-pub(super) fn dot(graph: &mut Graph, u: [Expr; 2], v: [Expr; 2]) -> Expr {
-    let (x, y) = (graph.mul(u[0], v[0]), graph.mul(u[1], v[1]));
-    graph.add(x, y)
+pub(super) fn dot(u: [Expr; 2], v: [Expr; 2]) -> Expr {
+    let (x, y) = (u[0] * v[0], u[1] * v[1]);
+    x + y
 }
 
 /// `ux vy - uy vx`
-pub(super) fn cross(graph: &mut Graph, u: [Expr; 2], v: [Expr; 2]) -> Expr {
-    let (a, b) = (graph.mul(u[0], v[1]), graph.mul(u[1], v[0]));
-    graph.sub(a, b)
+pub(super) fn cross(u: [Expr; 2], v: [Expr; 2]) -> Expr {
+    let (a, b) = (u[0] * v[1], u[1] * v[0]);
+    a - b
 }
 
 /// The vector turned by 90 degrees.
-pub(super) fn normal(graph: &mut Graph, v: [Expr; 2]) -> [Expr; 2] {
-    [graph.neg(v[1]), v[0]]
+pub(super) fn normal(v: [Expr; 2]) -> [Expr; 2] {
+    [-v[1], v[0]]
 }
 
 /// The vector turned by an angle.
-pub(super) fn turn(graph: &mut Graph, v: [Expr; 2], angle: Expr) -> [Expr; 2] {
-    let axis = [graph.cos(angle), graph.sin(angle)];
-    in_axes(graph, axis, v)
+pub(super) fn turn(v: [Expr; 2], angle: Expr) -> [Expr; 2] {
+    let axis = [angle.cos(), angle.sin()];
+    in_axes(axis, v)
 }
 
 /// The vector whose components stand in axes that are turned: `axis` is their first unit vector.
-pub(super) fn in_axes(graph: &mut Graph, axis: [Expr; 2], v: [Expr; 2]) -> [Expr; 2] {
+pub(super) fn in_axes(axis: [Expr; 2], v: [Expr; 2]) -> [Expr; 2] {
     let [c, s] = axis;
-    let x = cross(graph, [c, s], [v[1], v[0]]);
-    let y = dot(graph, [s, c], v);
+    let x = cross([c, s], [v[1], v[0]]);
+    let y = dot([s, c], v);
     [x, y]
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use super::Resolver;
 use super::node::NodeState;
@@ -43,7 +43,7 @@ impl Resolver<'_> {
             return;
         }
         let pairs: Vec<(Expr, Expr)> = late.iter().map(|of| (of.symbol, of.value)).collect();
-        for (place, root) in places.into_iter().zip(self.graph.substitute(&roots, &pairs)) {
+        for (place, root) in places.into_iter().zip(algebra::substitute(&roots, &pairs)) {
             *place = root;
         }
     }
@@ -58,7 +58,7 @@ impl Resolver<'_> {
         let mut late: Vec<Late> = rates.collect();
         for node in &self.nodes {
             for through in &node.through {
-                let value = self.graph.sum(&through.terms);
+                let value = algebra::sum(&through.terms);
                 let what = format!("what acts on `{}`", node.name);
                 late.push(Late { symbol: through.symbol, value, what, span: node.span });
             }
@@ -75,7 +75,7 @@ impl Resolver<'_> {
         loop {
             let mut read: Vec<Expr> = roots.to_vec();
             read.extend(late.iter().map(|of| of.value));
-            let read: BTreeSet<Expr> = self.graph.symbols(&read).into_iter().collect();
+            let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
             let is_read = |&(node, k): &(usize, usize)| read.contains(&self.nodes[node].through[k].rate);
             let (now, later): (Vec<_>, Vec<_>) = open.into_iter().partition(is_read);
             if now.is_empty() {
@@ -89,18 +89,18 @@ impl Resolver<'_> {
     }
 
     fn rate_of_sum(&mut self, node: usize, k: usize) -> Option<Late> {
-        let sum = self.graph.sum(&self.nodes[node].through[k].terms);
+        let sum = algebra::sum(&self.nodes[node].through[k].terms);
         let value = self.total_derivative(sum);
         let NodeState { name, span, scope, .. } = &self.nodes[node];
         let (what, span, scope) = (format!("the rate of what acts on `{name}`"), *span, *scope);
         let inputs = self.input_symbols.clone();
         let accelerations: Vec<Expr> = self.bodies.iter().flat_map(|body| body.a).collect();
-        if self.holds_any(sum, &inputs) {
+        if holds_any(sum, &inputs) {
             self.error(scope, Code::NoRate, span, format!("{what} is not known: it reads inputs"))
                 .note("inputs are held over a step; a `state` has a rate");
             return None;
         }
-        if self.holds_any(value, &accelerations) {
+        if holds_any(value, &accelerations) {
             self.error(scope, Code::Feedback, span, format!("{what} reads accelerations"));
             return None;
         }
@@ -114,13 +114,13 @@ impl Resolver<'_> {
         let mut values: Vec<Expr> = late.iter().map(|of| of.value).collect();
         for _ in 0..symbols.len() {
             let pairs: Vec<(Expr, Expr)> = symbols.iter().copied().zip(values.iter().copied()).collect();
-            let next = self.graph.substitute(&values, &pairs);
+            let next = algebra::substitute(&values, &pairs);
             if next == values {
                 break;
             }
             values = next;
         }
-        let circle = |k: &usize| self.holds_any(values[*k], &symbols[*k..=*k]);
+        let circle = |k: &usize| holds_any(values[*k], &symbols[*k..=*k]);
         if let Some(k) = (0..values.len()).find(circle) {
             let message = format!("{} needs itself", late[k].what);
             self.error(0, Code::Cycle, late[k].span, message);
@@ -131,8 +131,8 @@ impl Resolver<'_> {
         }
         true
     }
+}
 
-    fn holds_any(&self, expr: Expr, symbols: &[Expr]) -> bool {
-        self.graph.symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
-    }
+fn holds_any(expr: Expr, symbols: &[Expr]) -> bool {
+    algebra::symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
 }

@@ -70,7 +70,7 @@ impl<'a> Resolver<'a> {
             "angle" => Value::Scalar(geometry.angle, angle),
             "position" => Value::Vector(geometry.position, length),
             "axis" => Value::Vector(geometry.axis, number),
-            "normal" => Value::Vector(normal(&mut self.graph, geometry.axis), number),
+            "normal" => Value::Vector(normal(geometry.axis), number),
             "velocity" => {
                 let velocity = geometry.position.map(|x| self.total_derivative(x));
                 Value::Vector(velocity, Nature::derived(Dimension::VELOCITY, moving(reads)))
@@ -100,7 +100,7 @@ impl<'a> Resolver<'a> {
             let body = &self.bodies[body];
             (body.q, body.v, body.a, body.axis)
         } else {
-            let (zero, one) = (self.graph.zero(), self.graph.one());
+            let (zero, one) = (Expr::ZERO, Expr::ONE);
             ([zero; 3], [zero; 3], [zero; 3], [one, zero])
         };
         let at = Reads::POSITION;
@@ -117,7 +117,7 @@ impl<'a> Resolver<'a> {
             "angle" => scalar(q[2], Dimension::ANGLE, at),
             "position" => vector(q, Dimension::LENGTH, at),
             "axis" => Value::Vector(axis, of(Dimension::NUMBER, at)),
-            "normal" => Value::Vector(normal(&mut self.graph, axis), of(Dimension::NUMBER, at)),
+            "normal" => Value::Vector(normal(axis), of(Dimension::NUMBER, at)),
             "vx" => scalar(v[0], Dimension::VELOCITY, Reads::VELOCITY),
             "vy" => scalar(v[1], Dimension::VELOCITY, Reads::VELOCITY),
             "omega" => scalar(v[2], Dimension::ANGULAR_VELOCITY, Reads::VELOCITY),

@@ -36,7 +36,7 @@ mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use crate::diag::{Code, Diagnostic, Diagnostics, Use};
 use crate::library::Library;
@@ -77,7 +77,6 @@ pub(crate) fn resolve(
 
 /// Everything that is known so far.
 struct Resolver<'a> {
-    graph: Graph,
     sink: &'a mut Diagnostics,
     library: &'a Library,
     /// Files that the declaration names.
@@ -170,13 +169,11 @@ struct StateState<'a> {
 
 impl<'a> Resolver<'a> {
     fn new(library: &'a Library, files: &'a Files, sink: &'a mut Diagnostics) -> Resolver<'a> {
-        let mut graph = Graph::new();
-        let time = graph.symbol("t");
-        let most_growth = graph.symbol("most_growth");
-        let agreement = graph.symbol("agreement");
-        let directions = BTreeMap::from([(time, graph.one())]);
+        let time = Expr::symbol("t");
+        let most_growth = Expr::symbol("most_growth");
+        let agreement = Expr::symbol("agreement");
+        let directions = BTreeMap::from([(time, Expr::ONE)]);
         Resolver {
-            graph,
             sink,
             library,
             files,

@@ -97,8 +97,8 @@ impl<'a> Resolver<'a> {
         let domain = self.domains[domain];
         let name = format!("{}{key}", self.prefix(scope));
         let through = domain.through.iter().map(|quantity| {
-            let symbol = self.graph.symbol(&format!("{}_of_{name}", quantity.name.text));
-            let rate = self.graph.symbol(&format!("rate_{}_of_{name}", quantity.name.text));
+            let symbol = Expr::symbol(format!("{}_of_{name}", quantity.name.text));
+            let rate = Expr::symbol(format!("rate_{}_of_{name}", quantity.name.text));
             self.directions.insert(symbol, rate);
             ThroughState { symbol, rate, terms: Vec::new() }
         });
@@ -231,7 +231,7 @@ impl<'a> Resolver<'a> {
         let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ALL)?;
         self.nodes[node].through[k].terms.push(value);
         if let Some(from) = from {
-            let opposite = self.graph.neg(value);
+            let opposite = -value;
             self.nodes[from].through[k].terms.push(opposite);
         }
         Ok(())

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use super::Resolver;
 use super::function::cross;
@@ -213,8 +213,8 @@ impl<'a> Resolver<'a> {
         let about = self.frame(frame)?.arm;
         let mut terms = [const { Vec::new() }; 3];
         for action in actions.applied[part].iter().filter(|action| action.body == frame.body) {
-            let arm = [0, 1].map(|i| self.graph.sub(action.arm[i], about[i]));
-            let moment = cross(&mut self.graph, arm, action.force);
+            let arm = [0, 1].map(|i| action.arm[i] - about[i]);
+            let moment = cross(arm, action.force);
             terms[0].push(action.force[0]);
             terms[1].push(action.force[1]);
             terms[2].extend([action.torque, moment]);
@@ -223,7 +223,7 @@ impl<'a> Resolver<'a> {
             let reaction = self.reaction_on(frame.body, about, row, &actions.coordinates)?;
             terms.iter_mut().zip(reaction).for_each(|(sum, term)| sum.push(term));
         }
-        let [x, y, torque] = terms.map(|sum| self.graph.sum(&sum));
+        let [x, y, torque] = terms.map(|sum| algebra::sum(&sum));
         Ok(([x, y], torque))
     }
 
@@ -237,28 +237,27 @@ impl<'a> Resolver<'a> {
         coordinates: &BTreeMap<Expr, (usize, usize)>,
     ) -> Eval<[Expr; 3]> {
         let (phi, lambda) = (self.row(row)?.phi, self.rows[row].lambda);
-        let graph = &mut self.graph;
         let mut terms = [const { Vec::new() }; 3];
-        let held = graph.symbols(&[phi]);
+        let held = algebra::symbols(&[phi]);
         let touched: BTreeSet<usize> =
             held.iter().filter_map(|symbol| coordinates.get(symbol)).map(|(i, _)| *i).collect();
         for i in touched.into_iter().filter(|i| body.is_none_or(|body| body == *i)) {
             let q = self.bodies[i].q;
-            let [x, y, theta] = q.map(|symbol| graph.diff(phi, symbol));
+            let [x, y, theta] = q.map(|symbol| phi.diff(symbol));
             // From the point to G.
             let arm = [0, 1].map(|k| match body {
-                Some(_) => graph.neg(about[k]),
-                None => graph.sub(q[k], about[k]),
+                Some(_) => -about[k],
+                None => q[k] - about[k],
             });
-            let moment = cross(graph, arm, [x, y]);
+            let moment = cross(arm, [x, y]);
             terms[0].push(x);
             terms[1].push(y);
             terms[2].extend([theta, moment]);
         }
-        let factor = if body.is_some() { graph.neg(lambda) } else { lambda };
+        let factor = if body.is_some() { -lambda } else { lambda };
         Ok(terms.map(|sum| {
-            let sum = graph.sum(&sum);
-            graph.mul(factor, sum)
+            let sum = algebra::sum(&sum);
+            factor * sum
         }))
     }
 }

@@ -3,6 +3,7 @@
 use plm_cas::Expr;
 
 use super::Resolver;
+use super::frame::placed;
 use super::scope::{ScopeId, SlotId};
 use super::value::{Eval, Failed, Reads, Value, all};
 use crate::diag::Code;
@@ -83,7 +84,7 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         }
         let placement = self.placement(body)?;
-        Ok(points.into_iter().map(|at| self.placed(&placement, at)).collect())
+        Ok(points.into_iter().map(|at| placed(&placement, at)).collect())
     }
 
     fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<[Expr; 2]>> {
@@ -99,7 +100,7 @@ impl<'a> Resolver<'a> {
             }
         };
         match outline::read(content) {
-            Ok(points) => Ok(points.into_iter().map(|at| at.map(|x| self.graph.number(x))).collect()),
+            Ok(points) => Ok(points.into_iter().map(|at| at.map(Expr::from)).collect()),
             Err(outline::Problem { line, column, what }) => {
                 let message = format!("`{name}`, line {line}, column {column}: {what}");
                 Err(self.bad_file(scope, span, message))

@@ -1,6 +1,6 @@
 //! Rates: total derivatives with respect to time.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -59,12 +59,12 @@ impl<'a> Resolver<'a> {
             return *known;
         }
         let mut along = Vec::new();
-        for symbol in self.graph.symbols(&[expr]) {
+        for symbol in algebra::symbols(&[expr]) {
             if let Some(direction) = self.directions.get(&symbol) {
                 along.push((symbol, *direction));
             }
         }
-        let rate = self.graph.directional(expr, &along);
+        let rate = expr.directional(&along);
         self.rates.insert(expr, rate);
         rate
     }

@@ -84,7 +84,7 @@ impl<'a> Resolver<'a> {
             // A mistake has been reported; what else is wrong is found all the same.
             let Ok(differences) = self.requirement(scope, condition) else { continue };
             for difference in differences {
-                let symbol = self.graph.symbol(&format!("side_{}", sides.len()));
+                let symbol = Expr::symbol(format!("side_{}", sides.len()));
                 sides.push(Side { symbol, difference, instant: None, name: name.clone(), must_hold: true });
             }
         }
@@ -102,7 +102,7 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         }
         let mut differences = Vec::new();
-        if self.positive(&condition, &mut differences) {
+        if positive(&condition, &mut differences) {
             return Ok(differences);
         }
         let message = match condition {
@@ -112,26 +112,6 @@ impl<'a> Resolver<'a> {
         self.error(scope, Code::WrongKind, expr.span, message);
         Err(Failed)
     }
-
-    /// Adds what is positive where a condition holds; false if that cannot be said, or never holds.
-    fn positive(&mut self, condition: &Condition, differences: &mut Vec<Expr>) -> bool {
-        match condition {
-            Condition::Known(holds) => *holds,
-            Condition::Less(low, high) => {
-                differences.push(self.graph.sub(*high, *low));
-                true
-            }
-            Condition::Not(inner) => match &**inner {
-                Condition::Less(low, high) => {
-                    differences.push(self.graph.sub(*low, *high));
-                    true
-                }
-                _ => false,
-            },
-            Condition::All(inner) => inner.iter().all(|one| self.positive(one, differences)),
-            Condition::Any(_) => false,
-        }
-    }
 }
 
 /// The word that a field is set to.
@@ -139,5 +119,25 @@ fn word(field: &Field) -> Option<&str> {
     match &field.value.kind {
         ExprKind::Name(name) if name.indices.is_empty() => Some(&name.ident.text),
         _ => None,
+    }
+}
+
+/// Adds what is positive where a condition holds; false if that cannot be said, or never holds.
+fn positive(condition: &Condition, differences: &mut Vec<Expr>) -> bool {
+    match condition {
+        Condition::Known(holds) => *holds,
+        Condition::Less(low, high) => {
+            differences.push(*high - *low);
+            true
+        }
+        Condition::Not(inner) => match &**inner {
+            Condition::Less(low, high) => {
+                differences.push(*low - *high);
+                true
+            }
+            _ => false,
+        },
+        Condition::All(inner) => inner.iter().all(|one| positive(one, differences)),
+        Condition::Any(_) => false,
     }
 }

@@ -93,7 +93,7 @@ impl<'a> Resolver<'a> {
             });
             self.parts.len() - 1
         });
-        let lambda = self.graph.symbol(&format!("lambda_{full}"));
+        let lambda = Expr::symbol(format!("lambda_{full}"));
         self.scopes[home].rows.insert(key, (self.rows.len(), name.ident.span));
         let residual = Lazy::Waiting;
         self.rows.push(RowState { scope, left, right, name: full, part, span, lambda, residual });
@@ -134,8 +134,8 @@ impl<'a> Resolver<'a> {
             }
             return Err(Failed);
         }
-        let phi = self.graph.sub(a, b);
-        if self.graph.as_number(phi).is_some() && !nature.reads.has(Reads::POSITION) {
+        let phi = a - b;
+        if phi.as_number().is_some() && !nature.reads.has(Reads::POSITION) {
             self.error(scope, Code::NotConstant, left.span, "a constraint that holds no position")
                 .help("it must tie the positions of bodies");
             return Err(Failed);
@@ -193,8 +193,8 @@ impl<'a> Resolver<'a> {
         self.apply((scope, part), on, value, loads)?;
         if let Some(from) = from {
             let opposite = match value {
-                Applied::Torque(torque) => Applied::Torque(self.graph.neg(torque)),
-                Applied::Force(force) => Applied::Force(force.map(|x| self.graph.neg(x))),
+                Applied::Torque(torque) => Applied::Torque(-torque),
+                Applied::Force(force) => Applied::Force(force.map(|x| -x)),
             };
             self.apply((scope, part), from?, opposite, loads)?;
         }
@@ -218,7 +218,7 @@ impl<'a> Resolver<'a> {
         value: Applied,
         loads: &mut Vec<Load>,
     ) -> Eval<()> {
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         let (body, arm) = match target {
             Target::Frame(frame) => (frame.body, self.frame(frame)?.arm),
             Target::Centre(body) => (body, [zero, zero]),
@@ -228,8 +228,8 @@ impl<'a> Resolver<'a> {
             Applied::Force(force) => (force, zero),
         };
         self.applied.push(Action { scope, body, arm, force, torque });
-        let moment = cross(&mut self.graph, arm, force);
-        let force = [force[0], force[1], self.graph.add(moment, torque)];
+        let moment = cross(arm, force);
+        let force = [force[0], force[1], moment + torque];
         if let Some(body) = body.filter(|_| force != [zero; 3]) {
             loads.push(Load { body, part, force });
         }

@@ -7,13 +7,15 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use plm_cas::Expr;
+
 use super::Resolver;
 use super::expect::Wanted;
 use super::unknown::instead_of;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
-use crate::syntax::ast::{Expr, Ident, IndexedName};
+use crate::syntax::ast::{self, Ident, IndexedName};
 use crate::units::{Dimension, unit};
 
 pub(super) type ScopeId = usize;
@@ -56,7 +58,7 @@ enum SlotState<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Thunk<'a> {
     pub(super) scope: ScopeId,
-    pub(super) expr: &'a Expr,
+    pub(super) expr: &'a ast::Expr,
     pub(super) wanted: Wanted,
 }
 
@@ -175,7 +177,7 @@ impl<'a> Resolver<'a> {
         }
         match key.as_ref() {
             "t" => Ok(Value::Scalar(self.time, Nature::derived(Dimension::TIME, Reads::TIME))),
-            "pi" => Ok(Value::Scalar(self.graph.pi(), Nature::BARE)),
+            "pi" => Ok(Value::Scalar(Expr::pi(), Nature::BARE)),
             "gravity" => self.force(self.gravity, scope, name.ident.span),
             _ => Err(self.unknown_name(scope, name, &key)),
         }
@@ -193,8 +195,8 @@ impl<'a> Resolver<'a> {
     }
 
     /// A constraint row of this part.
-    pub(super) fn lookup_row(&mut self, scope: ScopeId, expr: &'a Expr) -> Eval<usize> {
-        let crate::syntax::ast::ExprKind::Name(name) = &expr.kind else {
+    pub(super) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<usize> {
+        let ast::ExprKind::Name(name) = &expr.kind else {
             self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
             return Err(Failed);
         };

@@ -1,5 +1,7 @@
 //! Moments of inertia of common shapes about the axis through G normal to the plane: the manual's appendix 1.
 
+use plm_cas::Expr;
+
 use super::Resolver;
 use super::scope::ScopeId;
 use super::value::{Eval, Nature, Reads, Value, all};
@@ -48,15 +50,15 @@ impl<'a> Resolver<'a> {
         )?;
         let reads = found.iter().fold(Reads::NOTHING, |reads, (_, nature)| reads.and(nature.reads));
         let (mass, lengths) = (found[0].0, &found[1..]);
-        let mut squares = self.graph.zero();
+        let mut squares = Expr::ZERO;
         for (length, _) in lengths {
-            let square = self.graph.powi(*length, 2);
-            squares = self.graph.add(squares, square);
+            let square = (*length).powi(2);
+            squares += square;
         }
-        let (numerator, denominator) = (self.graph.int(shape.numerator), self.graph.int(shape.denominator));
-        let factor = self.graph.div(numerator, denominator);
-        let mass = self.graph.mul(factor, mass);
-        let inertia = self.graph.mul(mass, squares);
+        let (numerator, denominator) = (Expr::from(shape.numerator), Expr::from(shape.denominator));
+        let factor = numerator / denominator;
+        let mass = factor * mass;
+        let inertia = mass * squares;
         Ok(Value::Scalar(inertia, Nature::derived(Dimension::INERTIA, reads)))
     }
 }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use plm_cas::Expr;
+
 use super::Resolver;
 use super::expect::literal_text;
 use super::scope::SlotId;
@@ -42,9 +44,9 @@ impl<'a> Resolver<'a> {
             _ => None,
         });
         let (Some(declared), Ok([x, y])) = (declared, self.finish_gravity()) else { return };
-        let down = self.graph.neg(y);
-        let is_upwards = self.graph.as_number(down).is_some_and(plm_cas::Number::is_negative);
-        if !is_upwards || !self.graph.is_zero(x) {
+        let down = -y;
+        let is_upwards = down.as_number().is_some_and(plm_cas::Number::is_negative);
+        if !is_upwards || !x.is_zero() {
             return;
         }
         let message = match self.force(self.gravity, 0, declared.span) {
@@ -59,7 +61,7 @@ impl<'a> Resolver<'a> {
     /// A part of forces and torques alone, all of which are zero whatever happens.
     fn warn_of_idle_parts(&mut self) {
         let mut acts: BTreeMap<usize, bool> = BTreeMap::new();
-        let zero = self.graph.zero();
+        let zero = Expr::ZERO;
         for action in &self.applied {
             if let Some(instance) = self.outermost(action.scope) {
                 let acts = acts.entry(instance).or_insert(false);

@@ -1,6 +1,6 @@
 //! Tables: values at points, straight lines or a smooth curve between them.
 
-use plm_cas::{Expr, Graph, Number};
+use plm_cas::{Expr, Number, algebra};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -41,11 +41,11 @@ impl<'a> Resolver<'a> {
         self.ascending(scope, span, &points)?;
         let nature = nature.unwrap_or(Nature::BARE);
         let value = if name == "table" {
-            between(&mut self.graph, x, &points, |graph, k| line(graph, &points[k..]))
+            between(x, &points, |k| line(&points[k..]))
         } else {
-            let knots: Vec<f64> = points.iter().map(|point| self.number_of(point.0)).collect();
-            let spline = Spline::new(&mut self.graph, &knots, &points);
-            between(&mut self.graph, x, &points, |graph, k| spline.segment(graph, k))
+            let knots: Vec<f64> = points.iter().map(|point| number_of(point.0)).collect();
+            let spline = Spline::new(&knots, &points);
+            between(x, &points, |k| spline.segment(k))
         };
         Ok(Value::Scalar(value, Nature::derived(nature.dimension, nature.reads.and(of_x.reads))))
     }
@@ -59,45 +59,36 @@ impl<'a> Resolver<'a> {
     }
 
     fn ascending(&mut self, scope: ScopeId, span: Span, points: &[(Expr, Expr)]) -> Eval<()> {
-        if points.windows(2).all(|pair| self.number_of(pair[0].0) < self.number_of(pair[1].0)) {
+        if points.windows(2).all(|pair| number_of(pair[0].0) < number_of(pair[1].0)) {
             return Ok(());
         }
         self.error(scope, Code::BadTable, span, "the x values of a table ascend");
         Err(Failed)
     }
-
-    fn number_of(&self, expr: Expr) -> f64 {
-        self.graph.as_number(expr).map_or(f64::NAN, Number::to_f64)
-    }
 }
 
 /// The two ends are held; between, the nearest segment below counts: a polynomial in what lies behind its first point.
-fn between(
-    graph: &mut Graph,
-    x: Expr,
-    points: &[(Expr, Expr)],
-    segment: impl Fn(&mut Graph, usize) -> Vec<Expr>,
-) -> Expr {
+fn between(x: Expr, points: &[(Expr, Expr)], segment: impl Fn(usize) -> Vec<Expr>) -> Expr {
     let mut value = points[points.len() - 1].1;
     for k in (0..points.len() - 1).rev() {
-        let coefficients = segment(graph, k);
-        let along = graph.sub(x, points[k].0);
+        let coefficients = segment(k);
+        let along = x - points[k].0;
         let curve = coefficients.into_iter().rev().reduce(|sum, coefficient| {
-            let product = graph.mul(sum, along);
-            graph.add(coefficient, product)
+            let product = sum * along;
+            coefficient + product
         });
-        let below = graph.less(x, points[k + 1].0);
-        value = graph.select(below, curve.unwrap_or(value), value);
+        let below = x.less(points[k + 1].0);
+        value = below.select(curve.unwrap_or(value), value);
     }
-    let before = graph.less(x, points[0].0);
-    graph.select(before, points[0].1, value)
+    let before = x.less(points[0].0);
+    before.select(points[0].1, value)
 }
 
 /// From the first of the points to the second.
-fn line(graph: &mut Graph, points: &[(Expr, Expr)]) -> Vec<Expr> {
+fn line(points: &[(Expr, Expr)]) -> Vec<Expr> {
     let ((x0, y0), (x1, y1)) = (points[0], points[1]);
-    let (rise, run) = (graph.sub(y1, y0), graph.sub(x1, x0));
-    vec![y0, graph.div(rise, run)]
+    let (rise, run) = (y1 - y0, x1 - x0);
+    vec![y0, rise / run]
 }
 
 /// A curve through points that begins and ends at rest, with a continuous second derivative: cubics that have it so at the
@@ -111,61 +102,61 @@ struct Spline {
 }
 
 impl Spline {
-    fn new(graph: &mut Graph, knots: &[f64], points: &[(Expr, Expr)]) -> Spline {
+    fn new(knots: &[f64], points: &[(Expr, Expr)]) -> Spline {
         let runs: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let y: Vec<Expr> = points.iter().map(|point| point.1).collect();
         // Slopes are linear in the values: those of a value of 1 at one point, and 0 at all others, are its weights.
         let columns: Vec<Vec<f64>> = (0..y.len()).map(|of| slopes(&runs, of)).collect();
-        let slope = |k: usize, graph: &mut Graph| {
+        let slope = |k: usize| {
             let terms: Vec<Expr> =
-                y.iter().zip(&columns).map(|(&y, weights)| scaled(graph, weights[k], y)).collect();
-            graph.sum(&terms)
+                y.iter().zip(&columns).map(|(&y, weights)| scaled(weights[k], y)).collect();
+            algebra::sum(&terms)
         };
-        let slopes = (0..y.len()).map(|k| slope(k, graph)).collect();
+        let slopes = (0..y.len()).map(slope).collect();
         Spline { runs, y, slopes }
     }
 
     /// Coefficients by powers of the distance from point `k`.
-    fn segment(&self, graph: &mut Graph, k: usize) -> Vec<Expr> {
+    fn segment(&self, k: usize) -> Vec<Expr> {
         let last = self.runs.len() - 1;
         if k != 0 && k != last {
-            return self.cubic(graph, k);
+            return self.cubic(k);
         }
-        let zero = graph.zero();
-        let from = if k == 0 { zero } else { self.bend(graph, k) };
-        let to = if k == last { zero } else { self.bend(graph, k + 1) };
-        self.quintic(graph, k, [from, to])
+        let zero = Expr::ZERO;
+        let from = if k == 0 { zero } else { self.bend(k) };
+        let to = if k == last { zero } else { self.bend(k + 1) };
+        self.quintic(k, [from, to])
     }
 
     /// With the values and slopes of its points.
-    fn cubic(&self, graph: &mut Graph, k: usize) -> Vec<Expr> {
+    fn cubic(&self, k: usize) -> Vec<Expr> {
         let (h, [y0, y1], [m0, m1]) = self.ends(k);
-        let sum = |graph: &mut Graph, weights: [f64; 4]| combined(graph, weights, [y0, y1, m0, m1]);
-        let square = sum(graph, [-3.0 / (h * h), 3.0 / (h * h), -2.0 / h, -1.0 / h]);
-        let cube = sum(graph, [2.0 / (h * h * h), -2.0 / (h * h * h), 1.0 / (h * h), 1.0 / (h * h)]);
+        let sum = |weights: [f64; 4]| combined(weights, [y0, y1, m0, m1]);
+        let square = sum([-3.0 / (h * h), 3.0 / (h * h), -2.0 / h, -1.0 / h]);
+        let cube = sum([2.0 / (h * h * h), -2.0 / (h * h * h), 1.0 / (h * h), 1.0 / (h * h)]);
         vec![y0, m0, square, cube]
     }
 
     /// The second derivative of the cubics at point `k` between the ends.
-    fn bend(&self, graph: &mut Graph, k: usize) -> Expr {
+    fn bend(&self, k: usize) -> Expr {
         let (h, [y0, y1], [m0, m1]) = self.ends(k);
-        combined(graph, [-6.0 / (h * h), 6.0 / (h * h), -4.0 / h, -2.0 / h], [y0, y1, m0, m1])
+        combined([-6.0 / (h * h), 6.0 / (h * h), -4.0 / h, -2.0 / h], [y0, y1, m0, m1])
     }
 
     /// With second derivatives as well.
-    fn quintic(&self, graph: &mut Graph, k: usize, [b0, b1]: [Expr; 2]) -> Vec<Expr> {
+    fn quintic(&self, k: usize, [b0, b1]: [Expr; 2]) -> Vec<Expr> {
         let (h, [y0, y1], [m0, m1]) = self.ends(k);
         // What value, slope and second derivative at the end miss if the first three terms go on to there.
-        let miss = combined(graph, [-1.0, 1.0, -h, -0.5 * h * h], [y0, y1, m0, b0]);
-        let slope = combined(graph, [-1.0, 1.0, -h, 0.0], [m0, m1, b0, b0]);
-        let bend = graph.sub(b1, b0);
-        let mut term = |power: i32, [of_miss, of_slope, of_bend]: [f64; 3]| {
+        let miss = combined([-1.0, 1.0, -h, -0.5 * h * h], [y0, y1, m0, b0]);
+        let slope = combined([-1.0, 1.0, -h, 0.0], [m0, m1, b0, b0]);
+        let bend = b1 - b0;
+        let term = |power: i32, [of_miss, of_slope, of_bend]: [f64; 3]| {
             let scale = plm_math::f64::powi(h, -power);
             let weights = [of_miss * scale, of_slope * scale * h, of_bend * scale * h * h, 0.0];
-            combined(graph, weights, [miss, slope, bend, bend])
+            combined(weights, [miss, slope, bend, bend])
         };
         let high = [term(3, [10.0, -4.0, 0.5]), term(4, [-15.0, 7.0, -1.0]), term(5, [6.0, -3.0, 0.5])];
-        let half = scaled(graph, 0.5, b0);
+        let half = scaled(0.5, b0);
         let mut all = vec![y0, m0, half];
         all.extend(high);
         all
@@ -197,11 +188,15 @@ fn slopes(runs: &[f64], of: usize) -> Vec<f64> {
     slopes
 }
 
-fn scaled(graph: &mut Graph, weight: f64, x: Expr) -> Expr {
-    graph.scale(Number::from_f64(weight), x)
+fn scaled(weight: f64, x: Expr) -> Expr {
+    Expr::from(Number::from_f64(weight)) * x
 }
 
-fn combined(graph: &mut Graph, weights: [f64; 4], of: [Expr; 4]) -> Expr {
-    let terms: Vec<Expr> = weights.into_iter().zip(of).map(|(weight, x)| scaled(graph, weight, x)).collect();
-    graph.sum(&terms)
+fn combined(weights: [f64; 4], of: [Expr; 4]) -> Expr {
+    let terms: Vec<Expr> = weights.into_iter().zip(of).map(|(weight, x)| scaled(weight, x)).collect();
+    algebra::sum(&terms)
+}
+
+fn number_of(expr: Expr) -> f64 {
+    expr.as_number().map_or(f64::NAN, Number::to_f64)
 }

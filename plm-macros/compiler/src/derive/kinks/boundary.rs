@@ -4,7 +4,7 @@
 //! (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM 27, 1980): symbols get
 //! random values, and one of them is then moved onto the boundary by Newton's iteration.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::number;
 use crate::check::{Random, defaults, value};
@@ -39,34 +39,34 @@ pub(super) struct Boundary {
 }
 
 impl Boundary {
-    pub(super) fn new(model: &Model, difference: Expr, graph: &mut Graph) -> Boundary {
-        let held = graph.symbols(&[difference]);
+    pub(super) fn new(model: &Model, difference: Expr) -> Boundary {
+        let held = algebra::symbols(&[difference]);
         let solved: Vec<(Expr, Expr)> =
-            held.iter().map(|&symbol| (symbol, graph.diff(difference, symbol))).collect();
+            held.iter().map(|&symbol| (symbol, difference.diff(symbol))).collect();
         let is_param = |symbol: Expr| model.params.iter().any(|param| param.symbol == symbol);
         let solved: Vec<(Expr, Expr)> = solved.into_iter().filter(|&(symbol, _)| !is_param(symbol)).collect();
         let places = (0..TRIES).filter_map(|seed| {
-            let mut values = random(model, graph, seed);
+            let mut values = random(model, seed);
             let &(symbol, slope) = solved.get(seed as usize % solved.len().max(1))?;
-            onto(graph, (difference, symbol, slope), &mut values).then_some(values)
+            onto((difference, symbol, slope), &mut values).then_some(values)
         });
         let places = places.take(PLACES as usize).collect();
         let alone = held.as_slice() == [model.time];
         let time = alone.then(|| {
-            let slope = graph.diff(difference, model.time);
-            super::super::sides::root(difference, model.time, slope, graph)
+            let slope = difference.diff(model.time);
+            super::super::sides::root(difference, model.time, slope)
         });
-        let time = time.filter(|at| graph.symbols(&[*at]).is_empty()).map(|at| (model.time, at));
+        let time = time.filter(|at| algebra::symbols(&[*at]).is_empty()).map(|at| (model.time, at));
         Boundary { places, time }
     }
 
     /// The first of the derivatives that does not vanish everywhere on the boundary.
-    pub(super) fn order(&self, derivatives: &[Expr; 3], sides: [Expr; 2], graph: &Graph) -> Order {
+    pub(super) fn order(&self, derivatives: &[Expr; 3], sides: [Expr; 2]) -> Order {
         let vanishes = |expr: Expr| {
             let mut seen = false;
             let all = self.places.iter().all(|values| {
-                let size = sides.iter().map(|&side| value(graph, side, values).abs()).fold(1.0, f64::max);
-                let found = value(graph, expr, values);
+                let size = sides.iter().map(|&side| value(side, values).abs()).fold(1.0, f64::max);
+                let found = value(expr, values);
                 seen |= found.is_finite();
                 !found.is_finite() || found.abs() <= ROUNDING * size
             });
@@ -78,16 +78,16 @@ impl Boundary {
     }
 
     /// The jump that happens whatever else does: a known time, and a known difference there.
-    pub(super) fn jump(&self, gap: Expr, rate: Expr, sides: [Expr; 2], graph: &mut Graph) -> Option<Steady> {
+    pub(super) fn jump(&self, gap: Expr, rate: Expr, sides: [Expr; 2]) -> Option<Steady> {
         let (time, at) = self.time?;
-        let there = graph.substitute(&[gap, rate, sides[0]], &[(time, at)]);
-        let at = number(graph, at);
+        let there = algebra::substitute(&[gap, rate, sides[0]], &[(time, at)]);
+        let at = number(at);
         // A run begins at 0: what was before then is no motion.
         if at <= 0.0 {
             return None;
         }
-        let size = number(graph, there[2]).abs().max(1.0);
-        let known = |expr: Expr| graph.symbols(&[expr]).is_empty().then(|| number(graph, expr));
+        let size = number(there[2]).abs().max(1.0);
+        let known = |expr: Expr| algebra::symbols(&[expr]).is_empty().then(|| number(expr));
         let place = known(there[0])?;
         if place.abs() > ROUNDING * size {
             return Some(Steady { at, by: place.abs(), of_speed: false });
@@ -98,10 +98,10 @@ impl Boundary {
 }
 
 /// Random values of all symbols: parameters near their defaults, the rest between -2 and 2.
-fn random(model: &Model, graph: &Graph, seed: u64) -> Vec<(Expr, f64)> {
+fn random(model: &Model, seed: u64) -> Vec<(Expr, f64)> {
     let mut numbers = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1));
     let mut next = || 2.0 * numbers.unit();
-    let mut values = defaults(model, graph);
+    let mut values = defaults(model);
     for (symbol, number) in &mut values {
         *number = if *symbol == model.time { next() } else { *number * (1.0 + 0.1 * next()) + 0.01 * next() };
     }
@@ -111,10 +111,10 @@ fn random(model: &Model, graph: &Graph, seed: u64) -> Vec<(Expr, f64)> {
 }
 
 /// Moves one symbol until a difference vanishes; whether it does.
-fn onto(graph: &Graph, (difference, symbol, slope): (Expr, Expr, Expr), values: &mut [(Expr, f64)]) -> bool {
+fn onto((difference, symbol, slope): (Expr, Expr, Expr), values: &mut [(Expr, f64)]) -> bool {
     let Some(place) = values.iter().position(|(of, _)| *of == symbol) else { return false };
     for _ in 0..50 {
-        let (d, by) = (value(graph, difference, values), value(graph, slope, values));
+        let (d, by) = (value(difference, values), value(slope, values));
         let step = d / by;
         if !step.is_finite() {
             return d == 0.0;

@@ -13,7 +13,7 @@
 //! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
 //! terms in a revolute; gravity is an acceleration of the ground against it.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::super::function::Section;
 use super::coordinates::{Coordinates, Hold, Joint, Unknown};
@@ -61,16 +61,15 @@ pub(crate) fn accelerations(
     coordinates: &Coordinates,
     motion: &Motion,
     force: &[Triple],
-    graph: &mut Graph,
 ) -> (Vec<Expr>, Vec<Section>) {
     let squared = |&omega: &Expr| {
-        let square = graph.powi(omega, 2);
-        graph.define("omega_squared", square)
+        let square = omega.powi(2);
+        square.named("omega_squared")
     };
     let squares = motion.omega.iter().map(squared).collect();
-    let mut work = Elimination { model, coordinates, motion, squares, graph, trace: Vec::new() };
-    let zero = work.graph.zero();
-    let [x, y] = model.gravity.map(|gravity| work.graph.neg(gravity));
+    let mut work = Elimination { model, coordinates, motion, squares, trace: Vec::new() };
+    let zero = Expr::ZERO;
+    let [x, y] = model.gravity.map(|gravity| -gravity);
     let mut answers: Vec<Answer> =
         (0..model.bodies.len()).map(|body| work.alone(body, force[body])).collect();
     let mut held = Vec::new();
@@ -80,7 +79,7 @@ pub(crate) fn accelerations(
         let (left, eliminated) = work.eliminate(whole, &link);
         if let Some(parent) = hold.parent {
             let carried = work.carry(whole, left, &link, &eliminated);
-            answers[parent] = work.sum(answers[parent], carried);
+            answers[parent] = sum(answers[parent], carried);
         }
         held.push((hold, link, eliminated));
     }
@@ -102,7 +101,6 @@ struct Elimination<'a> {
     motion: &'a Motion,
     /// Squares of the angular velocities of the classes.
     squares: Vec<Expr>,
-    graph: &'a mut Graph,
     trace: Vec<Expr>,
 }
 
@@ -112,55 +110,54 @@ impl Elimination<'_> {
         let Model { bodies, .. } = self.model;
         let (mass, class) = (bodies[body].mass, self.coordinates.headings[body].class);
         let arm = self.reference(body);
-        let squared = plane::dot(self.graph, arm, arm);
-        let arm = self.motion.turned(self.graph, class, arm);
-        let graph = &mut *self.graph;
-        let to_centre = plane::negated(graph, arm);
-        let across = plane::left(graph, to_centre);
-        let [hx, hy] = plane::scale(graph, mass, across);
-        let steiner = graph.mul(mass, squared);
-        let inertia = graph.add(bodies[body].inertia, steiner);
-        let inward = graph.mul(mass, self.squares[class]);
-        let [cx, cy] = plane::scale(graph, inward, to_centre);
-        let moment = plane::cross(graph, to_centre, [fx, fy]);
-        let against = [graph.add(cx, fx), graph.add(cy, fy), graph.add(torque, moment)];
-        let zero = graph.zero();
+        let squared = plane::dot(arm, arm);
+        let arm = self.motion.turned(class, arm);
+        let to_centre = plane::negated(arm);
+        let across = plane::left(to_centre);
+        let [hx, hy] = plane::scale(mass, across);
+        let steiner = mass * squared;
+        let inertia = bodies[body].inertia + steiner;
+        let inward = mass * self.squares[class];
+        let [cx, cy] = plane::scale(inward, to_centre);
+        let moment = plane::cross(to_centre, [fx, fy]);
+        let against = [cx + fx, cy + fy, torque + moment];
+        let zero = Expr::ZERO;
         Answer {
             inertia: [[mass, zero, hx], [zero, mass, hy], [hx, hy, inertia]],
-            force: against.map(|component| graph.neg(component)),
+            force: against.map(|component| -component),
         }
     }
 
     /// From G of a body to its reference point, in the axes of its class.
     fn reference(&mut self, body: usize) -> Vec2 {
         let joint = self.coordinates.order.iter().find(|hold| hold.body == body).and_then(|hold| hold.joint);
-        let Some(joint) = joint else { return [self.graph.zero(); 2] };
+        let Some(joint) = joint else { return [Expr::ZERO; 2] };
         let joint = self.coordinates.joints[joint];
         let own = if joint.b.body == Some(body) { joint.b } else { joint.a };
-        self.coordinates.arm(self.model, self.graph, own).1
+        self.coordinates.arm(self.model, own).1
     }
 
     fn link(&mut self, hold: &Hold) -> Link {
         let Some(joint) = hold.joint else { return self.free(hold.body) };
-        let (zero, one) = (self.graph.zero(), self.graph.one());
+        let (zero, one) = (Expr::ZERO, Expr::ONE);
         let joint = self.coordinates.joints[joint];
         let near = if joint.b.body == Some(hold.body) { joint.a } else { joint.b };
-        let (parent, mut arm) = self.coordinates.arm(self.model, self.graph, near);
+        let (parent, mut arm) = self.coordinates.arm(self.model, near);
         if let Some(body) = hold.parent {
             let start = self.reference(body);
-            arm = [0, 1].map(|i| self.graph.sub(arm[i], start[i]));
+            arm = [0, 1].map(|i| arm[i] - start[i]);
         }
-        let arm = self.motion.turned(self.graph, parent, arm);
+        let arm = self.motion.turned(parent, arm);
         // With a name the lengths in it are multiplied once, not wherever the arm is used.
         let arm = [0, 1].map(|i| self.define(["arm_x", "arm_y"][i], arm[i]));
-        let lever = plane::left(self.graph, arm);
+        let lever = plane::left(arm);
         let mut link =
             Link { lever, bias: self.inward(parent, arm), turns_along: true, freedoms: Vec::new() };
         if parent == 0 {
             // A port of the ground may move with the time.
-            let speed = arm.map(|component| self.graph.diff(component, self.model.time));
-            let moved = speed.map(|component| self.graph.diff(component, self.model.time));
-            link.bias = plane::add(self.graph, link.bias, moved);
+            let speed = arm.map(|component| component.diff(self.model.time));
+            let moved = speed.map(|component| component.diff(self.model.time));
+            link.bias = plane::add(link.bias, moved);
         }
         let class = self.coordinates.headings[hold.body].class;
         if let (Some(angle), true) = (self.coordinates.angle_of_class[class], class != parent) {
@@ -175,7 +172,7 @@ impl Elimination<'_> {
 
     /// A body that hangs on nothing.
     fn free(&mut self, body: usize) -> Link {
-        let (zero, one) = (self.graph.zero(), self.graph.one());
+        let (zero, one) = (Expr::ZERO, Expr::ONE);
         let moves = |&unknown: &Unknown| match unknown {
             Unknown::Centre { body: other, axis: 0 } if other == body => Some([one, zero, zero]),
             Unknown::Centre { body: other, .. } if other == body => Some([zero, one, zero]),
@@ -189,78 +186,66 @@ impl Elimination<'_> {
 
     /// Adds the displacement along the x axis of the port `a`, which the parent carries or the body itself.
     fn slide(&mut self, link: &mut Link, joint: &Joint, slide: usize, on_parent: bool) {
-        let (class, axis) = self.coordinates.axis(self.model, self.graph, joint.a);
-        let Self { motion, graph, .. } = self;
-        let mut along = motion.turned(graph, class, axis);
+        let (class, axis) = self.coordinates.axis(self.model, joint.a);
+        let Self { motion, .. } = self;
+        let mut along = motion.turned(class, axis);
         if !on_parent {
-            along = plane::negated(graph, along);
+            along = plane::negated(along);
         }
-        let way = plane::scale(graph, motion.value[slide], along);
-        let across = plane::left(graph, way);
+        let way = plane::scale(motion.value[slide], along);
+        let across = plane::left(way);
         match link.freedoms.first_mut() {
             Some((_, spin)) if !on_parent => (spin[0], spin[1]) = (across[0], across[1]),
-            _ => link.lever = plane::add(graph, link.lever, across),
+            _ => link.lever = plane::add(link.lever, across),
         }
         // Coriolis: 2 omega s'.
-        let turning = graph.mul(motion.omega[class], motion.rate[slide]);
-        let twice = graph.add(turning, turning);
-        let sideways = plane::left(graph, along);
-        let coriolis = plane::scale(graph, twice, sideways);
-        link.bias = plane::add(graph, link.bias, coriolis);
-        link.freedoms.push((slide, [along[0], along[1], graph.zero()]));
+        let turning = motion.omega[class] * motion.rate[slide];
+        let twice = turning + turning;
+        let sideways = plane::left(along);
+        let coriolis = plane::scale(twice, sideways);
+        link.bias = plane::add(link.bias, coriolis);
+        link.freedoms.push((slide, [along[0], along[1], Expr::ZERO]));
         let inward = self.inward(class, way);
-        link.bias = plane::add(self.graph, link.bias, inward);
+        link.bias = plane::add(link.bias, inward);
     }
 
     /// `-omega^2 arm`.
     fn inward(&mut self, class: usize, arm: Vec2) -> Vec2 {
-        let factor = self.graph.neg(self.squares[class]);
-        plane::scale(self.graph, factor, arm)
+        let factor = -self.squares[class];
+        plane::scale(factor, arm)
     }
 
     /// Removes the freedoms of a joint, one after the other.
     fn eliminate(&mut self, mut answer: Answer, link: &Link) -> (Answer, Vec<Eliminated>) {
         let mut eliminated = Vec::new();
         for &(unknown, freedom) in &link.freedoms {
-            let answered = answer.inertia.map(|row| self.dot(row, freedom));
+            let answered = answer.inertia.map(|row| dot(row, freedom));
             let named = ["x", "y", "a"];
             let answered = [0, 1, 2].map(|i| self.define(&format!("u_{unknown}{}", named[i]), answered[i]));
-            let pivot = self.dot(freedom, answered);
-            let one = self.graph.one();
-            let reciprocal = self.graph.div(one, pivot);
+            let pivot = dot(freedom, answered);
+            let one = Expr::ONE;
+            let reciprocal = one / pivot;
             let reciprocal = self.define(&format!("r_{unknown}"), reciprocal);
             let gain = [0, 1, 2].map(|i| {
-                let gain = self.graph.mul(answered[i], reciprocal);
+                let gain = answered[i] * reciprocal;
                 self.define(&format!("g_{unknown}{}", named[i]), gain)
             });
-            let pushed = self.dot(freedom, answer.force);
+            let pushed = dot(freedom, answer.force);
             let pushed = self.define(&format!("n_{unknown}"), pushed);
-            let rest = self.graph.mul(pushed, reciprocal);
+            let rest = pushed * reciprocal;
             for i in 0..3 {
                 for j in 0..=i {
-                    let less = self.graph.mul(gain[i], answered[j]);
-                    let left = self.graph.sub(answer.inertia[i][j], less);
+                    let less = gain[i] * answered[j];
+                    let left = answer.inertia[i][j] - less;
                     (answer.inertia[i][j], answer.inertia[j][i]) = (left, left);
                 }
-                let less = self.graph.mul(gain[i], pushed);
-                answer.force[i] = self.graph.sub(answer.force[i], less);
+                let less = gain[i] * pushed;
+                answer.force[i] -= less;
             }
-            self.clear(&mut answer, freedom);
+            clear(&mut answer, freedom);
             eliminated.push(Eliminated { unknown, freedom, answered, gain, reciprocal, rest });
         }
         (answer, eliminated)
-    }
-
-    /// Along a freedom that is an axis nothing is left; rounding would leave something.
-    fn clear(&mut self, answer: &mut Answer, freedom: Triple) {
-        let zero = self.graph.zero();
-        let along: Vec<usize> = (0..3).filter(|&i| freedom[i] != zero).collect();
-        if let [i] = along[..] {
-            answer.force[i] = zero;
-            for j in 0..3 {
-                (answer.inertia[i][j], answer.inertia[j][i]) = (zero, zero);
-            }
-        }
     }
 
     /// What a body asks of its joint, as a wrench at the reference point of its parent; `whole` is its answer before
@@ -272,25 +257,25 @@ impl Elimination<'_> {
         link: &Link,
         eliminated: &[Eliminated],
     ) -> Answer {
-        let (zero, one) = (self.graph.zero(), self.graph.one());
+        let (zero, one) = (Expr::ZERO, Expr::ONE);
         if !link.turns_along {
             // The third row waits for an angular acceleration that the parent does not give.
-            self.clear(&mut whole, [zero, zero, one]);
-            self.clear(&mut left, [zero, zero, one]);
+            clear(&mut whole, [zero, zero, one]);
+            clear(&mut left, [zero, zero, one]);
         }
         let [[xx, xy, _], [_, yy, _], _] = left.inertia;
         let (across, about) = self.levered(whole, left, link, eliminated);
         let [bx, by] = link.bias;
         let mut force = left.force;
         for (i, component) in force.iter_mut().enumerate() {
-            let by_bias = self.dot(left.inertia[i], [bx, by, zero]);
-            *component = self.graph.add(*component, by_bias);
+            let by_bias = dot(left.inertia[i], [bx, by, zero]);
+            *component += by_bias;
             *component = self.define(["p_x", "p_y", "p_a"][i], *component);
         }
         let [lx, ly] = link.lever;
         Answer {
             inertia: [[xx, xy, across[0]], [xy, yy, across[1]], [across[0], across[1], about]],
-            force: [force[0], force[1], self.dot(force, [lx, ly, one])],
+            force: [force[0], force[1], dot(force, [lx, ly, one])],
         }
     }
 
@@ -305,41 +290,29 @@ impl Elimination<'_> {
         link: &Link,
         eliminated: &[Eliminated],
     ) -> (Triple, Expr) {
-        let lever = [link.lever[0], link.lever[1], self.graph.one()];
+        let lever = [link.lever[0], link.lever[1], Expr::ONE];
         let revolute = match eliminated {
             [one] if !link.turns_along => Some(one),
             _ => None,
         };
         let inertia = if revolute.is_some() { whole.inertia } else { left.inertia };
-        let mut across = inertia.map(|row| self.dot(row, lever));
-        let mut about = self.dot(across, lever);
+        let mut across = inertia.map(|row| dot(row, lever));
+        let mut about = dot(across, lever);
         if let Some(&Eliminated { answered: [ux, uy, _], gain, reciprocal, .. }) = revolute {
-            let part = plane::dot(self.graph, [ux, uy], link.lever);
+            let part = plane::dot([ux, uy], link.lever);
             let part = self.define("c", part);
-            let square = self.graph.powi(part, 2);
+            let square = part.powi(2);
             let square = self.define("c_squared", square);
-            let less = self.graph.mul(square, reciprocal);
+            let less = square * reciprocal;
             about = self.define("w_a", about);
-            about = self.graph.sub(about, less);
+            about -= less;
             for i in 0..2 {
-                let less = self.graph.mul(gain[i], part);
-                across[i] = self.graph.sub(across[i], less);
+                let less = gain[i] * part;
+                across[i] -= less;
             }
         }
         let across = [0, 1, 2].map(|i| self.define(["w_x", "w_y", "w_a"][i], across[i]));
         (across, about)
-    }
-
-    fn sum(&mut self, a: Answer, b: Answer) -> Answer {
-        let graph = &mut *self.graph;
-        let mut sum = a;
-        for i in 0..3 {
-            for j in 0..3 {
-                sum.inertia[i][j] = graph.add(a.inertia[i][j], b.inertia[i][j]);
-            }
-            sum.force[i] = graph.add(a.force[i], b.force[i]);
-        }
-        sum
     }
 
     /// The acceleration of a body's reference point, and of the freedoms that were eliminated there.
@@ -351,34 +324,57 @@ impl Elimination<'_> {
         accelerations: &mut [Expr],
     ) -> Triple {
         let [ax, ay, alpha] = parent;
-        let carried = plane::scale(self.graph, alpha, link.lever);
-        let carried = plane::add(self.graph, carried, link.bias);
-        let [x, y] = plane::add(self.graph, [ax, ay], carried);
-        let spin = if link.turns_along { alpha } else { self.graph.zero() };
+        let carried = plane::scale(alpha, link.lever);
+        let carried = plane::add(carried, link.bias);
+        let [x, y] = plane::add([ax, ay], carried);
+        let spin = if link.turns_along { alpha } else { Expr::ZERO };
         let mut reached = [x, y, spin];
         for Eliminated { unknown, freedom, gain, rest, .. } in eliminated.iter().rev() {
             reached = [0, 1, 2].map(|i| self.define(["a_x", "a_y", "alpha"][i], reached[i]));
-            let answered = self.dot(*gain, reached);
-            let sum = self.graph.add(answered, *rest);
-            let value = self.graph.neg(sum);
+            let answered = dot(*gain, reached);
+            let sum = answered + *rest;
+            let value = -sum;
             let value = self.define(&format!("{}_acceleration", self.motion.names[*unknown]), value);
             accelerations[*unknown] = value;
             for i in 0..3 {
-                let moved = self.graph.mul(freedom[i], value);
-                reached[i] = self.graph.add(reached[i], moved);
+                let moved = freedom[i] * value;
+                reached[i] += moved;
             }
         }
         reached
     }
 
     fn define(&mut self, name: &str, value: Expr) -> Expr {
-        let atom = self.graph.define(name, value);
+        let atom = value.named(name);
         self.trace.push(atom);
         atom
     }
+}
 
-    fn dot(&mut self, a: Triple, b: Triple) -> Expr {
-        let products = [0, 1, 2].map(|i| self.graph.mul(a[i], b[i]));
-        self.graph.sum(&products)
+/// Along a freedom that is an axis nothing is left; rounding would leave something.
+fn clear(answer: &mut Answer, freedom: Triple) {
+    let zero = Expr::ZERO;
+    let along: Vec<usize> = (0..3).filter(|&i| freedom[i] != zero).collect();
+    if let [i] = along[..] {
+        answer.force[i] = zero;
+        for j in 0..3 {
+            (answer.inertia[i][j], answer.inertia[j][i]) = (zero, zero);
+        }
     }
+}
+
+fn sum(a: Answer, b: Answer) -> Answer {
+    let mut sum = a;
+    for i in 0..3 {
+        for j in 0..3 {
+            sum.inertia[i][j] = a.inertia[i][j] + b.inertia[i][j];
+        }
+        sum.force[i] = a.force[i] + b.force[i];
+    }
+    sum
+}
+
+fn dot(a: Triple, b: Triple) -> Expr {
+    let products = [0, 1, 2].map(|i| a[i] * b[i]);
+    algebra::sum(&products)
 }

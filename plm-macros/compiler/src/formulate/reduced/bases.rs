@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::chain::Chain;
 use super::motion::Motion;
@@ -49,38 +49,38 @@ impl Bases {
 
 impl Motion {
     /// A vector in the axes of a class over the class's base.
-    pub(crate) fn over_base(&self, class: usize, vector: Vec2, graph: &mut Graph) -> Vec2 {
+    pub(crate) fn over_base(&self, class: usize, vector: Vec2) -> Vec2 {
         let Some(base) = self.bases.of_class.get(&class) else { return vector };
-        let products = [plane::dot(graph, base.own, vector), plane::cross(graph, base.own, vector)];
-        products.map(|product| graph.div(product, base.square))
+        let products = [plane::dot(base.own, vector), plane::cross(base.own, vector)];
+        products.map(|product| product / base.square)
     }
 
     /// A vector in the axes of a class, in absolute axes.
-    pub(crate) fn turned(&self, graph: &mut Graph, class: usize, vector: Vec2) -> Vec2 {
-        let vector = self.over_base(class, vector, graph);
-        plane::turn(graph, self.base(class), vector)
+    pub(crate) fn turned(&self, class: usize, vector: Vec2) -> Vec2 {
+        let vector = self.over_base(class, vector);
+        plane::turn(self.base(class), vector)
     }
 
     /// Scalar and cross product of two vectors over the bases of their classes.
-    pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2), graph: &mut Graph) -> Vec2 {
-        let constant = [plane::dot(graph, u, w), plane::cross(graph, u, w)];
-        let bases = self.products_of_bases(a, b, graph);
-        plane::turn(graph, bases, constant)
+    pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2)) -> Vec2 {
+        let constant = [plane::dot(u, w), plane::cross(u, w)];
+        let bases = self.products_of_bases(a, b);
+        plane::turn(bases, constant)
     }
 
     /// Scalar and cross product of the bases of two classes.
-    pub(crate) fn products_of_bases(&self, a: usize, b: usize, graph: &mut Graph) -> Vec2 {
+    pub(crate) fn products_of_bases(&self, a: usize, b: usize) -> Vec2 {
         if a == b {
-            let square = self.bases.of_class.get(&a).map_or(graph.one(), |base| base.square);
-            return [square, graph.zero()];
+            let square = self.bases.of_class.get(&a).map_or(Expr::ONE, |base| base.square);
+            return [square, Expr::ZERO];
         }
         let Bases { products, .. } = &self.bases;
         if let Some(&[dot, cross]) = products.get(&(b, a)) {
-            return [dot, graph.neg(cross)];
+            return [dot, -cross];
         }
         products.get(&(a, b)).copied().unwrap_or_else(|| {
             let (a, b) = (self.base(a), self.base(b));
-            [plane::dot(graph, a, b), plane::cross(graph, a, b)]
+            [plane::dot(a, b), plane::cross(a, b)]
         })
     }
 

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::Graph;
-
 use super::plane::{self, Vec2};
 
 /// `p = sum over c of R(theta_c) (d_c + sum over j of s_j e_cj)`.
@@ -18,21 +16,14 @@ pub(crate) struct Chain {
 
 impl Chain {
     /// Adds `sign * R(theta_class) vector`, times a slide if one is given.
-    pub(crate) fn add(
-        &mut self,
-        graph: &mut Graph,
-        class: usize,
-        slide: Option<usize>,
-        vector: Vec2,
-        negative: bool,
-    ) {
-        let signed = if negative { vector.map(|component| graph.neg(component)) } else { vector };
+    pub(crate) fn add(&mut self, class: usize, slide: Option<usize>, vector: Vec2, negative: bool) {
+        let signed = if negative { vector.map(|component| -component) } else { vector };
         let key = (class, slide);
         let sum = match self.terms.get(&key) {
-            Some(&old) => plane::add(graph, old, signed),
+            Some(&old) => plane::add(old, signed),
             None => signed,
         };
-        if plane::is_zero(graph, sum) {
+        if plane::is_zero(sum) {
             self.terms.remove(&key);
         } else {
             self.terms.insert(key, sum);

@@ -1,10 +1,6 @@
 //! From which coordinates the loops are solved: every choice that leaves dyads alone is a chart; where there is none,
 //! those that leave the smallest blocks.
 
-use std::cell::RefCell;
-
-use plm_cas::Graph;
-
 use super::coordinates::{Coordinates, Unknown};
 use super::groups::Group;
 use super::newton::MOST_UNKNOWNS;
@@ -45,11 +41,7 @@ impl Scheme {
 ///
 /// # Errors
 /// Why there is none: words that go on "rung 5 because …".
-pub(crate) fn schemes(
-    model: &Model,
-    coordinates: &Coordinates,
-    graph: &mut Graph,
-) -> Result<Vec<Scheme>, String> {
+pub(crate) fn schemes(model: &Model, coordinates: &Coordinates) -> Result<Vec<Scheme>, String> {
     let n = coordinates.unknowns.len();
     if let (Some((Rung::Tree, _)), Some(&chord)) = (model.rung, coordinates.chords.first()) {
         return Err(format!("`{}` closes a loop", model.parts[coordinates.joints[chord].part].name.text));
@@ -63,7 +55,7 @@ pub(crate) fn schemes(
         Some(freedom) if freedom > 0 || !coordinates.rows.is_empty() => freedom,
         _ => return Err("nothing can move, or constraints are redundant".to_owned()),
     };
-    split(model, coordinates, &equations, freedom, graph)
+    split(model, coordinates, &equations, freedom)
 }
 
 /// The charts of some equations that leave so much freedom.
@@ -75,11 +67,9 @@ pub(crate) fn split(
     coordinates: &Coordinates,
     equations: &[Equation],
     freedom: usize,
-    graph: &mut Graph,
 ) -> Result<Vec<Scheme>, String> {
     let candidates = candidates(model, coordinates);
-    let graph = RefCell::new(graph);
-    let group = |block: &Block| Group::of(coordinates, block, &mut graph.borrow_mut());
+    let group = |block: &Block| Group::of(coordinates, block);
     // What has a closed form is small: the others are not worth a look here.
     let cost = |block: &Block| if block.unknowns.len() > 2 { None } else { group(block)?.cost() };
     let choices = drivers(coordinates.unknowns.len(), equations, freedom, &candidates, &cost);

@@ -5,7 +5,7 @@
 //! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class. What is left of a
 //! loop of joints is that its vectors sum to zero.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::chain::Chain;
 use super::plane::{self, Vec2};
@@ -83,19 +83,19 @@ impl Coordinates {
     }
 
     /// Does anything move with the time, whatever the coordinates do?
-    pub(crate) fn moves_with(&self, time: Expr, graph: &mut Graph) -> bool {
+    pub(crate) fn moves_with(&self, time: Expr) -> bool {
         let chains = self.closures.iter().chain(&self.centres);
         let vectors = chains.flat_map(|chain| chain.terms().flat_map(|(_, _, vector)| vector));
         let all: Vec<Expr> = vectors.chain(self.rows.iter().map(|row| row.phi)).collect();
-        graph.symbols(&all).contains(&time)
+        algebra::symbols(&all).contains(&time)
     }
 
     /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors
     /// Why this mechanism has none: words that go on "rung 5 because …".
-    pub(crate) fn new(model: &Model, graph: &mut Graph) -> Result<Coordinates, String> {
-        let joints = joints(model, graph)?;
+    pub(crate) fn new(model: &Model) -> Result<Coordinates, String> {
+        let joints = joints(model)?;
         let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);
         let edges: Vec<(usize, usize)> = joints.iter().map(|joint| (node(joint.a), node(joint.b))).collect();
         let nodes = model.bodies.len() + 1;
@@ -109,7 +109,7 @@ impl Coordinates {
         let mut coordinates = Coordinates {
             unknowns: Vec::new(),
             angle_of_class: vec![None],
-            headings: headings(model, graph, &joints, &edges, &order)?,
+            headings: headings(model, &joints, &edges, &order)?,
             centres: vec![Chain::default(); model.bodies.len()],
             joints,
             order,
@@ -118,7 +118,7 @@ impl Coordinates {
             loops: Vec::new(),
             chords: forest.chords,
         };
-        coordinates.walk(model, graph);
+        coordinates.walk(model);
         for chord in coordinates.chords.clone() {
             coordinates.add_slide(chord);
         }
@@ -126,14 +126,14 @@ impl Coordinates {
             coordinates.loops.push(cycle.iter().map(|step| step.0).collect());
             let mut closure = Chain::default();
             for (joint, along) in cycle {
-                coordinates.add_across(&mut closure, model, graph, joint, !along);
+                coordinates.add_across(&mut closure, model, joint, !along);
             }
             coordinates.closures.push(closure);
         }
-        coordinates.shorten_closures(graph);
+        coordinates.shorten_closures();
         for row in &model.rows {
             if model.parts[row.part].pair.is_none() {
-                let explicit = rows::explicit(model, &coordinates, row.phi, graph);
+                let explicit = rows::explicit(model, &coordinates, row.phi);
                 let own = || format!("`{}` constrains in a way of its own", model.parts[row.part].name.text);
                 coordinates.rows.push(explicit.ok_or_else(own)?);
             }
@@ -142,7 +142,7 @@ impl Coordinates {
     }
 
     /// From the ground outwards: a coordinate for every freedom, a place for every body.
-    fn walk(&mut self, model: &Model, graph: &mut Graph) {
+    fn walk(&mut self, model: &Model) {
         for hold in self.order.clone() {
             let class = self.headings[hold.body].class;
             if class == self.angle_of_class.len() {
@@ -151,24 +151,23 @@ impl Coordinates {
             }
             let Some(joint) = hold.joint else {
                 for axis in 0..2 {
-                    let along =
-                        if axis == 0 { [graph.one(), graph.zero()] } else { [graph.zero(), graph.one()] };
+                    let along = if axis == 0 { [Expr::ONE, Expr::ZERO] } else { [Expr::ZERO, Expr::ONE] };
                     let unknown = self.new_unknown(Unknown::Centre { body: hold.body, axis });
-                    self.centres[hold.body].add(graph, 0, Some(unknown), along, false);
+                    self.centres[hold.body].add(0, Some(unknown), along, false);
                 }
                 continue;
             };
             self.add_slide(joint);
             let mut centre = hold.parent.map_or(Chain::default(), |parent| self.centres[parent].clone());
             let outward = self.joints[joint].b.body == Some(hold.body);
-            self.add_across(&mut centre, model, graph, joint, !outward);
+            self.add_across(&mut centre, model, joint, !outward);
             self.centres[hold.body] = centre;
         }
     }
 
     /// Adds loops to others where that leaves fewer vectors that move: three bodies on one pin hang on each other in the order
     /// of their joints, though each two of them are as near.
-    fn shorten_closures(&mut self, graph: &mut Graph) {
+    fn shorten_closures(&mut self) {
         let count = self.closures.len();
         let all: Vec<(usize, usize, bool)> = (0..count)
             .flat_map(|i| (0..count).flat_map(move |j| [(i, j, false), (i, j, true)]))
@@ -178,7 +177,7 @@ impl Coordinates {
         while let Some((i, shorter)) = all.iter().find_map(|&(i, j, negative)| {
             let mut sum = self.closures[i].clone();
             for (class, slide, vector) in self.closures[j].terms() {
-                sum.add(graph, class, slide, vector, negative);
+                sum.add(class, slide, vector, negative);
             }
             (sum.moving() < self.closures[i].moving()).then_some((i, sum))
         }) {
@@ -217,35 +216,35 @@ impl Coordinates {
     }
 
     /// Heading of the body of a frame.
-    pub(crate) fn heading(&self, frame: FrameRef, graph: &Graph) -> Heading {
-        frame.body.map_or(Heading { class: 0, offset: graph.zero() }, |body| self.headings[body])
+    pub(crate) fn heading(&self, frame: FrameRef) -> Heading {
+        frame.body.map_or(Heading { class: 0, offset: Expr::ZERO }, |body| self.headings[body])
     }
 
     /// From G (on the ground: from the origin) to a port, in the axes of the class.
-    pub(crate) fn arm(&self, model: &Model, graph: &mut Graph, frame: FrameRef) -> (usize, Vec2) {
-        let heading = self.heading(frame, graph);
-        let axis = [graph.cos(heading.offset), graph.sin(heading.offset)];
-        (heading.class, plane::turn(graph, axis, port(model, frame).at))
+    pub(crate) fn arm(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
+        let heading = self.heading(frame);
+        let axis = [heading.offset.cos(), heading.offset.sin()];
+        (heading.class, plane::turn(axis, port(model, frame).at))
     }
 
     /// The x axis of a port, in the axes of the class.
-    pub(crate) fn axis(&self, model: &Model, graph: &mut Graph, frame: FrameRef) -> (usize, Vec2) {
-        let heading = self.heading(frame, graph);
-        let angle = graph.add(heading.offset, port(model, frame).angle);
-        (heading.class, [graph.cos(angle), graph.sin(angle)])
+    pub(crate) fn axis(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
+        let heading = self.heading(frame);
+        let angle = heading.offset + port(model, frame).angle;
+        (heading.class, [angle.cos(), angle.sin()])
     }
 
     /// Adds the way from G of the body of `a` to G of the body of `b` through a joint, or its negative.
-    fn add_across(&self, chain: &mut Chain, model: &Model, graph: &mut Graph, joint: usize, negative: bool) {
+    fn add_across(&self, chain: &mut Chain, model: &Model, joint: usize, negative: bool) {
         let Joint { a, b, slide, .. } = self.joints[joint];
-        let (class, arm) = self.arm(model, graph, a);
-        chain.add(graph, class, None, arm, negative);
+        let (class, arm) = self.arm(model, a);
+        chain.add(class, None, arm, negative);
         if slide.is_some() {
-            let (class, axis) = self.axis(model, graph, a);
-            chain.add(graph, class, slide, axis, negative);
+            let (class, axis) = self.axis(model, a);
+            chain.add(class, slide, axis, negative);
         }
-        let (class, arm) = self.arm(model, graph, b);
-        chain.add(graph, class, None, arm, !negative);
+        let (class, arm) = self.arm(model, b);
+        chain.add(class, None, arm, !negative);
     }
 }
 
@@ -256,7 +255,6 @@ impl Coordinates {
 /// When joints fix an angle twice and nothing says that they agree.
 fn headings(
     model: &Model,
-    graph: &mut Graph,
     joints: &[Joint],
     edges: &[(usize, usize)],
     order: &[Hold],
@@ -271,25 +269,22 @@ fn headings(
     let nodes = model.bodies.len() + 1;
     let Forest { parent, order: outward, roots, chords } = spanning_forest(nodes, &tied);
     // How far the second body of a tie is turned from the first.
-    let turn = |graph: &mut Graph, tie: usize| {
-        graph.sub(port(model, ties[tie].a).angle, port(model, ties[tie].b).angle)
-    };
+    let turn = |tie: usize| port(model, ties[tie].a).angle - port(model, ties[tie].b).angle;
     let mut root = vec![0; nodes];
-    let mut angle = vec![graph.zero(); nodes];
+    let mut angle = vec![Expr::ZERO; nodes];
     for root_node in roots {
         root[root_node] = root_node;
     }
     for &node in &outward {
         let Some((tie, from)) = parent[node] else { continue };
-        let by = turn(graph, tie);
+        let by = turn(tie);
         root[node] = root[from];
-        angle[node] =
-            if tied[tie].0 == from { graph.add(angle[from], by) } else { graph.sub(angle[from], by) };
+        angle[node] = if tied[tie].0 == from { angle[from] + by } else { angle[from] - by };
     }
     for chord in chords {
         let (first, second) = tied[chord];
-        let by = turn(graph, chord);
-        let expected = graph.add(angle[first], by);
+        let by = turn(chord);
+        let expected = angle[first] + by;
         if expected != angle[second] {
             return Err(format!(
                 "`{}` fixes an angle that is fixed already",
@@ -297,17 +292,17 @@ fn headings(
             ));
         }
     }
-    let mut first = vec![graph.zero()];
+    let mut first = vec![Expr::ZERO];
     let mut class = vec![None; nodes];
     class[root[0]] = Some(0);
-    let mut headings = vec![Heading { class: 0, offset: graph.zero() }; model.bodies.len()];
+    let mut headings = vec![Heading { class: 0, offset: Expr::ZERO }; model.bodies.len()];
     for hold in order {
         let node = hold.body + 1;
         let class = *class[root[node]].get_or_insert_with(|| {
             first.push(angle[node]);
             first.len() - 1
         });
-        headings[hold.body] = Heading { class, offset: graph.sub(angle[node], first[class]) };
+        headings[hold.body] = Heading { class, offset: (angle[node] - first[class]) };
     }
     Ok(headings)
 }
@@ -321,7 +316,7 @@ pub(crate) fn port(model: &Model, frame: FrameRef) -> &Port {
 }
 
 /// All joints, if they are pairs and nothing else constrains.
-fn joints(model: &Model, graph: &Graph) -> Result<Vec<Joint>, String> {
+fn joints(model: &Model) -> Result<Vec<Joint>, String> {
     let mut rows = vec![0; model.parts.len()];
     for row in &model.rows {
         rows[row.part] += 1;
@@ -340,7 +335,7 @@ fn joints(model: &Model, graph: &Graph) -> Result<Vec<Joint>, String> {
             return Err(format!("`{name}` constrains in a way of its own"));
         }
         let turning = |frame: &FrameRef| {
-            frame.body.is_none() && graph.symbols(&[port(model, *frame).angle]).contains(&model.time)
+            frame.body.is_none() && algebra::symbols(&[port(model, *frame).angle]).contains(&model.time)
         };
         if declared.pair.is_some() && declared.frames.iter().any(turning) {
             return Err(format!("`{name}` stands on a port that turns with the time"));

@@ -1,6 +1,6 @@
 //! Accelerations from the dense mass matrix.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::inertia::Dense;
 use super::motion::Motion;
@@ -9,18 +9,18 @@ use crate::formulate::function::Section;
 use crate::formulate::ldl::factorise;
 
 /// Solves `M a = Q`, and how a person would write that down.
-pub(super) fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -> (Vec<Expr>, Vec<Section>) {
+pub(super) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<Section>) {
     let names: Vec<String> =
         motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
     let mut mass = dense.mass.clone();
     for (&(i, j), entry) in &mut mass {
-        *entry = graph.define(&format!("m_{i}_{j}"), *entry);
+        *entry = (*entry).named(format!("m_{i}_{j}"));
     }
     let force: Vec<Expr> = dense
-        .right_hand_side(motion, graph)
+        .right_hand_side(motion)
         .into_iter()
         .enumerate()
-        .map(|(i, force)| graph.define(&format!("force_{i}"), force))
+        .map(|(i, force)| force.named(format!("force_{i}")))
         .collect();
     let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect();
     let at = |key| mass.get(&key).copied();
@@ -28,37 +28,35 @@ pub(super) fn accelerations(motion: &Motion, dense: &Dense, graph: &mut Graph) -
         (&[], _) => Vec::new(),
         // The mass is known before the forces, which wait for velocities: let its division begin early.
         (&[force], _) => {
-            let one = graph.one();
-            let reciprocal = graph.div(one, mass[&(0, 0)]);
-            let reciprocal = graph.define("reciprocal", reciprocal);
-            vec![graph.mul(force, reciprocal)]
+            let one = Expr::ONE;
+            let reciprocal = one / mass[&(0, 0)];
+            let reciprocal = reciprocal.named("reciprocal");
+            vec![force * reciprocal]
         }
         // One division instead of two in a row.
         (&[first, second], Some(coupling)) => {
             let (m00, m11) = (mass[&(0, 0)], mass[&(1, 1)]);
-            let numerators = [
-                minor(graph, [first, coupling], [second, m11]),
-                minor(graph, [m00, first], [coupling, second]),
-            ];
-            let determinant = minor(graph, [m00, coupling], [coupling, m11]);
-            let one = graph.one();
-            let reciprocal = graph.div(one, determinant);
-            let reciprocal = graph.define("reciprocal", reciprocal);
-            numerators.iter().map(|&numerator| graph.mul(numerator, reciprocal)).collect()
+            let numerators =
+                [minor([first, coupling], [second, m11]), minor([m00, first], [coupling, second])];
+            let determinant = minor([m00, coupling], [coupling, m11]);
+            let one = Expr::ONE;
+            let reciprocal = one / determinant;
+            let reciprocal = reciprocal.named("reciprocal");
+            numerators.iter().map(|&numerator| numerator * reciprocal).collect()
         }
         _ => {
-            let factor = factorise(graph, force.len(), &mass, None);
-            let (solution, trace) = factor.solve(graph, &force, &names);
+            let factor = factorise(force.len(), &mass, None);
+            let (solution, trace) = factor.solve(&force, &names);
             roots.extend(factor.trace);
             roots.extend(trace);
             solution
         }
     };
-    let named = solution.iter().zip(&names).map(|(&value, name)| graph.define(name, value));
+    let named = solution.iter().zip(&names).map(|(&value, name)| value.named(name));
     (named.collect(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
 }
 
 /// Determinant of two rows.
-fn minor(graph: &mut Graph, a: [Expr; 2], b: [Expr; 2]) -> Expr {
-    plane::cross(graph, a, b)
+fn minor(a: [Expr; 2], b: [Expr; 2]) -> Expr {
+    plane::cross(a, b)
 }

@@ -13,7 +13,7 @@
 //! `J` is a quarter turn to the left. `D` is, in each case, the determinant of the loop's Jacobian by the two unknowns:
 //! its sign tells the two mirror images apart, and where it vanishes they meet.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::bases::Base;
 use super::chain::Chain;
@@ -48,12 +48,7 @@ pub(crate) enum Kind {
 
 impl Dyad {
     /// The dyad of a block, if it has a closed form.
-    pub(crate) fn of(
-        coordinates: &Coordinates,
-        closure: usize,
-        unknowns: [usize; 2],
-        graph: &mut Graph,
-    ) -> Option<Dyad> {
+    pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknowns: [usize; 2]) -> Option<Dyad> {
         let chain = &coordinates.closures[closure];
         let [first, second] = unknowns.map(|unknown| coordinates.unknowns[unknown]);
         let (unknowns, kind) = match (first, second) {
@@ -68,8 +63,8 @@ impl Dyad {
             }
             (Unknown::Slide { .. }, Unknown::Slide { .. }) => {
                 let [a, b] = [chain.slide(unknowns[0])?, chain.slide(unknowns[1])?];
-                let across = plane::cross(graph, a.1, b.1);
-                if a.0 == b.0 && graph.is_zero(across) {
+                let across = plane::cross(a.1, b.1);
+                if a.0 == b.0 && across.is_zero() {
                     return None;
                 }
                 (unknowns, Kind::Slides([a.0, b.0]))
@@ -126,47 +121,46 @@ impl Dyad {
         motion: &mut Motion,
         side: Option<Expr>,
         time: Expr,
-        graph: &mut Graph,
     ) -> Solution {
         let chain = &coordinates.closures[self.closure];
-        let known = known(chain, &self.classes(), &self.unknowns, motion, graph);
-        let known = named(graph, known, &format!("loop_{}", self.closure));
+        let known = known(chain, &self.classes(), &self.unknowns, motion);
+        let known = named(known, &format!("loop_{}", self.closure));
         let root = Root { closure: self.closure, side };
         match self.kind {
             Kind::Angles(classes) => {
-                let link = Link::of(chain, self, motion, time, graph);
-                self.circles(chain, classes, (known, link), &root, motion, graph)
+                let link = Link::of(chain, self, motion, time);
+                self.circles(chain, classes, (known, link), &root, motion)
             }
             Kind::Across { class, along } => {
-                let link = Link::of(chain, self, motion, time, graph);
-                self.line_and_circle(chain, [class, along], (known, link), &root, motion, graph)
+                let link = Link::of(chain, self, motion, time);
+                self.line_and_circle(chain, [class, along], (known, link), &root, motion)
             }
-            Kind::Along { class } => self.line_that_turns(chain, class, known, &root, motion, graph),
-            Kind::Slides(classes) => self.lines(chain, classes, known, motion, graph),
+            Kind::Along { class } => self.line_that_turns(chain, class, known, &root, motion),
+            Kind::Slides(classes) => self.lines(chain, classes, known, motion),
         }
     }
 
     /// Determinant and scale where all unknowns are known.
-    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion, graph: &mut Graph) -> Solution {
+    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Solution {
         let chain = &coordinates.closures[self.closure];
-        let mut columns = [[graph.zero(); 2]; 2];
-        let mut scale = graph.one();
+        let mut columns = [[Expr::ZERO; 2]; 2];
+        let mut scale = Expr::ONE;
         for (k, class) in self.classes().into_iter().enumerate() {
-            let arm = motion.whole_arm(chain, class, graph);
-            columns[k] = plane::left(graph, arm);
-            let square = plane::dot(graph, arm, arm);
-            scale = graph.mul(scale, square);
+            let arm = motion.whole_arm(chain, class);
+            columns[k] = plane::left(arm);
+            let square = plane::dot(arm, arm);
+            scale *= square;
         }
         for (k, unknown) in self.unknowns.into_iter().enumerate() {
             if let Some((class, vector)) = chain.slide(unknown) {
-                columns[k] = motion.turned(graph, class, vector);
+                columns[k] = motion.turned(class, vector);
             }
         }
         if matches!(self.kind, Kind::Along { .. }) {
-            scale = graph.powi(motion.length, 2);
+            scale = motion.length.powi(2);
         }
-        let determinant = plane::cross(graph, columns[0], columns[1]);
-        let square = graph.powi(determinant, 2);
+        let determinant = plane::cross(columns[0], columns[1]);
+        let square = determinant.powi(2);
         Solution { determinant, square, scale, columns, arms: Vec::new(), link: None }
     }
 
@@ -178,40 +172,39 @@ impl Dyad {
         (known, link): (Vec2, Option<Link>),
         root: &Root,
         motion: &mut Motion,
-        graph: &mut Graph,
     ) -> Solution {
-        let arms = [a, b].map(|class| motion.arm(chain, class, &[], graph));
-        let [aa, bb] = arms.map(|arm| plane::dot(graph, arm, arm));
-        let mm = root.distance(known, graph);
-        let reach = graph.add(mm, aa);
-        let difference = graph.sub(bb, reach);
-        let two = graph.int(2);
-        let n = graph.div(difference, two);
-        let n = graph.define(&format!("along_{}", self.closure), n);
-        let (full, part) = (graph.mul(aa, mm), graph.powi(n, 2));
-        let square = graph.sub(full, part);
-        let (square, determinant) = root.of(square, graph);
-        let reciprocal = graph.recip(mm);
-        let reciprocal = graph.define(&format!("inverse_{}", self.closure), reciprocal);
-        let ways = plane::scale(graph, reciprocal, [n, determinant]);
-        let ways = named(graph, ways, &format!("way_{}", self.closure));
-        let p = plane::turn(graph, ways, known);
-        let p = motion.name_arm(self.unknowns[0], p, graph);
-        let sum = plane::add(graph, known, p);
-        let r = motion.name_arm(self.unknowns[1], plane::negated(graph, sum), graph);
-        motion.turn_class(self.unknowns[0], a, axis(graph, p, arms[0], aa), graph);
-        motion.turn_class(self.unknowns[1], b, axis(graph, r, arms[1], bb), graph);
+        let arms = [a, b].map(|class| motion.arm(chain, class, &[]));
+        let [aa, bb] = arms.map(|arm| plane::dot(arm, arm));
+        let mm = root.distance(known);
+        let reach = mm + aa;
+        let difference = bb - reach;
+        let two = Expr::from(2);
+        let n = difference / two;
+        let n = n.named(format!("along_{}", self.closure));
+        let (full, part) = (aa * mm, n.powi(2));
+        let square = full - part;
+        let (square, determinant) = root.of(square);
+        let reciprocal = mm.recip();
+        let reciprocal = reciprocal.named(format!("inverse_{}", self.closure));
+        let ways = plane::scale(reciprocal, [n, determinant]);
+        let ways = named(ways, &format!("way_{}", self.closure));
+        let p = plane::turn(ways, known);
+        let p = motion.name_arm(self.unknowns[0], p);
+        let sum = plane::add(known, p);
+        let r = motion.name_arm(self.unknowns[1], plane::negated(sum));
+        motion.turn_class(self.unknowns[0], a, axis(p, arms[0], aa));
+        motion.turn_class(self.unknowns[1], b, axis(r, arms[1], bb));
         for (class, vector, own, square) in [(a, p, arms[0], aa), (b, r, arms[1], bb)] {
             motion.bases.insert_arm(chain, class, Base { vector, own, square });
         }
-        let columns = [plane::left(graph, p), plane::left(graph, r)];
-        let scale = graph.mul(aa, bb);
+        let columns = [plane::left(p), plane::left(r)];
+        let scale = aa * bb;
         // From `m p = n`.
-        let sum = graph.add(n, aa);
-        let unit = [graph.one(), graph.zero()];
-        let own = Own { p: a, r: (b, unit), pp: aa, pr: graph.neg(sum), rr: Some(bb) };
+        let sum = n + aa;
+        let unit = [Expr::ONE, Expr::ZERO];
+        let own = Own { p: a, r: (b, unit), pp: aa, pr: (-sum), rr: Some(bb) };
         if let Some(link) = &link {
-            link.meet(self, &own, (ways, determinant), motion, graph);
+            link.meet(self, &own, (ways, determinant), motion);
         }
         let link = link.map(|link| (link, own));
         Solution { determinant, square, scale, columns, arms: vec![(a, p), (b, r)], link }
@@ -225,30 +218,29 @@ impl Dyad {
         (known, link): (Vec2, Option<Link>),
         root: &Root,
         motion: &mut Motion,
-        graph: &mut Graph,
     ) -> Solution {
         let [angle, slide] = self.unknowns;
-        let arm = motion.arm(chain, class, &[], graph);
-        let aa = plane::dot(graph, arm, arm);
-        let e = slide_axis(chain, slide, along, motion, graph);
-        let (offset, ahead) = (plane::cross(graph, e, known), plane::dot(graph, e, known));
-        let squared = graph.powi(offset, 2);
-        let square = graph.sub(aa, squared);
-        let (square, determinant) = root.of(square, graph);
-        let value = graph.sub(determinant, ahead);
-        motion.set_slide(slide, value, graph);
+        let arm = motion.arm(chain, class, &[]);
+        let aa = plane::dot(arm, arm);
+        let e = slide_axis(chain, slide, along, motion);
+        let (offset, ahead) = (plane::cross(e, known), plane::dot(e, known));
+        let squared = offset.powi(2);
+        let square = aa - squared;
+        let (square, determinant) = root.of(square);
+        let value = determinant - ahead;
+        motion.set_slide(slide, value);
         // `m + s e = D e + (e x m) J e`.
-        let sum = across(graph, [determinant, offset], e);
-        let p = motion.name_arm(angle, plane::negated(graph, sum), graph);
-        motion.turn_class(angle, class, axis(graph, p, arm, aa), graph);
+        let sum = across([determinant, offset], e);
+        let p = motion.name_arm(angle, plane::negated(sum));
+        motion.turn_class(angle, class, axis(p, arm, aa));
         motion.bases.insert_arm(chain, class, Base { vector: p, own: arm, square: aa });
-        let r = [e[1], graph.neg(e[0])];
+        let r = [e[1], -e[0]];
         let own = Own { p: class, r: (0, r), pp: aa, pr: offset, rr: None };
         if let Some(link) = &link {
-            let ways = plane::negated(graph, [determinant, offset]);
-            link.meet(self, &own, (ways, determinant), motion, graph);
+            let ways = plane::negated([determinant, offset]);
+            link.meet(self, &own, (ways, determinant), motion);
         }
-        let (columns, link) = ([plane::left(graph, p), e], link.map(|link| (link, own)));
+        let (columns, link) = ([plane::left(p), e], link.map(|link| (link, own)));
         Solution { determinant, square, scale: aa, columns, arms: vec![(class, p)], link }
     }
 
@@ -260,47 +252,39 @@ impl Dyad {
         known: Vec2,
         root: &Root,
         motion: &mut Motion,
-        graph: &mut Graph,
     ) -> Solution {
         let [angle, slide] = self.unknowns;
-        let d = motion.arm(chain, class, &[slide], graph);
-        let e = chain.slide(slide).map_or([graph.zero(); 2], |slide| slide.1);
-        let (offset, ahead) = (plane::cross(graph, e, d), plane::dot(graph, e, d));
-        let mm = root.distance(known, graph);
-        let squared = graph.powi(offset, 2);
-        let square = graph.sub(mm, squared);
-        let (square, determinant) = root.of(square, graph);
-        let back = graph.neg(determinant);
-        let value = graph.sub(back, ahead);
-        motion.set_slide(slide, value, graph);
+        let d = motion.arm(chain, class, &[slide]);
+        let e = chain.slide(slide).map_or([Expr::ZERO; 2], |slide| slide.1);
+        let (offset, ahead) = (plane::cross(e, d), plane::dot(e, d));
+        let mm = root.distance(known);
+        let squared = offset.powi(2);
+        let square = mm - squared;
+        let (square, determinant) = root.of(square);
+        let back = -determinant;
+        let value = back - ahead;
+        motion.set_slide(slide, value);
         // `d + s e = -D e + (e x d) J e`.
-        let arm = across(graph, [back, offset], e);
-        let p = plane::negated(graph, known);
-        motion.turn_class(angle, class, axis(graph, p, arm, mm), graph);
-        let columns = [plane::left(graph, p), motion.turned(graph, class, e)];
-        let scale = graph.powi(motion.length, 2);
+        let arm = across([back, offset], e);
+        let p = plane::negated(known);
+        motion.turn_class(angle, class, axis(p, arm, mm));
+        let columns = [plane::left(p), motion.turned(class, e)];
+        let scale = motion.length.powi(2);
         Solution { determinant, square, scale, columns, arms: vec![(class, p)], link: None }
     }
 
     /// PRP and RPP.
-    fn lines(
-        &self,
-        chain: &Chain,
-        classes: [usize; 2],
-        known: Vec2,
-        motion: &mut Motion,
-        graph: &mut Graph,
-    ) -> Solution {
-        let columns = [0, 1].map(|k| slide_axis(chain, self.unknowns[k], classes[k], motion, graph));
-        let determinant = plane::cross(graph, columns[0], columns[1]);
-        let determinant = graph.define(&format!("area_{}", self.closure), determinant);
-        let ways = [plane::cross(graph, columns[1], known), plane::cross(graph, known, columns[0])];
+    fn lines(&self, chain: &Chain, classes: [usize; 2], known: Vec2, motion: &mut Motion) -> Solution {
+        let columns = [0, 1].map(|k| slide_axis(chain, self.unknowns[k], classes[k], motion));
+        let determinant = plane::cross(columns[0], columns[1]);
+        let determinant = determinant.named(format!("area_{}", self.closure));
+        let ways = [plane::cross(columns[1], known), plane::cross(known, columns[0])];
         for (unknown, way) in self.unknowns.into_iter().zip(ways) {
-            let value = graph.div(way, determinant);
-            motion.set_slide(unknown, value, graph);
+            let value = way / determinant;
+            motion.set_slide(unknown, value);
         }
-        let square = graph.powi(determinant, 2);
-        Solution { determinant, square, scale: graph.one(), columns, arms: Vec::new(), link: None }
+        let square = determinant.powi(2);
+        Solution { determinant, square, scale: Expr::ONE, columns, arms: Vec::new(), link: None }
     }
 }
 
@@ -312,22 +296,22 @@ struct Root {
 
 impl Root {
     /// `D^2` by a name, and `D`.
-    fn of(&self, square: Expr, graph: &mut Graph) -> (Expr, Expr) {
-        let zero = graph.zero();
-        let square = graph.define(&format!("square_{}", self.closure), square);
-        let real = graph.max(square, zero);
-        let root = graph.sqrt(real);
-        let root = graph.define(&format!("root_{}", self.closure), root);
+    fn of(&self, square: Expr) -> (Expr, Expr) {
+        let zero = Expr::ZERO;
+        let square = square.named(format!("square_{}", self.closure));
+        let real = square.max(zero);
+        let root = real.sqrt();
+        let root = root.named(format!("root_{}", self.closure));
         let Some(side) = self.side else { return (square, root) };
-        let (mirrored, negative) = (graph.less(side, zero), graph.neg(root));
-        let signed = graph.select(mirrored, negative, root);
-        (square, graph.define(&format!("area_{}", self.closure), signed))
+        let (mirrored, negative) = (side.less(zero), -root);
+        let signed = mirrored.select(negative, root);
+        (square, signed.named(format!("area_{}", self.closure)))
     }
 
     /// The square of a vector's length.
-    fn distance(&self, vector: Vec2, graph: &mut Graph) -> Expr {
-        let square = plane::dot(graph, vector, vector);
-        graph.define(&format!("distance_{}", self.closure), square)
+    fn distance(&self, vector: Vec2) -> Expr {
+        let square = plane::dot(vector, vector);
+        square.named(format!("distance_{}", self.closure))
     }
 }
 
@@ -337,41 +321,35 @@ fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
 }
 
 /// Sum of the vectors of a loop that do not hold the unknowns of a dyad.
-pub(crate) fn known(
-    chain: &Chain,
-    turns: &[usize],
-    unknowns: &[usize],
-    motion: &Motion,
-    graph: &mut Graph,
-) -> Vec2 {
-    let mut sum = [graph.zero(); 2];
+pub(crate) fn known(chain: &Chain, turns: &[usize], unknowns: &[usize], motion: &Motion) -> Vec2 {
+    let mut sum = [Expr::ZERO; 2];
     for class in chain.classes().into_iter().filter(|class| !turns.contains(class)) {
-        let own = motion.arm(chain, class, unknowns, graph);
-        let own = motion.turned(graph, class, own);
-        sum = plane::add(graph, sum, own);
+        let own = motion.arm(chain, class, unknowns);
+        let own = motion.turned(class, own);
+        sum = plane::add(sum, own);
     }
     sum
 }
 
 /// Direction in which a slide moves, in absolute axes.
-fn slide_axis(chain: &Chain, slide: usize, class: usize, motion: &Motion, graph: &mut Graph) -> Vec2 {
-    let vector = chain.slide(slide).map_or([graph.zero(); 2], |slide| slide.1);
-    motion.turned(graph, class, vector)
+fn slide_axis(chain: &Chain, slide: usize, class: usize, motion: &Motion) -> Vec2 {
+    let vector = chain.slide(slide).map_or([Expr::ZERO; 2], |slide| slide.1);
+    motion.turned(class, vector)
 }
 
 /// `a e + b J e`.
-fn across(graph: &mut Graph, [a, b]: [Expr; 2], e: Vec2) -> Vec2 {
-    let (along, aside) = (plane::scale(graph, a, e), plane::left(graph, e));
-    let aside = plane::scale(graph, b, aside);
-    plane::add(graph, along, aside)
+fn across([a, b]: [Expr; 2], e: Vec2) -> Vec2 {
+    let (along, aside) = (plane::scale(a, e), plane::left(e));
+    let aside = plane::scale(b, aside);
+    plane::add(along, aside)
 }
 
 /// Cosine and sine of the angle that turns `arm`, of which the square is given, into `p`.
-fn axis(graph: &mut Graph, p: Vec2, arm: Vec2, square: Expr) -> Vec2 {
-    [plane::dot(graph, arm, p), plane::cross(graph, arm, p)].map(|product| graph.div(product, square))
+fn axis(p: Vec2, arm: Vec2, square: Expr) -> Vec2 {
+    [plane::dot(arm, p), plane::cross(arm, p)].map(|product| product / square)
 }
 
-fn named(graph: &mut Graph, vector: Vec2, name: &str) -> Vec2 {
+fn named(vector: Vec2, name: &str) -> Vec2 {
     let names = [format!("{name}_x"), format!("{name}_y")];
-    [graph.define(&names[0], vector[0]), graph.define(&names[1], vector[1])]
+    [vector[0].named(&names[0]), vector[1].named(&names[1])]
 }

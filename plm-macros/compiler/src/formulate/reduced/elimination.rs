@@ -6,7 +6,7 @@
 //! left is a system of half the size, of at most four unknowns, whose inverse is written down by minors (Laplace's
 //! expansion, two rows at a time). It is singular where the whole is, and nowhere else.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::plane::{self, Vec2};
 
@@ -39,7 +39,7 @@ pub(crate) enum Column {
 
 impl Plan {
     /// The plan with the least to carry from loop to loop; `squares[k][u]` is the column of the unknown `u` in the loop `k`.
-    pub(crate) fn new(squares: &[Vec<Column>], graph: &mut Graph) -> Option<Plan> {
+    pub(crate) fn new(squares: &[Vec<Column>]) -> Option<Plan> {
         let holds = |k: usize, u: usize| squares[k][u] != Column::Absent;
         let count = |u: usize| (0..squares.len()).filter(|&k| holds(k, u)).count();
         let n = squares.first()?.len();
@@ -62,7 +62,7 @@ impl Plan {
         let (_, chosen) = best?;
         let rest = (0..n).filter(|u| chosen.iter().all(|pivot| pivot.1 != *u)).collect();
         let pivots = chosen.into_iter().filter_map(|(in_loop, unknown)| match squares[in_loop][unknown] {
-            Column::Constant(square) => Some(Pivot { in_loop, unknown, reciprocal: graph.recip(square) }),
+            Column::Constant(square) => Some(Pivot { in_loop, unknown, reciprocal: square.recip() }),
             _ => None,
         });
         Some(Plan { pivots: pivots.collect(), rest })
@@ -120,47 +120,40 @@ struct Stage {
 
 impl<'a> Elimination<'a> {
     /// Decomposes the matrix with the columns `columns[k][u]` in the loops.
-    pub(crate) fn new(
-        plan: &'a Plan,
-        mut columns: Vec<Vec<Vec2>>,
-        name: &str,
-        graph: &mut Graph,
-    ) -> Elimination<'a> {
-        let zero = graph.zero();
+    pub(crate) fn new(plan: &'a Plan, mut columns: Vec<Vec<Vec2>>, name: &str) -> Elimination<'a> {
+        let zero = Expr::ZERO;
         let (mut stages, mut rows): (Vec<Stage>, Vec<Vec<Expr>>) = (Vec::new(), Vec::new());
         for (place, &Pivot { in_loop, unknown, reciprocal }) in plan.pivots.iter().enumerate() {
             let own = std::mem::take(&mut columns[in_loop]);
             let column = own[unknown];
             let (mut along, mut across) = (vec![zero; own.len()], vec![zero; own.len()]);
             for (c, &other) in own.iter().enumerate().filter(|&(c, _)| c != unknown) {
-                let product = plane::dot(graph, column, other);
-                let product = graph.mul(product, reciprocal);
-                along[c] = graph.define(&format!("{name}_along_{place}_{c}"), product);
-                let product = plane::cross(graph, column, other);
-                across[c] = graph.define(&format!("{name}_across_{place}_{c}"), product);
+                let product = plane::dot(column, other);
+                let product = product * reciprocal;
+                along[c] = product.named(format!("{name}_along_{place}_{c}"));
+                let product = plane::cross(column, other);
+                across[c] = product.named(format!("{name}_across_{place}_{c}"));
             }
             let mut stage = Stage { column, along, later: Vec::new(), before: Vec::new() };
             for (k, columns) in columns.iter_mut().enumerate() {
-                let Some(&carried) = columns.get(unknown).filter(|column| !plane::is_zero(graph, **column))
-                else {
+                let Some(&carried) = columns.get(unknown).filter(|column| !plane::is_zero(**column)) else {
                     continue;
                 };
                 for (c, column) in columns.iter_mut().enumerate() {
-                    *column =
-                        less(*column, stage.along[c], carried, &format!("{name}_of_{place}_{k}_{c}"), graph);
+                    *column = less(*column, stage.along[c], carried, &format!("{name}_of_{place}_{k}_{c}"));
                 }
                 columns[unknown] = [zero; 2];
                 stage.later.push((k, carried));
             }
             for (k, row) in rows.iter_mut().enumerate() {
                 let carried = std::mem::replace(&mut row[unknown], zero);
-                if graph.is_zero(carried) {
+                if carried.is_zero() {
                     continue;
                 }
                 for (c, entry) in row.iter_mut().enumerate() {
-                    let product = graph.mul(carried, stage.along[c]);
-                    let left = graph.sub(*entry, product);
-                    *entry = graph.define(&format!("{name}_left_{place}_{k}_{c}"), left);
+                    let product = carried * stage.along[c];
+                    let left = *entry - product;
+                    *entry = left.named(format!("{name}_left_{place}_{k}_{c}"));
                 }
                 stage.before.push((k, carried));
             }
@@ -169,50 +162,50 @@ impl<'a> Elimination<'a> {
         }
         let rest =
             rows.iter().map(|row| plan.rest.iter().map(|&u| row[u]).collect()).collect::<Vec<Vec<Expr>>>();
-        let (cofactors, determinant) = cofactors(&rest, name, graph);
-        let reciprocal = graph.recip(determinant);
-        let reciprocal = graph.define(&format!("{name}_reciprocal"), reciprocal);
+        let (cofactors, determinant) = cofactors(&rest, name);
+        let reciprocal = determinant.recip();
+        let reciprocal = reciprocal.named(format!("{name}_reciprocal"));
         let mut inverse = cofactors;
         for (i, row) in inverse.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                let value = graph.mul(*entry, reciprocal);
-                *entry = graph.define(&format!("{name}_inverse_{i}_{j}"), value);
+                let value = *entry * reciprocal;
+                *entry = value.named(format!("{name}_inverse_{i}_{j}"));
             }
         }
-        let measure = plan.measure(&rest, determinant, graph);
+        let measure = plan.measure(&rest, determinant);
         Elimination { plan, name: name.to_owned(), stages, inverse, measure }
     }
 
     /// The unknowns `x` of `A x = b`, `b` by loops.
-    pub(crate) fn solve(&self, mut b: Vec<Vec2>, what: &str, graph: &mut Graph) -> Vec<Expr> {
+    pub(crate) fn solve(&self, mut b: Vec<Vec2>, what: &str) -> Vec<Expr> {
         let label = format!("{}_{what}", self.name);
         let (mut along, mut across): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
         for (place, (stage, pivot)) in self.stages.iter().zip(&self.plan.pivots).enumerate() {
             let own = b[pivot.in_loop];
-            let product = plane::dot(graph, stage.column, own);
-            let product = graph.mul(product, pivot.reciprocal);
-            let product = graph.define(&format!("{label}_along_{place}"), product);
+            let product = plane::dot(stage.column, own);
+            let product = product * pivot.reciprocal;
+            let product = product.named(format!("{label}_along_{place}"));
             for &(k, carried) in &stage.later {
-                b[k] = less(b[k], product, carried, &format!("{label}_of_{place}_{k}"), graph);
+                b[k] = less(b[k], product, carried, &format!("{label}_of_{place}_{k}"));
             }
             for &(k, carried) in &stage.before {
-                let gone = graph.mul(product, carried);
-                let left = graph.sub(across[k], gone);
-                across[k] = graph.define(&format!("{label}_left_{place}_{k}"), left);
+                let gone = product * carried;
+                let left = across[k] - gone;
+                across[k] = left.named(format!("{label}_left_{place}_{k}"));
             }
-            let left = plane::cross(graph, stage.column, own);
-            across.push(graph.define(&format!("{label}_across_{place}"), left));
+            let left = plane::cross(stage.column, own);
+            across.push(left.named(format!("{label}_across_{place}")));
             along.push(product);
         }
-        let mut x = vec![graph.zero(); self.stages.first().map_or(0, |stage| stage.along.len())];
+        let mut x = vec![Expr::ZERO; self.stages.first().map_or(0, |stage| stage.along.len())];
         for (row, &unknown) in self.inverse.iter().zip(&self.plan.rest) {
-            let value = dot(row, &across, graph);
-            x[unknown] = graph.define(&format!("{label}_{unknown}"), value);
+            let value = dot(row, &across);
+            x[unknown] = value.named(format!("{label}_{unknown}"));
         }
         for ((stage, pivot), along) in self.stages.iter().zip(&self.plan.pivots).zip(along).rev() {
-            let others = dot(&stage.along, &x, graph);
-            let value = graph.sub(along, others);
-            x[pivot.unknown] = graph.define(&format!("{label}_{}", pivot.unknown), value);
+            let others = dot(&stage.along, &x);
+            let value = along - others;
+            x[pivot.unknown] = value.named(format!("{label}_{}", pivot.unknown));
         }
         x
     }
@@ -221,84 +214,82 @@ impl<'a> Elimination<'a> {
 impl Plan {
     /// The square of the determinant of the rows that are left, over those of its columns (J. Hadamard's bound): for two
     /// unknowns the square of a sine. Rows count as if they stood across columns of the length 1.
-    fn measure(&self, rows: &[Vec<Expr>], determinant: Expr, graph: &mut Graph) -> Expr {
+    fn measure(&self, rows: &[Vec<Expr>], determinant: Expr) -> Expr {
         let mut most = vec![];
         for c in 0..rows.len() {
             let squares = rows.iter().zip(&self.pivots).map(|(row, pivot)| {
-                let square = graph.powi(row[c], 2);
-                graph.mul(square, pivot.reciprocal)
+                let square = row[c].powi(2);
+                square * pivot.reciprocal
             });
             let squares: Vec<Expr> = squares.collect();
-            most.push(graph.sum(&squares));
+            most.push(algebra::sum(&squares));
         }
-        let most = graph.product(&most);
+        let most = algebra::product(&most);
         let mut own: Vec<Expr> = self.pivots.iter().map(|pivot| pivot.reciprocal).collect();
-        own.push(graph.powi(determinant, 2));
-        let own = graph.product(&own);
-        graph.div(own, most)
+        own.push(determinant.powi(2));
+        let own = algebra::product(&own);
+        own / most
     }
 }
 
 /// The transposed matrix of cofactors, and the determinant, of up to four rows.
-fn cofactors(rows: &[Vec<Expr>], name: &str, graph: &mut Graph) -> (Vec<Vec<Expr>>, Expr) {
+fn cofactors(rows: &[Vec<Expr>], name: &str) -> (Vec<Vec<Expr>>, Expr) {
     let n = rows.len();
-    let mut all = vec![vec![graph.one(); n]; n];
+    let mut all = vec![vec![Expr::ONE; n]; n];
     for i in 0..n {
         for j in 0..n {
             let others = |k: usize| (0..n).filter(move |&l| l != k).collect::<Vec<usize>>();
-            let minor = minor(rows, &others(i), &others(j), name, graph);
-            let signed = if (i + j) % 2 == 0 { minor } else { graph.neg(minor) };
-            all[j][i] = graph.define(&format!("{name}_cofactor_{j}_{i}"), signed);
+            let minor = minor(rows, &others(i), &others(j), name);
+            let signed = if (i + j) % 2 == 0 { minor } else { -minor };
+            all[j][i] = signed.named(format!("{name}_cofactor_{j}_{i}"));
         }
     }
     let first: Vec<Expr> = all.iter().map(|row| row[0]).collect();
-    let determinant = dot(&first, &rows[0], graph);
-    let determinant = graph.define(&format!("{name}_determinant"), determinant);
+    let determinant = dot(&first, &rows[0]);
+    let determinant = determinant.named(format!("{name}_determinant"));
     (all, determinant)
 }
 
 /// A minor of up to three rows, those of two by a name: they are needed again.
-fn minor(rows: &[Vec<Expr>], of: &[usize], columns: &[usize], name: &str, graph: &mut Graph) -> Expr {
+fn minor(rows: &[Vec<Expr>], of: &[usize], columns: &[usize], name: &str) -> Expr {
     match (of, columns) {
         (&[i], &[j]) => rows[i][j],
         (&[i, k], &[j, l]) => {
-            let value = plane::cross(graph, [rows[i][j], rows[i][l]], [rows[k][j], rows[k][l]]);
-            graph.define(&format!("{name}_minor_{i}{k}_{j}{l}"), value)
+            let value = plane::cross([rows[i][j], rows[i][l]], [rows[k][j], rows[k][l]]);
+            value.named(format!("{name}_minor_{i}{k}_{j}{l}"))
         }
         (&[first, second, third], &[j, k, l]) => {
             // Minors of the two rows that are neighbours of each other in pairs are shared by all four.
             let (single, pair) =
                 if first == 0 && second == 1 { (third, [first, second]) } else { (first, [second, third]) };
             let terms = [(j, [k, l]), (k, [j, l]), (l, [j, k])].map(|(own, others)| {
-                let rest = minor(rows, &pair, &others, name, graph);
-                graph.mul(rows[single][own], rest)
+                let rest = minor(rows, &pair, &others, name);
+                rows[single][own] * rest
             });
-            let outer = graph.add(terms[0], terms[2]);
-            graph.sub(outer, terms[1])
+            let outer = terms[0] + terms[2];
+            outer - terms[1]
         }
-        _ => graph.one(),
+        _ => Expr::ONE,
     }
 }
 
 /// `a - factor b`, by a name.
-fn less(a: Vec2, factor: Expr, b: Vec2, name: &str, graph: &mut Graph) -> Vec2 {
-    let gone = plane::scale(graph, factor, b);
+fn less(a: Vec2, factor: Expr, b: Vec2, name: &str) -> Vec2 {
+    let gone = plane::scale(factor, b);
     [0, 1].map(|i| {
-        let left = graph.sub(a[i], gone[i]);
-        graph.define(&format!("{name}_{}", ["x", "y"][i]), left)
+        let left = a[i] - gone[i];
+        left.named(format!("{name}_{}", ["x", "y"][i]))
     })
 }
 
-fn dot(a: &[Expr], b: &[Expr], graph: &mut Graph) -> Expr {
-    let products: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| graph.mul(a, b)).collect();
-    graph.sum(&products)
+fn dot(a: &[Expr], b: &[Expr]) -> Expr {
+    let products: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
+    algebra::sum(&products)
 }
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
-
-    use plm_cas::Tape;
 
     use super::*;
 
@@ -314,7 +305,6 @@ mod tests {
         };
         let mut shared = 0;
         for case in 0..60 {
-            let mut graph = Graph::new();
             let loops = 2 + case % 3;
             let n = 2 * loops;
             let holds: Vec<Vec<bool>> = (0..loops)
@@ -325,35 +315,35 @@ mod tests {
                 })
                 .collect();
             let mut values = Vec::new();
-            let mut vector = |graph: &mut Graph, held: bool| {
-                let symbols = [0, 1].map(|_| if held { graph.symbol("a") } else { graph.zero() });
+            let mut vector = |held: bool| {
+                let symbols = [0, 1].map(|_| if held { Expr::symbol("a") } else { Expr::ZERO });
                 values.extend(symbols.into_iter().filter(|_| held).map(|symbol| (symbol, number())));
                 symbols
             };
             let columns: Vec<Vec<Vec2>> =
-                holds.iter().map(|row| row.iter().map(|&held| vector(&mut graph, held)).collect()).collect();
-            let b: Vec<Vec2> = (0..loops).map(|_| vector(&mut graph, true)).collect();
-            let mut square = |k: usize, u: usize| match (holds[k][u], u < loops) {
+                holds.iter().map(|row| row.iter().map(|&held| vector(held)).collect()).collect();
+            let b: Vec<Vec2> = (0..loops).map(|_| vector(true)).collect();
+            let square = |k: usize, u: usize| match (holds[k][u], u < loops) {
                 (false, _) => Column::Absent,
                 (true, false) => Column::Varying,
-                (true, true) => Column::Constant(plane::dot(&mut graph, columns[k][u], columns[k][u])),
+                (true, true) => Column::Constant(plane::dot(columns[k][u], columns[k][u])),
             };
             let squares: Vec<Vec<Column>> =
                 (0..loops).map(|k| (0..n).map(|u| square(k, u)).collect()).collect();
-            let Some(plan) = Plan::new(&squares, &mut graph) else { continue };
-            let elimination = Elimination::new(&plan, columns.clone(), "j", &mut graph);
+            let Some(plan) = Plan::new(&squares) else { continue };
+            let elimination = Elimination::new(&plan, columns.clone(), "j");
             shared +=
                 usize::from(elimination.stages.iter().any(|s| !s.later.is_empty() || !s.before.is_empty()));
-            let x = elimination.solve(b.clone(), "x", &mut graph);
+            let x = elimination.solve(b.clone(), "x");
             let mut roots = vec![elimination.measure];
             for (row, b) in columns.iter().zip(&b) {
                 for (i, &b) in b.iter().enumerate() {
                     let row: Vec<Expr> = row.iter().map(|column| column[i]).collect();
-                    let product = dot(&row, &x, &mut graph);
-                    roots.push(graph.sub(product, b));
+                    let product = dot(&row, &x);
+                    roots.push(product - b);
                 }
             }
-            let results = Tape::new(&graph, &roots).eval(&values).unwrap();
+            let results = algebra::tape(&roots).eval(&values).unwrap();
             let measure = results[0];
             assert!((0.0..1.0 + 1e-12).contains(&measure), "{case}: {measure}");
             let worst = results[1..].iter().fold(0.0_f64, |worst, gap| worst.max(gap.abs()));

@@ -1,7 +1,7 @@
 //! Both forms of the right-hand side of a tree, the dense one and elimination body by body, at the same states.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use plm_cas::{Expr, Tape};
+use plm_cas::{Expr, algebra};
 
 use super::charts::Scheme;
 use super::coordinates::Coordinates;
@@ -12,6 +12,7 @@ use crate::check;
 use crate::derive::derive;
 use crate::diag::Diagnostics;
 use crate::front;
+use crate::model::Model;
 use crate::token::Sources;
 
 /// Reads the declaration of a tree and hands on its layout.
@@ -20,20 +21,17 @@ fn with_layout<T>(declaration: &str, then: impl FnOnce(Layout, &Motion, &Scheme)
     sources.add_text("scene", declaration);
     let mut model = front::read(&mut sources, &mut sink).model(&mut sink).unwrap();
     let mut graph = std::mem::take(&mut model.graph);
-    let equations = derive(&model, &mut graph);
-    let coordinates = Coordinates::new(&model, &mut graph).unwrap();
-    let scheme = charts::schemes(&model, &coordinates, &mut graph).unwrap().remove(0);
-    let memory = Memory::new(&coordinates, (scheme.drivers.len(), 0), &[], &mut graph);
-    let length = graph.one();
-    let motion = Motion::new(&model, &coordinates, &scheme, &memory, length, &mut graph);
-    let layout = Layout {
-        model: &model,
-        equations: &equations,
-        coordinates: &coordinates,
-        memory: &memory,
-        length,
-        graph: &mut graph,
-    };
+    graph.enter(|| laid_out(&model, then))
+}
+
+fn laid_out<T>(model: &Model, then: impl FnOnce(Layout, &Motion, &Scheme) -> T) -> T {
+    let equations = derive(model);
+    let coordinates = Coordinates::new(model).unwrap();
+    let scheme = charts::schemes(model, &coordinates).unwrap().remove(0);
+    let memory = Memory::new(&coordinates, (scheme.drivers.len(), 0), &[]);
+    let length = Expr::ONE;
+    let motion = Motion::new(model, &coordinates, &scheme, &memory, length);
+    let layout = Layout { model, equations: &equations, coordinates: &coordinates, memory: &memory, length };
     then(layout, &motion, &scheme)
 }
 
@@ -45,8 +43,8 @@ fn difference(declaration: &str, states: u64) -> f64 {
 fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u64) -> f64 {
     let forms = layout.forms(motion, scheme);
     assert_eq!(forms.len(), 2);
-    let Layout { model, graph, .. } = layout;
-    let defaults = check::defaults(model, graph);
+    let Layout { model, .. } = layout;
+    let defaults = check::defaults(model);
     let mut random = 1_u64;
     let mut worst = 0.0_f64;
     for _ in 0..states {
@@ -58,7 +56,7 @@ fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u
         }
         let [dense, articulated] = [&forms[0], &forms[1]].map(|(_, form)| {
             let roots: Vec<Expr> = form.results.iter().map(|&(_, value)| value).collect();
-            Tape::new(graph, &roots).eval(&values).unwrap()
+            algebra::tape(&roots).eval(&values).unwrap()
         });
         let size = dense.iter().fold(0.0_f64, |size, a| size.max(a.abs()));
         for (a, b) in dense.iter().zip(&articulated) {
@@ -150,11 +148,11 @@ fn a_chain() {
 #[test]
 fn implicit_methods_work_in_proportion_to_the_bodies() {
     let cost = |bars: u32| {
-        with_layout(&chain(bars), |Layout { model, equations, coordinates, graph, .. }, motion, _| {
-            let augmented = augmented::laid_out(model, equations, coordinates, motion, graph);
+        with_layout(&chain(bars), |Layout { model, equations, coordinates, .. }, motion, _| {
+            let augmented = augmented::laid_out(model, equations, coordinates, motion);
             let pivots = &augmented.pattern.pivots;
             let products = pivots.iter().map(|pivot| pivot.below.len() * (1 + pivot.right.len()));
-            let coefficients = augmented.coefficients.tape(graph).count().total();
+            let coefficients = augmented.coefficients.tape().count().total();
             [coefficients, products.sum(), augmented.terms.len() + augmented.pattern.places.len()]
         })
     };

@@ -1,7 +1,7 @@
 //! What determines the unknowns that are no coordinates, group by group (L. V. Assur's groups: as many rows as unknowns,
 //! and none smaller inside).
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::coordinates::{Coordinates, Unknown};
 use super::dyad::{Dyad, Kind};
@@ -29,7 +29,7 @@ pub(crate) enum Group {
 
 impl Group {
     /// The group of a block, if there is a form for it. Equations are the loops, then the rows.
-    pub(crate) fn of(coordinates: &Coordinates, block: &Block, graph: &mut Graph) -> Option<Group> {
+    pub(crate) fn of(coordinates: &Coordinates, block: &Block) -> Option<Group> {
         let loops = coordinates.closures.len();
         match (block.equations.as_slice(), block.unknowns.as_slice()) {
             (&[row], &[unknown]) if row >= loops => {
@@ -37,12 +37,12 @@ impl Group {
                 coordinates.rows[row].gives(unknown).then_some(Group::Row { row, unknown })
             }
             (&[closure], &[first, second]) if closure < loops => {
-                Dyad::of(coordinates, closure, [first, second], graph).map(Group::Dyad)
+                Dyad::of(coordinates, closure, [first, second]).map(Group::Dyad)
             }
             (&[closure], &[unknown]) if closure < loops => {
                 Single::of(coordinates, closure, unknown).map(Group::Single)
             }
-            _ => Newton::of(coordinates, block, graph).map(Group::Newton),
+            _ => Newton::of(coordinates, block).map(Group::Newton),
         }
     }
 
@@ -100,42 +100,36 @@ impl Group {
         motion: &mut Motion,
         (memory, place): (&Memory, usize),
         time: Expr,
-        graph: &mut Graph,
     ) {
         let solution = match self {
             Group::Row { row, unknown } => {
-                return rows::solve(coordinates, motion, &coordinates.rows[*row], *unknown, time, graph);
+                return rows::solve(coordinates, motion, &coordinates.rows[*row], *unknown, time);
             }
             Group::Dyad(dyad) => {
                 let side = if dyad.is_signed() { memory.area(place) } else { None };
-                let solution = dyad.solve(coordinates, motion, side, time, graph);
-                loops::differentiate_dyad(coordinates, motion, dyad, &solution, time, graph);
+                let solution = dyad.solve(coordinates, motion, side, time);
+                loops::differentiate_dyad(coordinates, motion, dyad, &solution, time);
                 solution
             }
-            Group::Single(single) => single.solve(coordinates, motion, time, graph),
-            Group::Newton(newton) => newton.solve(coordinates, motion, memory, time, graph),
+            Group::Single(single) => single.solve(coordinates, motion, time),
+            Group::Newton(newton) => newton.solve(coordinates, motion, memory, time),
         };
         motion.solutions.push(solution);
         for unknown in self.unknowns() {
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                let angle = memory.unwound(unknown, motion.axis[class], graph);
+                let angle = memory.unwound(unknown, motion.axis[class]);
                 motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
             }
         }
     }
 
     /// What is known of a loop where all unknowns are.
-    pub(crate) fn at_pose(
-        &self,
-        coordinates: &Coordinates,
-        motion: &Motion,
-        graph: &mut Graph,
-    ) -> Option<Solution> {
+    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Option<Solution> {
         match self {
             Group::Row { .. } => None,
-            Group::Dyad(dyad) => Some(dyad.at_pose(coordinates, motion, graph)),
-            Group::Single(_) => Some(Solution::certain(graph)),
-            Group::Newton(newton) => Some(newton.at_pose(coordinates, motion, graph)),
+            Group::Dyad(dyad) => Some(dyad.at_pose(coordinates, motion)),
+            Group::Single(_) => Some(Solution::certain()),
+            Group::Newton(newton) => Some(newton.at_pose(coordinates, motion)),
         }
     }
 
@@ -145,26 +139,23 @@ impl Group {
         &self,
         coordinates: &Coordinates,
         (rate, length): (&dyn Fn(usize) -> Expr, Expr),
-        graph: &mut Graph,
     ) -> Vec<Expr> {
         let slides = |unknown: usize| !matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         match self {
             Group::Row { .. } | Group::Single(_) => Vec::new(),
             Group::Dyad(dyad) => {
-                let turning = |class: usize, graph: &Graph| {
-                    coordinates.angle_of_class[class].map_or(graph.zero(), rate)
-                };
+                let turning = |class: usize| coordinates.angle_of_class[class].map_or(Expr::ZERO, rate);
                 match dyad.kind {
                     Kind::Angles([a, b]) | Kind::Slides([a, b]) | Kind::Across { class: a, along: b } => {
-                        let turning = [turning(a, graph), turning(b, graph)];
-                        vec![graph.sub(turning[0], turning[1])]
+                        let turning = [turning(a), turning(b)];
+                        vec![turning[0] - turning[1]]
                     }
-                    Kind::Along { .. } => vec![graph.div(rate(dyad.unknowns[1]), length)],
+                    Kind::Along { .. } => vec![rate(dyad.unknowns[1]) / length],
                 }
             }
             Group::Newton(newton) => {
                 let one = |&unknown: &usize| {
-                    if slides(unknown) { graph.div(rate(unknown), length) } else { rate(unknown) }
+                    if slides(unknown) { rate(unknown) / length } else { rate(unknown) }
                 };
                 newton.unknowns.iter().map(one).collect()
             }

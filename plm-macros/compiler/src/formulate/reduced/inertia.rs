@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::chain::Chain;
 use super::coordinates::{Coordinates, Unknown};
@@ -37,13 +37,7 @@ struct Term {
 type Products = BTreeMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
 
 /// Sets up the equations; `force` are the applied forces at each G in absolute axes, without gravity.
-pub(crate) fn dense(
-    model: &Model,
-    coordinates: &Coordinates,
-    motion: &Motion,
-    force: &[[Expr; 3]],
-    graph: &mut Graph,
-) -> Dense {
+pub(crate) fn dense(model: &Model, coordinates: &Coordinates, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
     let count = coordinates.unknowns.len();
     let mut mass: BTreeMap<(usize, usize), Products> = BTreeMap::new();
     let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
@@ -51,22 +45,22 @@ pub(crate) fn dense(
     let mut turning: Vec<Products> = (0..count).map(|_| Products::new()).collect();
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
-        let columns = partial_velocities(coordinates, motion, &coordinates.centres[body], graph);
-        let weight = [against_gravity(model, graph)];
-        let bias = bias(model, motion, &coordinates.centres[body], graph);
+        let columns = partial_velocities(coordinates, motion, &coordinates.centres[body]);
+        let weight = [against_gravity(model)];
+        let bias = bias(model, motion, &coordinates.centres[body]);
         for (k, (i, left)) in columns.iter().enumerate() {
             for (j, right) in &columns[..=k] {
                 let entry = mass.entry((*i, *j)).or_default();
-                multiply(motion, entry, declared.mass, (left, right), graph);
+                multiply(motion, entry, declared.mass, (left, right));
             }
-            multiply(motion, &mut inertial[*i], declared.mass, (left, &weight), graph);
+            multiply(motion, &mut inertial[*i], declared.mass, (left, &weight));
             let moving = if motion.pace.is_some() { &mut turning } else { &mut inertial };
-            multiply(motion, &mut moving[*i], declared.mass, (left, &bias), graph);
+            multiply(motion, &mut moving[*i], declared.mass, (left, &bias));
             let [fx, fy, _] = force[body];
             for term in left {
-                let along = motion.turned(graph, term.class, term.vector);
-                let work = plane::dot(graph, along, [fx, fy]);
-                applied[*i].push(graph.mul(term.factor, work));
+                let along = motion.turned(term.class, term.vector);
+                let work = plane::dot(along, [fx, fy]);
+                applied[*i].push(term.factor * work);
             }
         }
         if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
@@ -76,88 +70,88 @@ pub(crate) fn dense(
     }
     let mut entries: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
     for (key, products) in mass {
-        let value = collect(graph, motion, products);
+        let value = collect(motion, products);
         entries.insert(key, value);
     }
     for (key, terms) in spin {
-        let own = graph.sum(&terms);
-        let old = entries.get(&key).copied().unwrap_or_else(|| graph.zero());
-        entries.insert(key, graph.add(old, own));
+        let own = algebra::sum(&terms);
+        let old = entries.get(&key).copied().unwrap_or(Expr::ZERO);
+        entries.insert(key, old + own);
     }
-    entries.retain(|&(i, j), entry| i == j || !graph.is_zero(*entry));
+    entries.retain(|&(i, j), entry| i == j || !(*entry).is_zero());
     let force = inertial.into_iter().zip(applied).map(|(inertial, applied)| {
-        let against = collect(graph, motion, inertial);
-        let applied = graph.sum(&applied);
-        graph.sub(applied, against)
+        let against = collect(motion, inertial);
+        let applied = algebra::sum(&applied);
+        applied - against
     });
     let force = force.collect();
-    let turning = turning.into_iter().map(|products| collect(graph, motion, products)).collect();
+    let turning = turning.into_iter().map(|products| collect(motion, products)).collect();
     Dense { mass: entries, force, turning }
 }
 
 impl Dense {
     /// Forces less what the velocities ask for.
-    pub(crate) fn right_hand_side(&self, motion: &Motion, graph: &mut Graph) -> Vec<Expr> {
+    pub(crate) fn right_hand_side(&self, motion: &Motion) -> Vec<Expr> {
         let Some(pace) = motion.pace else { return self.force.clone() };
-        let square = graph.powi(pace, 2);
+        let square = pace.powi(2);
         let each = self.force.iter().zip(&self.turning).enumerate().map(|(i, (&force, &turning))| {
             // By names, so that what waits for the velocity is done last.
-            let force = graph.define(&format!("still_{i}"), force);
-            let turning = graph.define(&format!("turning_{i}"), turning);
-            let turning = graph.mul(square, turning);
-            graph.sub(force, turning)
+            let force = force.named(format!("still_{i}"));
+            let turning = turning.named(format!("turning_{i}"));
+            let turning = square * turning;
+            force - turning
         });
         each.collect()
     }
 }
 
 /// The equations of the coordinates alone: `K^T M K` and `K^T Q - (M K)^T b`.
-pub(crate) fn along_drivers(dense: &Dense, motion: &Motion, graph: &mut Graph) -> Dense {
+pub(crate) fn along_drivers(dense: &Dense, motion: &Motion) -> Dense {
     let (n, drivers) = (dense.force.len(), motion.drivers.len());
     let gains = |driver: usize| (0..n).map(|unknown| motion.gain[unknown][driver]).collect::<Vec<Expr>>();
     let (mut mass, mut force, mut turning) = (BTreeMap::new(), Vec::new(), Vec::new());
     for j in 0..drivers {
         let column = gains(j);
-        let moved = times(dense, &column, graph).into_iter().enumerate();
-        let moved = moved.map(|(i, entry)| graph.define(&format!("momentum_{j}_{i}"), entry));
+        let moved = times(dense, &column).into_iter().enumerate();
+        let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
         let moved: Vec<Expr> = moved.collect();
         for i in j..drivers {
-            let entry = product(graph, &gains(i), &moved);
-            if i == j || !graph.is_zero(entry) {
+            let entry = product(&gains(i), &moved);
+            if i == j || !entry.is_zero() {
                 mass.insert((i, j), entry);
             }
         }
-        let own = product(graph, &column, &dense.force);
-        let (asked, pushed) = (product(graph, &column, &dense.turning), product(graph, &moved, &motion.bias));
+        let own = product(&column, &dense.force);
+        let (asked, pushed) = (product(&column, &dense.turning), product(&moved, &motion.bias));
         let paced = motion.pace.is_some();
-        force.push(if paced { own } else { graph.sub(own, pushed) });
-        turning.push(graph.add(asked, pushed));
+        force.push(if paced { own } else { own - pushed });
+        turning.push(asked + pushed);
     }
     Dense { mass, force, turning }
 }
 
 /// `M u`.
-fn times(dense: &Dense, u: &[Expr], graph: &mut Graph) -> Vec<Expr> {
+fn times(dense: &Dense, u: &[Expr]) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); u.len()];
     for (&(i, j), &entry) in &dense.mass {
-        terms[i].push(graph.mul(entry, u[j]));
+        terms[i].push(entry * u[j]);
         if i != j {
-            terms[j].push(graph.mul(entry, u[i]));
+            terms[j].push(entry * u[i]);
         }
     }
-    terms.iter().map(|terms| graph.sum(terms)).collect()
+    terms.iter().map(|terms| algebra::sum(terms)).collect()
 }
 
-fn product(graph: &mut Graph, a: &[Expr], b: &[Expr]) -> Expr {
-    let terms: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| graph.mul(a, b)).collect();
-    graph.sum(&terms)
+fn product(a: &[Expr], b: &[Expr]) -> Expr {
+    let terms: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
+    algebra::sum(&terms)
 }
 
 /// The acceleration with which the ground would have to move instead of gravity. Where it lies along an axis its size is left
 /// as a factor of whole sums.
-fn against_gravity(model: &Model, graph: &mut Graph) -> Term {
-    let [x, y] = model.gravity.map(|gravity| graph.neg(gravity));
-    let (zero, one) = (graph.zero(), graph.one());
+fn against_gravity(model: &Model) -> Term {
+    let [x, y] = model.gravity.map(|gravity| -gravity);
+    let (zero, one) = (Expr::ZERO, Expr::ONE);
     let (factor, vector) = match (x == zero, y == zero) {
         (true, _) => (y, [zero, one]),
         (_, true) => (x, [one, zero]),
@@ -167,18 +161,13 @@ fn against_gravity(model: &Model, graph: &mut Graph) -> Term {
 }
 
 /// `dp/dy_i` of a place, for every coordinate that moves it, ascending.
-fn partial_velocities(
-    coordinates: &Coordinates,
-    motion: &Motion,
-    place: &Chain,
-    graph: &mut Graph,
-) -> Vec<(usize, Vec<Term>)> {
+fn partial_velocities(coordinates: &Coordinates, motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)> {
     let mut columns: BTreeMap<usize, Vec<Term>> = BTreeMap::new();
     for (class, slide, vector) in place.terms() {
-        let one = graph.one();
+        let one = Expr::ONE;
         let factor = slide.map_or(one, |slide| motion.value[slide]);
         if let Some(angle) = coordinates.angle_of_class[class] {
-            let across = plane::left(graph, vector);
+            let across = plane::left(vector);
             columns.entry(angle).or_default().push(Term { class, factor, vector: across });
         }
         if let Some(slide) = slide {
@@ -189,76 +178,66 @@ fn partial_velocities(
 }
 
 /// The acceleration of a place while the second derivatives of the coordinates are zero; with a pace, over its square.
-fn bias(model: &Model, motion: &Motion, place: &Chain, graph: &mut Graph) -> Vec<Term> {
+fn bias(model: &Model, motion: &Motion, place: &Chain) -> Vec<Term> {
     let mut terms = Vec::new();
     for (class, slide, vector) in place.terms() {
         let omega = motion.turning[class];
-        let squared = graph.powi(omega, 2);
-        let inward = vector.map(|component| graph.neg(component));
+        let squared = omega.powi(2);
+        let inward = vector.map(|component| -component);
         let factor = match slide {
-            Some(slide) => graph.mul(squared, motion.value[slide]),
+            Some(slide) => squared * motion.value[slide],
             None => squared,
         };
         terms.push(Term { class, factor, vector: inward });
         if let Some(slide) = slide {
             // Coriolis: 2 omega s'.
-            let turning = graph.mul(omega, motion.sliding(slide));
-            let factor = graph.add(turning, turning);
-            terms.push(Term { class, factor, vector: plane::left(graph, vector) });
+            let turning = omega * motion.sliding(slide);
+            let factor = turning + turning;
+            terms.push(Term { class, factor, vector: plane::left(vector) });
         }
         if class == 0 && slide.is_none() {
-            let rate = vector.map(|component| graph.diff(component, model.time));
-            let moved = rate.map(|component| graph.diff(component, model.time));
-            terms.push(Term { class, factor: graph.one(), vector: moved });
+            let rate = vector.map(|component| component.diff(model.time));
+            let moved = rate.map(|component| component.diff(model.time));
+            terms.push(Term { class, factor: Expr::ONE, vector: moved });
         }
     }
-    terms.retain(|term| !graph.is_zero(term.factor) && !plane::is_zero(graph, term.vector));
+    terms.retain(|term| !term.factor.is_zero() && !plane::is_zero(term.vector));
     terms
 }
 
 /// Adds the products of two sums of vectors, times a mass; those of two classes over the classes' bases.
-fn multiply(
-    motion: &Motion,
-    into: &mut Products,
-    mass: Expr,
-    (left, right): (&[Term], &[Term]),
-    graph: &mut Graph,
-) {
+fn multiply(motion: &Motion, into: &mut Products, mass: Expr, (left, right): (&[Term], &[Term])) {
     for a in left {
         for b in right {
-            let over_base = |term: &Term, graph: &mut Graph| {
-                if a.class == b.class {
-                    term.vector
-                } else {
-                    motion.over_base(term.class, term.vector, graph)
-                }
+            let over_base = |term: &Term| {
+                if a.class == b.class { term.vector } else { motion.over_base(term.class, term.vector) }
             };
-            let (u, w) = (over_base(a, graph), over_base(b, graph));
-            let (along, across) = (plane::dot(graph, u, w), plane::cross(graph, u, w));
-            let factor = graph.mul(a.factor, b.factor);
+            let (u, w) = (over_base(a), over_base(b));
+            let (along, across) = (plane::dot(u, w), plane::cross(u, w));
+            let factor = a.factor * b.factor;
             let (dots, crosses) = into.entry((a.class, b.class, factor)).or_default();
-            dots.push(graph.mul(mass, along));
-            crosses.push(graph.mul(mass, across));
+            dots.push(mass * along);
+            crosses.push(mass * across);
         }
     }
 }
 
 /// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are scalar and cross product of the bases of the class of
 /// `u` and of that of `w`.
-fn collect(graph: &mut Graph, motion: &Motion, products: Products) -> Expr {
+fn collect(motion: &Motion, products: Products) -> Expr {
     let mut terms = Vec::new();
     for ((a, b, factor), (dots, crosses)) in products {
-        let (dots, crosses) = (graph.sum(&dots), graph.sum(&crosses));
+        let (dots, crosses) = (algebra::sum(&dots), algebra::sum(&crosses));
         let along = if a == b {
             dots
         } else {
-            let [cosine, sine] = motion.products_of_bases(a, b, graph);
-            let (first, second) = (graph.mul(cosine, dots), graph.mul(sine, crosses));
-            graph.sub(first, second)
+            let [cosine, sine] = motion.products_of_bases(a, b);
+            let (first, second) = (cosine * dots, sine * crosses);
+            first - second
         };
-        terms.push(graph.mul(factor, along));
+        terms.push(factor * along);
     }
-    graph.sum(&terms)
+    algebra::sum(&terms)
 }
 
 /// Index of the coordinate in words, for names in the code.

@@ -14,7 +14,7 @@
 //! A slide along the ground in the direction `e` instead of the second angle is the same with `r = -J e`, but that this
 //! vector does not turn: the terms with `w^2` are none.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::chain::Chain;
 use super::coordinates::Coordinates;
@@ -50,30 +50,24 @@ pub(crate) struct Own {
 
 impl Link {
     /// Of a loop that is moved by one body, and in which nothing else slides or moves with the time.
-    pub(crate) fn of(
-        chain: &Chain,
-        dyad: &Dyad,
-        motion: &Motion,
-        time: Expr,
-        graph: &mut Graph,
-    ) -> Option<Link> {
+    pub(crate) fn of(chain: &Chain, dyad: &Dyad, motion: &Motion, time: Expr) -> Option<Link> {
         let turns = dyad.classes();
         let mut known = chain.classes().into_iter().filter(|class| *class != 0 && !turns.contains(class));
         let (Some(class), None) = (known.next(), known.next()) else { return None };
         let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector).collect();
         let mut slides = chain.terms().filter_map(|(class, slide, _)| Some((class, slide?)));
-        if slides.any(|slide| slide != (0, dyad.unknowns[1])) || graph.symbols(&vectors).contains(&time) {
+        if slides.any(|slide| slide != (0, dyad.unknowns[1])) || algebra::symbols(&vectors).contains(&time) {
             return None;
         }
-        let arm = motion.arm(chain, class, &[], graph);
-        let (arm, unit) = (motion.over_base(class, arm, graph), [graph.one(), graph.zero()]);
+        let arm = motion.arm(chain, class, &[]);
+        let (arm, unit) = (motion.over_base(class, arm), [Expr::ONE, Expr::ZERO]);
         let known = if let (Kind::Across { .. }, Some((_, e))) = (dyad.kind, chain.slide(dyad.unknowns[1])) {
-            motion.products((class, unit), (0, e), graph)
+            motion.products((class, unit), (0, e))
         } else {
-            let ground = motion.arm(chain, 0, &[], graph);
-            let with_arm = motion.products((class, unit), (class, arm), graph);
-            let with_ground = motion.products((class, unit), (0, ground), graph);
-            plane::add(graph, with_arm, with_ground)
+            let ground = motion.arm(chain, 0, &[]);
+            let with_arm = motion.products((class, unit), (class, arm));
+            let with_ground = motion.products((class, unit), (0, ground));
+            plane::add(with_arm, with_ground)
         };
         Some(Link { class, arm, known })
     }
@@ -85,19 +79,18 @@ impl Link {
         own: &Own,
         (ways, determinant): (Vec2, Expr),
         motion: &mut Motion,
-        graph: &mut Graph,
     ) {
-        let named = |products: Vec2, k: usize, graph: &mut Graph| {
+        let named = |products: Vec2, k: usize| {
             let names = ["dot", "cross"].map(|kind| format!("{kind}_{}_{k}", dyad.closure));
-            [graph.define(&names[0], products[0]), graph.define(&names[1], products[1])]
+            [products[0].named(&names[0]), products[1].named(&names[1])]
         };
-        let with_p = plane::turn(graph, ways, self.known);
-        let with_p = named(with_p, 0, graph);
+        let with_p = plane::turn(ways, self.known);
+        let with_p = named(with_p, 0);
         motion.bases.insert_products((self.class, own.p), with_p);
         if own.rr.is_some() {
-            let sum = plane::add(graph, self.known, with_p);
-            let sum = named(sum, 1, graph);
-            let with_r = plane::negated(graph, sum);
+            let sum = plane::add(self.known, with_p);
+            let sum = named(sum, 1);
+            let with_r = plane::negated(sum);
             motion.bases.insert_products((self.class, own.r.0), with_r);
             motion.bases.insert_products((own.p, own.r.0), [own.pr, determinant]);
         }
@@ -110,52 +103,45 @@ impl Link {
         motion: &mut Motion,
         (dyad, own): (&Dyad, &Own),
         reciprocal: Expr,
-        graph: &mut Graph,
     ) {
         let Some(body) = coordinates.angle_of_class[self.class] else { return };
-        let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal, graph);
-        let square = graph.powi(motion.turning[self.class], 2);
+        let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal);
+        let square = motion.turning[self.class].powi(2);
         for (k, &unknown) in dyad.unknowns.iter().enumerate() {
             for driver in 0..motion.drivers.len() {
-                let gain = graph.mul(ratios[k], motion.gain[body][driver]);
+                let gain = ratios[k] * motion.gain[body][driver];
                 let name = format!("gain_{driver}_{}_{k}", dyad.closure);
-                motion.gain[unknown][driver] = graph.define(&name, gain);
+                motion.gain[unknown][driver] = gain.named(&name);
             }
-            motion.drift[unknown] = graph.mul(ratios[k], motion.drift[body]);
-            let (turned, carried) = (graph.mul(square, slopes[k]), graph.mul(ratios[k], motion.bias[body]));
-            let bias = graph.add(turned, carried);
-            motion.bias[unknown] = graph.define(&format!("bias_{}_{k}", dyad.closure), bias);
-            motion.set_rate(coordinates, unknown, graph);
+            motion.drift[unknown] = ratios[k] * motion.drift[body];
+            let (turned, carried) = (square * slopes[k], ratios[k] * motion.bias[body]);
+            let bias = turned + carried;
+            motion.bias[unknown] = bias.named(format!("bias_{}_{k}", dyad.closure));
+            motion.set_rate(coordinates, unknown);
         }
     }
 
     /// `u`, `w` and their derivatives.
-    fn ratios(
-        &self,
-        motion: &Motion,
-        (dyad, own): (&Dyad, &Own),
-        reciprocal: Expr,
-        graph: &mut Graph,
-    ) -> (Vec2, Vec2) {
-        let named = |values: Vec2, what: &str, graph: &mut Graph| {
+    fn ratios(&self, motion: &Motion, (dyad, own): (&Dyad, &Own), reciprocal: Expr) -> (Vec2, Vec2) {
+        let named = |values: Vec2, what: &str| {
             [0, 1].map(|k| {
-                let value = graph.mul(values[k], reciprocal);
-                graph.define(&format!("{what}_{}_{k}", dyad.closure), value)
+                let value = values[k] * reciprocal;
+                value.named(format!("{what}_{}_{k}", dyad.closure))
             })
         };
         let a = (self.class, self.arm);
-        let unit = [graph.one(), graph.zero()];
-        let with_p = motion.products(a, (own.p, unit), graph);
-        let with_r = motion.products(a, own.r, graph);
-        let ratios = named([graph.neg(with_r[1]), with_p[1]], "ratio", graph);
-        let squares = ratios.map(|ratio| graph.powi(ratio, 2));
-        let by_w = own.rr.map_or([graph.zero(); 2], |rr| [rr, own.pr]);
-        let mut inward = |first: Expr, by_u: Expr, by_w: Expr| {
-            let terms = [first, graph.mul(squares[0], by_u), graph.mul(squares[1], by_w)];
-            graph.sum(&terms)
+        let unit = [Expr::ONE, Expr::ZERO];
+        let with_p = motion.products(a, (own.p, unit));
+        let with_r = motion.products(a, own.r);
+        let ratios = named([-with_r[1], with_p[1]], "ratio");
+        let squares = ratios.map(|ratio| ratio.powi(2));
+        let by_w = own.rr.map_or([Expr::ZERO; 2], |rr| [rr, own.pr]);
+        let inward = |first: Expr, by_u: Expr, by_w: Expr| {
+            let terms = [first, squares[0] * by_u, squares[1] * by_w];
+            algebra::sum(&terms)
         };
         let sums = [inward(with_r[0], own.pr, by_w[0]), inward(with_p[0], own.pp, by_w[1])];
-        let slopes = named([sums[0], graph.neg(sums[1])], "slope", graph);
+        let slopes = named([sums[0], -sums[1]], "slope");
         (ratios, slopes)
     }
 }

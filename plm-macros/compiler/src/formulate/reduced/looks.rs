@@ -1,6 +1,6 @@
 //! What is remembered of a state, and how near its loops are to a pose where a chart ends.
 
-use plm_cas::{Expr, Graph, Number};
+use plm_cas::{Expr, Number, algebra};
 
 use super::charts::Scheme;
 use super::coordinates::Unknown;
@@ -24,14 +24,14 @@ impl Layout<'_> {
             // Where a rate vanishes it does not stay so: the coordinate itself must not go far either.
             let own = motion.drivers[driver];
             let slides = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
-            let own_rate = if slides { self.graph.recip(motion.length) } else { self.graph.one() };
+            let own_rate = if slides { motion.length.recip() } else { Expr::ONE };
             let reach = self.reach(scheme, motion, (&|unknown| motion.gain[unknown][driver], Some(own_rate)));
             boxes.push([motion.value[own], reach]);
         }
         let mut reach = self.reach(scheme, motion, (&|unknown| motion.drift[unknown], None));
-        if self.coordinates.moves_with(self.model.time, self.graph) {
+        if self.coordinates.moves_with(self.model.time) {
             // What is prescribed may rest now and move later: every state is looked at.
-            reach = self.graph.neg(reach);
+            reach = -reach;
         }
         boxes.push([self.model.time, reach]);
         let areas = motion.solutions.iter().map(|solution| solution.determinant).collect();
@@ -46,47 +46,45 @@ impl Layout<'_> {
         motion: &Motion,
         (rate, own): (&dyn Fn(usize) -> Expr, Option<Expr>),
     ) -> Expr {
-        let graph = &mut *self.graph;
         let mut bounds: Vec<Expr> = Vec::new();
         for (group, solution) in scheme.loops().zip(&motion.solutions) {
-            let own = graph.div(solution.square, solution.scale);
-            let own = graph.sqrt(own);
-            for speed in group.closing_in(self.coordinates, (rate, motion.length), graph) {
-                let speed = graph.abs(speed);
-                bounds.push(graph.div(speed, own));
+            let own = solution.square / solution.scale;
+            let own = own.sqrt();
+            for speed in group.closing_in(self.coordinates, (rate, motion.length)) {
+                let speed = speed.abs();
+                bounds.push(speed / own);
             }
             for unknown in group.unknowns() {
                 if matches!(self.coordinates.unknowns[unknown], Unknown::Angle { .. }) {
-                    bounds.push(graph.abs(rate(unknown)));
+                    bounds.push(rate(unknown).abs());
                 }
             }
         }
-        bounds.retain(|&bound| !graph.is_zero(bound));
+        bounds.retain(|&bound| !bound.is_zero());
         if !bounds.is_empty() {
             bounds.extend(own);
         }
-        let Some(fastest) = bounds.into_iter().reduce(|a, b| graph.max(a, b)) else {
-            return graph.number(Number::from_f64(ANYWHERE));
+        let Some(fastest) = bounds.into_iter().reduce(Expr::max) else {
+            return Expr::from(Number::from_f64(ANYWHERE));
         };
         let (part, whole) = CALM;
         let coordinates = i64::try_from(motion.drivers.len()).unwrap_or(1).max(1);
-        let [part, whole] = [part, whole * coordinates].map(|n| graph.int(n));
-        let calm = graph.div(part, whole);
-        graph.div(calm, fastest)
+        let [part, whole] = [part, whole * coordinates].map(Expr::from);
+        let calm = part / whole;
+        calm / fastest
     }
 
     /// The same of a pose and velocity, but for how far the coordinates may move.
     pub(super) fn survey(&mut self, scheme: &Scheme) -> Function {
-        let mut motion = Motion::of_pose(self.model, self.coordinates, self.length, self.graph);
-        let graph = &mut *self.graph;
-        let solutions = scheme.loops().filter_map(|group| group.at_pose(self.coordinates, &motion, graph));
+        let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
+        let solutions = scheme.loops().filter_map(|group| group.at_pose(self.coordinates, &motion));
         let solutions: Vec<Solution> = solutions.collect();
         let (q, v) = (&self.equations.q, &self.equations.v);
         let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect();
-        flow.push((self.model.time, graph.one()));
+        flow.push((self.model.time, Expr::ONE));
         let areas = solutions.iter().map(|solution| solution.determinant).collect();
-        motion.rate = graph.directionals(&motion.value, &flow);
-        let zero = graph.zero();
+        motion.rate = algebra::directionals(&motion.value, &flow);
+        let zero = Expr::ZERO;
         let places = scheme.drivers.iter().map(|&driver| [motion.value[driver], zero]);
         let boxes = places.chain([[self.model.time, zero]]).collect();
         self.remembered(&motion, (boxes, areas), &solutions)
@@ -99,24 +97,23 @@ impl Layout<'_> {
         (boxes, areas): (Vec<[Expr; 2]>, Vec<Expr>),
         solutions: &[Solution],
     ) -> Function {
-        let graph = &mut *self.graph;
-        let mut followed = vec![[graph.zero(); 2]; motion.value.len()];
+        let mut followed = vec![[Expr::ZERO; 2]; motion.value.len()];
         for unknown in self.memory.followed() {
             followed[unknown] = [motion.value[unknown], motion.rate[unknown]];
             if !matches!(self.coordinates.unknowns[unknown], Unknown::Angle { .. }) {
-                followed[unknown] = followed[unknown].map(|value| graph.div(value, motion.length));
+                followed[unknown] = followed[unknown].map(|value| value / motion.length);
             }
         }
         // The direction of the angle itself, not the axis that it was found from: rounding would add up from look to look.
-        let angle = |unknown: usize, graph: &mut Graph| {
+        let angle = |unknown: usize| {
             let value = motion.value[unknown];
-            [value, graph.cos(value), graph.sin(value)]
+            [value, value.cos(), value.sin()]
         };
         let followed = |unknown: usize| followed[unknown];
         let memorable = Memorable { boxes, angle: &angle, areas, followed: &followed };
-        let values = self.memory.values(&memorable, graph);
+        let values = self.memory.values(&memorable);
         let mut results = stored("memory", values.iter());
-        results.push((Place::Value, measure(solutions, graph)));
-        Function::of_results(results).optimise(graph)
+        results.push((Place::Value, measure(solutions)));
+        Function::of_results(results).optimise()
     }
 }

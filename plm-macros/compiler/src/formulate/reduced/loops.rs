@@ -5,7 +5,7 @@
 //! `u'' = K y'' + b`, the velocity and acceleration coefficients of the mechanism (E. J. Haug, Computer Aided Kinematics
 //! and Dynamics of Mechanical Systems, 1989, section 3.6).
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::chain::Chain;
 use super::coordinates::Coordinates;
@@ -21,16 +21,19 @@ pub(crate) struct Found<'a> {
     pub(crate) unknowns: &'a [usize],
     pub(crate) solution: &'a Solution,
     /// The unknowns `u` of `sum of g u + c = 0`, by `c`.
-    pub(crate) solve: &'a dyn Fn(Vec2, &mut Graph) -> Vec<Expr>,
+    pub(crate) solve: &'a dyn Fn(Vec2) -> Vec<Expr>,
 }
 
 impl Found<'_> {
     /// The rates that belong to `sum`, by unknown, with names.
-    fn named(&self, sum: Vec2, what: &str, graph: &mut Graph) -> Vec<(usize, Expr)> {
-        let values = (self.solve)(sum, graph);
-        let named = self.unknowns.iter().zip(values).enumerate().map(|(k, (&unknown, value))| {
-            (unknown, graph.define(&format!("{what}_{}_{k}", self.closure), value))
-        });
+    fn named(&self, sum: Vec2, what: &str) -> Vec<(usize, Expr)> {
+        let values = (self.solve)(sum);
+        let named = self
+            .unknowns
+            .iter()
+            .zip(values)
+            .enumerate()
+            .map(|(k, (&unknown, value))| (unknown, value.named(format!("{what}_{}_{k}", self.closure))));
         named.collect()
     }
 }
@@ -42,47 +45,40 @@ pub(crate) fn differentiate_dyad(
     dyad: &Dyad,
     solution: &Solution,
     time: Expr,
-    graph: &mut Graph,
 ) {
-    let reciprocal = graph.recip(solution.determinant);
-    let reciprocal = graph.define(&format!("reciprocal_{}", dyad.closure), reciprocal);
+    let reciprocal = solution.determinant.recip();
+    let reciprocal = reciprocal.named(format!("reciprocal_{}", dyad.closure));
     if let Some((link, own)) = &solution.link {
-        return link.differentiate(coordinates, motion, (dyad, own), reciprocal, graph);
+        return link.differentiate(coordinates, motion, (dyad, own), reciprocal);
     }
     let [first, second] = solution.columns;
-    let cramer = |sum: Vec2, graph: &mut Graph| {
-        let minors = [plane::cross(graph, second, sum), plane::cross(graph, sum, first)];
-        minors.map(|minor| graph.mul(minor, reciprocal)).to_vec()
+    let cramer = |sum: Vec2| {
+        let minors = [plane::cross(second, sum), plane::cross(sum, first)];
+        minors.map(|minor| minor * reciprocal).to_vec()
     };
     let found = Found { closure: dyad.closure, unknowns: &dyad.unknowns, solution, solve: &cramer };
-    differentiate(coordinates, motion, &found, time, graph);
+    differentiate(coordinates, motion, &found, time);
 }
 
 /// Writes coefficients and rates of the unknowns that were found into `motion`.
-pub(crate) fn differentiate(
-    coordinates: &Coordinates,
-    motion: &mut Motion,
-    found: &Found,
-    time: Expr,
-    graph: &mut Graph,
-) {
+pub(crate) fn differentiate(coordinates: &Coordinates, motion: &mut Motion, found: &Found, time: Expr) {
     let solved = (found.unknowns, &found.solution.arms[..]);
-    let flow = Flow::new(coordinates, motion, found.closure, solved, time, graph);
+    let flow = Flow::new(coordinates, motion, found.closure, solved, time);
     for driver in 0..motion.drivers.len() {
-        let sum = flow.gain(motion, driver, graph);
-        for (unknown, value) in found.named(sum, &format!("gain_{driver}"), graph) {
+        let sum = flow.gain(motion, driver);
+        for (unknown, value) in found.named(sum, &format!("gain_{driver}")) {
             motion.gain[unknown][driver] = value;
         }
     }
-    let sum = flow.drift(motion, graph);
-    for (unknown, value) in found.named(sum, "drift", graph) {
+    let sum = flow.drift(motion);
+    for (unknown, value) in found.named(sum, "drift") {
         motion.drift[unknown] = value;
     }
     for &unknown in found.unknowns {
-        motion.set_rate(coordinates, unknown, graph);
+        motion.set_rate(coordinates, unknown);
     }
-    let sum = flow.bias(motion, time, graph);
-    for (unknown, value) in found.named(sum, "bias", graph) {
+    let sum = flow.bias(motion, time);
+    for (unknown, value) in found.named(sum, "bias") {
         motion.bias[unknown] = value;
     }
 }
@@ -106,7 +102,6 @@ impl<'a> Flow<'a> {
         closure: usize,
         (sought, solved): (&[usize], &[(usize, Vec2)]),
         time: Expr,
-        graph: &mut Graph,
     ) -> Flow<'a> {
         let closure = &coordinates.closures[closure];
         let arms: Vec<(usize, Vec2)> = closure
@@ -114,82 +109,76 @@ impl<'a> Flow<'a> {
             .into_iter()
             .map(|class| {
                 let solved = solved.iter().find(|(own, _)| *own == class);
-                (class, solved.map_or_else(|| motion.whole_arm(closure, class, graph), |arm| arm.1))
+                (class, solved.map_or_else(|| motion.whole_arm(closure, class), |arm| arm.1))
             })
             .collect();
         let mut known: Vec<(usize, Vec2)> = Vec::new();
         for &(class, arm) in &arms {
-            known.extend(coordinates.angle_of_class[class].map(|angle| (angle, plane::left(graph, arm))));
+            known.extend(coordinates.angle_of_class[class].map(|angle| (angle, plane::left(arm))));
         }
         for (class, slide, vector) in closure.terms() {
             if let Some(slide) = slide {
-                known.push((slide, motion.turned(graph, class, vector)));
+                known.push((slide, motion.turned(class, vector)));
             }
         }
         known.retain(|(unknown, _)| !sought.contains(unknown));
         // What a port of the ground that moves with the time adds.
         let ground: Vec2 =
-            closure.of_class(0).filter(|(slide, _)| slide.is_none()).fold([graph.zero(); 2], |_, (_, d)| d);
-        let ground_rate = ground.map(|component| graph.diff(component, time));
+            closure.of_class(0).filter(|(slide, _)| slide.is_none()).fold([Expr::ZERO; 2], |_, (_, d)| d);
+        let ground_rate = ground.map(|component| component.diff(time));
         Flow { closure, arms, known, ground_rate }
     }
 
     /// The closure's velocity when one coordinate moves at the rate 1.
-    pub(crate) fn gain(&self, motion: &Motion, driver: usize, graph: &mut Graph) -> Vec2 {
-        weighted(graph, &self.known, |unknown| motion.gain[unknown][driver])
+    pub(crate) fn gain(&self, motion: &Motion, driver: usize) -> Vec2 {
+        weighted(&self.known, |unknown| motion.gain[unknown][driver])
     }
 
     /// Its velocity when no coordinate moves.
-    pub(crate) fn drift(&self, motion: &Motion, graph: &mut Graph) -> Vec2 {
-        let drifts = weighted(graph, &self.known, |unknown| motion.drift[unknown]);
-        plane::add(graph, self.ground_rate, drifts)
+    pub(crate) fn drift(&self, motion: &Motion) -> Vec2 {
+        let drifts = weighted(&self.known, |unknown| motion.drift[unknown]);
+        plane::add(self.ground_rate, drifts)
     }
 
     /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known. With a pace, over
     /// its square.
-    pub(crate) fn bias(&self, motion: &Motion, time: Expr, graph: &mut Graph) -> Vec2 {
-        let mut sum = weighted(graph, &self.known, |unknown| motion.bias[unknown]);
+    pub(crate) fn bias(&self, motion: &Motion, time: Expr) -> Vec2 {
+        let mut sum = weighted(&self.known, |unknown| motion.bias[unknown]);
         for &(class, arm) in &self.arms {
             let turning = motion.turning[class];
-            let squared = graph.powi(turning, 2);
-            let inward = plane::scale(graph, squared, arm);
-            sum = [0, 1].map(|i| graph.sub(sum[i], inward[i]));
-            let coriolis = sliding(self.closure, class, motion, &|slide| motion.sliding(slide), graph);
-            let twice = graph.add(turning, turning);
-            let across = plane::left(graph, coriolis);
-            let across = plane::scale(graph, twice, across);
-            sum = plane::add(graph, sum, across);
+            let squared = turning.powi(2);
+            let inward = plane::scale(squared, arm);
+            sum = [0, 1].map(|i| sum[i] - inward[i]);
+            let coriolis = sliding(self.closure, class, motion, &|slide| motion.sliding(slide));
+            let twice = turning + turning;
+            let across = plane::left(coriolis);
+            let across = plane::scale(twice, across);
+            sum = plane::add(sum, across);
         }
-        let moved = self.ground_rate.map(|component| graph.diff(component, time));
-        plane::add(graph, sum, moved)
+        let moved = self.ground_rate.map(|component| component.diff(time));
+        plane::add(sum, moved)
     }
 }
 
 /// Velocity of a loop's vector in the axes of its class, turned into absolute ones, by the rates of slides.
-fn sliding(
-    closure: &Chain,
-    class: usize,
-    motion: &Motion,
-    rate: &dyn Fn(usize) -> Expr,
-    graph: &mut Graph,
-) -> Vec2 {
-    let mut sum = [graph.zero(); 2];
+fn sliding(closure: &Chain, class: usize, motion: &Motion, rate: &dyn Fn(usize) -> Expr) -> Vec2 {
+    let mut sum = [Expr::ZERO; 2];
     for (slide, vector) in closure.of_class(class) {
         if let Some(slide) = slide {
-            let along = motion.turned(graph, class, vector);
-            let along = plane::scale(graph, rate(slide), along);
-            sum = plane::add(graph, sum, along);
+            let along = motion.turned(class, vector);
+            let along = plane::scale(rate(slide), along);
+            sum = plane::add(sum, along);
         }
     }
     sum
 }
 
 /// `sum of g_j w_j`.
-fn weighted(graph: &mut Graph, columns: &[(usize, Vec2)], weight: impl Fn(usize) -> Expr) -> Vec2 {
-    let mut sum = [graph.zero(); 2];
+fn weighted(columns: &[(usize, Vec2)], weight: impl Fn(usize) -> Expr) -> Vec2 {
+    let mut sum = [Expr::ZERO; 2];
     for &(unknown, column) in columns {
-        let own = plane::scale(graph, weight(unknown), column);
-        sum = plane::add(graph, sum, own);
+        let own = plane::scale(weight(unknown), column);
+        sum = plane::add(sum, own);
     }
     sum
 }

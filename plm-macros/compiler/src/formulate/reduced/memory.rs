@@ -1,6 +1,6 @@
 //! What a formulation with loops remembers from the last state that was looked at.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::coordinates::{Coordinates, Unknown};
 
@@ -28,7 +28,7 @@ pub(crate) struct Memorable<'a> {
     /// By coordinate, then for the time: value, and how far it may move until the next look.
     pub(crate) boxes: Vec<[Expr; 2]>,
     /// By unknown that is an angle: value, cosine and sine.
-    pub(crate) angle: &'a dyn Fn(usize, &mut Graph) -> [Expr; 3],
+    pub(crate) angle: &'a dyn Fn(usize) -> [Expr; 3],
     /// Determinants.
     pub(crate) areas: Vec<Expr>,
     /// By unknown: value and rate as they are followed.
@@ -42,27 +42,24 @@ impl Memory {
         coordinates: &Coordinates,
         (freedom, dyads): (usize, usize),
         followed: &[usize],
-        graph: &mut Graph,
     ) -> Memory {
         let none = vec![None; coordinates.unknowns.len()];
         if dyads == 0 {
             return Memory { angles: none.clone(), followed: none, ..Memory::default() };
         }
-        let triple = |kinds: [&str; 3], k: usize, graph: &mut Graph| {
-            kinds.map(|kind| graph.symbol(&format!("last_{kind}_{k}")))
-        };
-        let boxes = (0..=freedom).map(|k| ["last", "reach"].map(|kind| graph.symbol(&format!("{kind}_{k}"))));
+        let triple = |kinds: [&str; 3], k: usize| kinds.map(|kind| Expr::symbol(format!("last_{kind}_{k}")));
+        let boxes = (0..=freedom).map(|k| ["last", "reach"].map(|kind| Expr::symbol(format!("{kind}_{k}"))));
         let boxes = boxes.collect();
         let angles = coordinates.unknowns.iter().enumerate().map(|(k, unknown)| {
-            matches!(unknown, Unknown::Angle { .. }).then(|| triple(["angle", "cosine", "sine"], k, graph))
+            matches!(unknown, Unknown::Angle { .. }).then(|| triple(["angle", "cosine", "sine"], k))
         });
         let angles = angles.collect();
-        let areas = (0..dyads).map(|k| graph.symbol(&format!("last_area_{k}"))).collect();
+        let areas = (0..dyads).map(|k| Expr::symbol(format!("last_area_{k}"))).collect();
         let mut places = none;
         for &unknown in followed {
-            places[unknown] = Some(triple(FOLLOWED, unknown, graph));
+            places[unknown] = Some(triple(FOLLOWED, unknown));
         }
-        let precision = (!followed.is_empty()).then(|| graph.symbol("precision"));
+        let precision = (!followed.is_empty()).then(|| Expr::symbol("precision"));
         Memory { boxes, angles, areas, followed: places, precision }
     }
 
@@ -97,22 +94,22 @@ impl Memory {
     }
 
     /// The values of [`Memory::symbols`] at a state.
-    pub(crate) fn values(&self, of: &Memorable, graph: &mut Graph) -> Vec<Expr> {
+    pub(crate) fn values(&self, of: &Memorable) -> Vec<Expr> {
         let mut values: Vec<Expr> = of.boxes.iter().flatten().copied().collect();
         for (unknown, angle) in self.angles.iter().enumerate() {
             if angle.is_some() {
-                values.extend((of.angle)(unknown, graph));
+                values.extend((of.angle)(unknown));
             }
         }
         // A chart with fewer dyads than another leaves the last places alone.
         for k in 0..self.areas.len() {
-            values.push(of.areas.get(k).copied().unwrap_or(graph.one()));
+            values.push(of.areas.get(k).copied().unwrap_or(Expr::ONE));
         }
         for unknown in self.followed() {
             values.extend((of.followed)(unknown));
-            values.push(graph.zero());
+            values.push(Expr::ZERO);
         }
-        values.extend(self.precision.map(|_| graph.zero()));
+        values.extend(self.precision.map(|_| Expr::ZERO));
         values
     }
 
@@ -122,15 +119,15 @@ impl Memory {
     }
 
     /// Where an unknown was, and by how much it should have moved until `time`; of slides, over the size of the scene.
-    pub(crate) fn moved(&self, unknown: usize, time: Expr, graph: &mut Graph) -> Option<[Expr; 2]> {
+    pub(crate) fn moved(&self, unknown: usize, time: Expr) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
         let [last, _] = *self.boxes.last()?;
-        let passed = graph.sub(time, last);
-        let passed = graph.define("since_look", passed);
-        let bent = graph.mul(passed, bend);
-        let slope = graph.add(rate, bent);
-        let slope = graph.define("slope", slope);
-        Some([value, graph.mul(passed, slope)])
+        let passed = time - last;
+        let passed = passed.named("since_look");
+        let bent = passed * bend;
+        let slope = rate + bent;
+        let slope = slope.named("slope");
+        Some([value, passed * slope])
     }
 
     /// Cosine and sine of an angle as remembered.
@@ -140,10 +137,10 @@ impl Memory {
     }
 
     /// The angle with the cosine and sine `axis` that is nearest to the one remembered.
-    pub(crate) fn unwound(&self, unknown: usize, axis: [Expr; 2], graph: &mut Graph) -> Option<Expr> {
+    pub(crate) fn unwound(&self, unknown: usize, axis: [Expr; 2]) -> Option<Expr> {
         let [angle, cos, sin] = (*self.angles.get(unknown)?)?;
-        let turned = super::plane::turned_back(graph, axis, [cos, sin]);
-        let by = graph.atan2(turned[1], turned[0]);
-        Some(graph.add(angle, by))
+        let turned = super::plane::turned_back(axis, [cos, sin]);
+        let by = turned[1].atan2(turned[0]);
+        Some(angle + by)
     }
 }

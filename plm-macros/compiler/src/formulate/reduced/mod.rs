@@ -27,7 +27,7 @@ mod rows;
 mod single;
 mod solution;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use self::augmented::augmented;
 pub(crate) use self::augmented::{Augmented, Part, Term};
@@ -143,23 +143,18 @@ pub(crate) struct Known<'a> {
     /// The size of the scene, m.
     pub(crate) length: f64,
     /// The start, if the joints close.
-    pub(crate) assembled: &'a dyn Fn(&Graph) -> Option<Assembled>,
+    pub(crate) assembled: &'a dyn Fn() -> Option<Assembled>,
     /// Coordinates less the rank of `phi_q` with other values of the parameters, if there are any and the joints close then.
-    pub(crate) freedom_elsewhere: &'a dyn Fn(&Graph) -> Option<usize>,
+    pub(crate) freedom_elsewhere: &'a dyn Fn() -> Option<usize>,
 }
 
 /// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
 /// Why the mechanism has neither: words that go on "rung 5 because …".
-pub(crate) fn formulate(
-    model: &Model,
-    equations: &Equations,
-    known: Known,
-    graph: &mut Graph,
-) -> Result<Reduced, String> {
-    let coordinates = Coordinates::new(model, graph)?;
-    let schemes = schemes(model, equations, &coordinates, known, graph)?;
+pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> Result<Reduced, String> {
+    let coordinates = Coordinates::new(model)?;
+    let schemes = schemes(model, equations, &coordinates, known)?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
@@ -168,9 +163,9 @@ pub(crate) fn formulate(
     let mut iterated: Vec<usize> = schemes.iter().flat_map(Scheme::iterated).collect();
     iterated.sort_unstable();
     iterated.dedup();
-    let memory = Memory::new(&coordinates, (freedom, dyads), &iterated, graph);
-    let length = graph.number(plm_cas::Number::from_f64(known.length));
-    let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, graph };
+    let memory = Memory::new(&coordinates, (freedom, dyads), &iterated);
+    let length = Expr::from(plm_cas::Number::from_f64(known.length));
+    let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
     let turning = coordinates.unknowns.iter().filter_map(|unknown| match *unknown {
         Unknown::Angle { body, .. } => Some(model.bodies[body].name.text.clone()),
@@ -198,13 +193,12 @@ fn schemes(
     equations: &Equations,
     coordinates: &Coordinates,
     Known { length, assembled, freedom_elsewhere }: Known,
-    graph: &mut Graph,
 ) -> Result<Vec<Scheme>, String> {
-    let counted = charts::schemes(model, coordinates, graph);
+    let counted = charts::schemes(model, coordinates);
     if coordinates.is_tree() {
         return counted;
     }
-    let assembled = assembled(graph);
+    let assembled = assembled();
     let reason = match (&counted, &assembled) {
         (Ok(schemes), Some(assembled)) => {
             let by_count = schemes.first().map_or(0, |scheme| scheme.drivers.len());
@@ -224,11 +218,11 @@ fn schemes(
     let assembled = assembled.as_ref().ok_or_else(|| reason.clone())?;
     // Defaults of parameters may be such as no mechanism has: lengths of zero. What is redundant at a start is found there.
     if let Ok(counted) = counted
-        && freedom_elsewhere(graph) == counted.first().map(|scheme| scheme.drivers.len())
+        && freedom_elsewhere() == counted.first().map(|scheme| scheme.drivers.len())
     {
         return Ok(counted);
     }
-    redundant::schemes(model, equations, coordinates, (length, assembled), graph).ok_or(reason)
+    redundant::schemes(model, equations, coordinates, (length, assembled)).ok_or(reason)
 }
 
 /// The body or part of a coordinate's name.
@@ -243,17 +237,16 @@ struct Layout<'a> {
     coordinates: &'a Coordinates,
     memory: &'a Memory,
     length: Expr,
-    graph: &'a mut Graph,
 }
 
 impl Layout<'_> {
     fn chart(&mut self, scheme: &Scheme) -> Chart {
         let Layout { model, coordinates, equations, .. } = *self;
-        let motion = Motion::new(model, coordinates, scheme, self.memory, self.length, self.graph);
+        let motion = Motion::new(model, coordinates, scheme, self.memory, self.length);
         let loops = scheme.loops().next().is_some();
         let (method, rate) = self.rate(&motion, scheme);
         let tree = scheme.groups.is_empty();
-        let augmented = tree.then(|| augmented(model, equations, coordinates, &motion, self.graph)).flatten();
+        let augmented = tree.then(|| augmented(model, equations, coordinates, &motion)).flatten();
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -262,7 +255,7 @@ impl Layout<'_> {
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         let look = loops.then(|| self.look(scheme, &motion));
         // Where a pose is read nothing is held.
-        let survey = loops.then(|| self.survey(scheme).substitute(&model.released, self.graph));
+        let survey = loops.then(|| self.survey(scheme).substitute(&model.released));
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
@@ -283,11 +276,11 @@ impl Layout<'_> {
             rate,
             reactions,
             augmented,
-            guards: sides::guards(model, &motion.substitution, self.graph),
-            pose: pose(model, coordinates, &motion, self.graph).optimise(self.graph),
-            project: project(model, equations, coordinates, &motion.drivers, self.graph)
-                .substitute(&model.released, self.graph)
-                .optimise(self.graph),
+            guards: sides::guards(model, &motion.substitution),
+            pose: pose(model, coordinates, &motion).optimise(),
+            project: project(model, equations, coordinates, &motion.drivers)
+                .substitute(&model.released)
+                .optimise(),
             look,
             survey,
             groups: scheme.groups.iter().map(described).collect(),
@@ -298,7 +291,7 @@ impl Layout<'_> {
     /// The right-hand side: of its forms, the one with the fewest operations.
     fn rate(&mut self, motion: &Motion, scheme: &Scheme) -> (&'static str, Function) {
         let forms = self.forms(motion, scheme).into_iter();
-        forms.min_by_key(|(_, form)| form.tape(self.graph).count().total()).unwrap_or_default()
+        forms.min_by_key(|(_, form)| form.tape().count().total()).unwrap_or_default()
     }
 
     /// The dense form of a mechanism, and elimination body by body of a tree.
@@ -306,18 +299,18 @@ impl Layout<'_> {
         let tree = scheme.groups.is_empty();
         let loops = scheme.loops().next().is_some();
         let Layout { model, coordinates, .. } = *self;
-        let force = loads(model, motion, self.graph);
+        let force = loads(model, motion);
         let mut forms = Vec::new();
         if !tree || motion.drivers.len() <= MOST_DENSE {
-            let mut dense = inertia::dense(model, coordinates, motion, &force, self.graph);
+            let mut dense = inertia::dense(model, coordinates, motion, &force);
             if !tree {
-                dense = inertia::along_drivers(&dense, motion, self.graph);
+                dense = inertia::along_drivers(&dense, motion);
             }
-            let solution = dense::accelerations(motion, &dense, self.graph);
+            let solution = dense::accelerations(motion, &dense);
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }
         if tree {
-            let solution = articulated::accelerations(model, coordinates, motion, &force, self.graph);
+            let solution = articulated::accelerations(model, coordinates, motion, &force);
             forms.push(("elimination body by body", self.right_hand_side(motion, solution, loops)));
         }
         forms
@@ -329,25 +322,24 @@ impl Layout<'_> {
         (acceleration, sections): (Vec<Expr>, Vec<Section>),
         loops: bool,
     ) -> Function {
-        let graph = &mut *self.graph;
-        let x_dot = graph.substitute(&self.equations.x_dot, &motion.substitution);
+        let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
         let rates: Vec<Expr> = motion.drivers.iter().map(|&unknown| motion.rate[unknown]).collect();
         let mut results = stored("dx", rates.iter().chain(&acceleration).chain(&x_dot));
         if loops {
-            results.push((Place::Value, measure(&motion.solutions, graph)));
+            results.push((Place::Value, measure(&motion.solutions)));
         }
-        Function { sections, results }.optimise(graph)
+        Function { sections, results }.optimise()
     }
 }
 
 /// The smallest square of the measures of some loops.
-fn measure(solutions: &[solution::Solution], graph: &mut Graph) -> Expr {
+fn measure(solutions: &[solution::Solution]) -> Expr {
     let mut worst: Option<Expr> = None;
     for solution in solutions {
-        let own = graph.div(solution.square, solution.scale);
-        worst = Some(worst.map_or(own, |worst| graph.min(worst, own)));
+        let own = solution.square / solution.scale;
+        worst = Some(worst.map_or(own, |worst| worst.min(own)));
     }
-    worst.unwrap_or(graph.one())
+    worst.unwrap_or(Expr::ONE)
 }
 
 fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Vec<(Place, Expr)> {
@@ -355,50 +347,44 @@ fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Ve
 }
 
 /// Applied forces and torques at each G, without gravity, as functions of the coordinates.
-fn loads(model: &Model, motion: &Motion, graph: &mut Graph) -> Vec<[Expr; 3]> {
+fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
     let mut terms: Vec<[Vec<Expr>; 3]> = vec![Default::default(); model.bodies.len()];
     for load in &model.loads {
         for (sum, &component) in terms[load.body].iter_mut().zip(&load.force) {
             sum.push(component);
         }
     }
-    let sums: Vec<Expr> = terms.iter().flatten().map(|sum| graph.sum(sum)).collect();
-    let sums = graph.substitute(&sums, &motion.substitution);
+    let sums: Vec<Expr> = terms.iter().flatten().map(|sum| algebra::sum(sum)).collect();
+    let sums = algebra::substitute(&sums, &motion.substitution);
     sums.chunks_exact(3).map(|sum| [sum[0], sum[1], sum[2]]).collect()
 }
 
 /// Pose and velocity of every body.
-fn pose(model: &Model, coordinates: &Coordinates, motion: &Motion, graph: &mut Graph) -> Function {
+fn pose(model: &Model, coordinates: &Coordinates, motion: &Motion) -> Function {
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for body in 0..model.bodies.len() {
         let heading = coordinates.headings[body];
         q.extend(motion.position[body]);
-        q.push(motion.angle(coordinates, graph, heading));
+        q.push(motion.angle(coordinates, heading));
         v.extend(motion.velocity[body]);
         v.push(motion.omega[heading.class]);
     }
     let mut results = stored("q", q.iter());
     results.extend(stored("v", v.iter()));
     if !motion.solutions.is_empty() {
-        results.push((Place::Value, measure(&motion.solutions, graph)));
+        results.push((Place::Value, measure(&motion.solutions)));
     }
     Function::of_results(results)
 }
 
 /// The coordinates and their rates at a pose.
-fn project(
-    model: &Model,
-    equations: &Equations,
-    coordinates: &Coordinates,
-    drivers: &[usize],
-    graph: &mut Graph,
-) -> Function {
+fn project(model: &Model, equations: &Equations, coordinates: &Coordinates, drivers: &[usize]) -> Function {
     let values: Vec<Expr> = drivers
         .iter()
-        .map(|&unknown| motion::of_pose(model, coordinates, graph, coordinates.unknowns[unknown]))
+        .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
         .collect();
     let mut flow: Vec<(Expr, Expr)> = equations.q.iter().copied().zip(equations.v.iter().copied()).collect();
-    flow.push((model.time, graph.one()));
-    let rates = graph.directionals(&values, &flow);
+    flow.push((model.time, Expr::ONE));
+    let rates = algebra::directionals(&values, &flow);
     Function::of_results(stored("x", values.iter().chain(&rates)))
 }

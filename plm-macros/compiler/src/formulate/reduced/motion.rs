@@ -1,6 +1,6 @@
 //! How the unknowns and the bodies move when the coordinates do.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::bases::Bases;
 use super::chain::Chain;
@@ -62,54 +62,48 @@ impl Motion {
         scheme: &Scheme,
         memory: &Memory,
         length: Expr,
-        graph: &mut Graph,
     ) -> Motion {
-        let mut motion = Motion::still(model, coordinates, length, graph);
-        let paced = scheme.drivers.len() == 1 && !coordinates.moves_with(model.time, graph);
+        let mut motion = Motion::still(model, coordinates, length);
+        let paced = scheme.drivers.len() == 1 && !coordinates.moves_with(model.time);
         for (place, &unknown) in scheme.drivers.iter().enumerate() {
-            let (value, rate) = symbols(model, graph, coordinates.unknowns[unknown]);
+            let (value, rate) = symbols(model, coordinates.unknowns[unknown]);
             motion.pace = paced.then_some(rate);
             (motion.value[unknown], motion.rate[unknown]) = (value, rate);
             for gains in &mut motion.gain {
-                gains.push(graph.zero());
+                gains.push(Expr::ZERO);
             }
-            motion.gain[unknown][place] = graph.one();
+            motion.gain[unknown][place] = Expr::ONE;
             motion.drivers.push(unknown);
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                motion.axis[class] = [graph.cos(value), graph.sin(value)];
+                motion.axis[class] = [value.cos(), value.sin()];
                 motion.omega[class] = rate;
-                motion.turning[class] = if paced { graph.one() } else { rate };
+                motion.turning[class] = if paced { Expr::ONE } else { rate };
             }
         }
         for group in &scheme.groups {
             let place = motion.solutions.len();
-            group.solve(coordinates, &mut motion, (memory, place), model.time, graph);
+            group.solve(coordinates, &mut motion, (memory, place), model.time);
         }
-        motion.place(model, coordinates, graph);
-        motion.substitute_headings(model, coordinates, graph);
+        motion.place(model, coordinates);
+        motion.substitute_headings(model, coordinates);
         motion
     }
 
     /// All unknowns as functions of the pose.
-    pub(crate) fn of_pose(
-        model: &Model,
-        coordinates: &Coordinates,
-        length: Expr,
-        graph: &mut Graph,
-    ) -> Motion {
-        let mut motion = Motion::still(model, coordinates, length, graph);
+    pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, length: Expr) -> Motion {
+        let mut motion = Motion::still(model, coordinates, length);
         for (k, &unknown) in coordinates.unknowns.iter().enumerate() {
-            let value = of_pose(model, coordinates, graph, unknown);
+            let value = of_pose(model, coordinates, unknown);
             motion.value[k] = value;
             if let Unknown::Angle { class, .. } = unknown {
-                motion.axis[class] = [graph.cos(value), graph.sin(value)];
+                motion.axis[class] = [value.cos(), value.sin()];
             }
         }
         motion
     }
 
-    fn still(model: &Model, coordinates: &Coordinates, length: Expr, graph: &Graph) -> Motion {
-        let zeros = vec![graph.zero(); coordinates.unknowns.len()];
+    fn still(model: &Model, coordinates: &Coordinates, length: Expr) -> Motion {
+        let zeros = vec![Expr::ZERO; coordinates.unknowns.len()];
         let classes = coordinates.angle_of_class.len();
         Motion {
             drivers: Vec::new(),
@@ -122,10 +116,10 @@ impl Motion {
             drift: zeros.clone(),
             bias: zeros,
             pace: None,
-            axis: vec![[graph.one(), graph.zero()]; classes],
+            axis: vec![[Expr::ONE, Expr::ZERO]; classes],
             bases: Bases::default(),
-            omega: vec![graph.zero(); classes],
-            turning: vec![graph.zero(); classes],
+            omega: vec![Expr::ZERO; classes],
+            turning: vec![Expr::ZERO; classes],
             position: Vec::new(),
             velocity: Vec::new(),
             solutions: Vec::new(),
@@ -134,53 +128,52 @@ impl Motion {
     }
 
     /// The vector of a loop in the axes of a class, without some slides.
-    pub(crate) fn arm(&self, chain: &Chain, class: usize, without: &[usize], graph: &mut Graph) -> Vec2 {
-        let mut sum = [graph.zero(); 2];
+    pub(crate) fn arm(&self, chain: &Chain, class: usize, without: &[usize]) -> Vec2 {
+        let mut sum = [Expr::ZERO; 2];
         for (slide, vector) in chain.of_class(class) {
             let vector = match slide {
                 Some(slide) if without.contains(&slide) => continue,
-                Some(slide) => plane::scale(graph, self.value[slide], vector),
+                Some(slide) => plane::scale(self.value[slide], vector),
                 None => vector,
             };
-            sum = plane::add(graph, sum, vector);
+            sum = plane::add(sum, vector);
         }
         sum
     }
 
     /// The vector of a loop that turns with a class, in absolute axes.
-    pub(crate) fn whole_arm(&self, chain: &Chain, class: usize, graph: &mut Graph) -> Vec2 {
-        let arm = self.arm(chain, class, &[], graph);
-        self.turned(graph, class, arm)
+    pub(crate) fn whole_arm(&self, chain: &Chain, class: usize) -> Vec2 {
+        let arm = self.arm(chain, class, &[]);
+        self.turned(class, arm)
     }
 
     /// Names the vector of a loop that turns with an unknown angle.
-    pub(crate) fn name_arm(&self, unknown: usize, arm: Vec2, graph: &mut Graph) -> Vec2 {
+    pub(crate) fn name_arm(&self, unknown: usize, arm: Vec2) -> Vec2 {
         let name = self.names[unknown].trim_end_matches(".angle");
-        [graph.define(&format!("{name}.arm_x"), arm[0]), graph.define(&format!("{name}.arm_y"), arm[1])]
+        [arm[0].named(format!("{name}.arm_x")), arm[1].named(format!("{name}.arm_y"))]
     }
 
     /// Writes the axis of a class.
-    pub(crate) fn turn_class(&mut self, unknown: usize, class: usize, axis: Vec2, graph: &mut Graph) {
+    pub(crate) fn turn_class(&mut self, unknown: usize, class: usize, axis: Vec2) {
         let name = self.names[unknown].trim_end_matches(".angle");
-        self.axis[class] =
-            [graph.define(&format!("{name}.cos"), axis[0]), graph.define(&format!("{name}.sin"), axis[1])];
+        self.axis[class] = [axis[0].named(format!("{name}.cos")), axis[1].named(format!("{name}.sin"))];
     }
 
     /// Writes the value of a slide.
-    pub(crate) fn set_slide(&mut self, unknown: usize, value: Expr, graph: &mut Graph) -> Expr {
-        let value = graph.define(&self.names[unknown], value);
+    pub(crate) fn set_slide(&mut self, unknown: usize, value: Expr) -> Expr {
+        let value = value.named(&self.names[unknown]);
         self.value[unknown] = value;
         value
     }
 
     /// Writes the rate of an unknown whose coefficients are known.
-    pub(crate) fn set_rate(&mut self, coordinates: &Coordinates, unknown: usize, graph: &mut Graph) {
+    pub(crate) fn set_rate(&mut self, coordinates: &Coordinates, unknown: usize) {
         let mut terms = vec![self.drift[unknown]];
         for (place, &driver) in self.drivers.iter().enumerate() {
-            terms.push(graph.mul(self.gain[unknown][place], self.rate[driver]));
+            terms.push(self.gain[unknown][place] * self.rate[driver]);
         }
-        let rate = graph.sum(&terms);
-        let rate = graph.define(&format!("{}.rate", self.names[unknown]), rate);
+        let rate = algebra::sum(&terms);
+        let rate = rate.named(format!("{}.rate", self.names[unknown]));
         self.rate[unknown] = rate;
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
             self.omega[class] = rate;
@@ -197,8 +190,8 @@ impl Motion {
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.
-    fn place(&mut self, model: &Model, coordinates: &Coordinates, graph: &mut Graph) {
-        let zero = [graph.zero(); 2];
+    fn place(&mut self, model: &Model, coordinates: &Coordinates) {
+        let zero = [Expr::ZERO; 2];
         self.position = vec![zero; model.bodies.len()];
         self.velocity = vec![zero; model.bodies.len()];
         for hold in &coordinates.order {
@@ -219,55 +212,55 @@ impl Motion {
             let negative = joint.b.body != Some(body);
             let mut position = hold.parent.map_or(zero, |parent| self.position[parent]);
             let mut velocity = hold.parent.map_or(zero, |parent| self.velocity[parent]);
-            let (class, start) = coordinates.arm(model, graph, joint.a);
+            let (class, start) = coordinates.arm(model, joint.a);
             let mut out = start;
             if let Some(slide) = joint.slide {
-                let (_, axis) = coordinates.axis(model, graph, joint.a);
-                let along = plane::scale(graph, self.value[slide], axis);
-                out = plane::add(graph, out, along);
-                let speed = plane::scale(graph, self.rate[slide], axis);
-                let speed = self.turned(graph, class, speed);
-                velocity = signed_sum(graph, velocity, speed, negative);
+                let (_, axis) = coordinates.axis(model, joint.a);
+                let along = plane::scale(self.value[slide], axis);
+                out = plane::add(out, along);
+                let speed = plane::scale(self.rate[slide], axis);
+                let speed = self.turned(class, speed);
+                velocity = signed_sum(velocity, speed, negative);
             }
-            let (other, back) = coordinates.arm(model, graph, joint.b);
+            let (other, back) = coordinates.arm(model, joint.b);
             for (class, arm, fixed, negative) in
                 [(class, out, start, negative), (other, back, back, !negative)]
             {
-                let arm = self.turned(graph, class, arm);
-                position = signed_sum(graph, position, arm, negative);
+                let arm = self.turned(class, arm);
+                position = signed_sum(position, arm, negative);
                 // A port of the ground may move with the time.
                 if class == 0 {
-                    let drift = fixed.map(|component| graph.diff(component, model.time));
-                    velocity = signed_sum(graph, velocity, drift, negative);
+                    let drift = fixed.map(|component| component.diff(model.time));
+                    velocity = signed_sum(velocity, drift, negative);
                 }
-                let across = plane::left(graph, arm);
-                let across = plane::scale(graph, self.omega[class], across);
-                velocity = signed_sum(graph, velocity, across, negative);
+                let across = plane::left(arm);
+                let across = plane::scale(self.omega[class], across);
+                velocity = signed_sum(velocity, across, negative);
             }
-            let named = |graph: &mut Graph, value: Vec2, kind: [&str; 2]| {
-                [0, 1].map(|i| graph.define(&format!("{}.{}", names.name.text, kind[i]), value[i]))
+            let named = |value: Vec2, kind: [&str; 2]| {
+                [0, 1].map(|i| value[i].named(format!("{}.{}", names.name.text, kind[i])))
             };
-            self.position[body] = named(graph, position, ["x", "y"]);
-            self.velocity[body] = named(graph, velocity, ["vx", "vy"]);
+            self.position[body] = named(position, ["x", "y"]);
+            self.velocity[body] = named(velocity, ["vx", "vy"]);
         }
     }
 
     /// Cosine and sine of a body's own angle.
-    fn axis_of(&self, graph: &mut Graph, heading: Heading) -> Vec2 {
-        let offset = [graph.cos(heading.offset), graph.sin(heading.offset)];
-        self.turned(graph, heading.class, offset)
+    fn axis_of(&self, heading: Heading) -> Vec2 {
+        let offset = [heading.offset.cos(), heading.offset.sin()];
+        self.turned(heading.class, offset)
     }
 
-    fn substitute_headings(&mut self, model: &Model, coordinates: &Coordinates, graph: &mut Graph) {
+    fn substitute_headings(&mut self, model: &Model, coordinates: &Coordinates) {
         let mut pairs = Vec::new();
         for (body, declared) in model.bodies.iter().enumerate() {
             let heading = coordinates.headings[body];
-            let angle = self.angle(coordinates, graph, heading);
+            let angle = self.angle(coordinates, heading);
             let omega = self.omega[heading.class];
-            let [cos, sin] = self.axis_of(graph, heading);
+            let [cos, sin] = self.axis_of(heading);
             let [x, y, theta] = declared.q;
             let [vx, vy, spin] = declared.v;
-            let (own_cos, own_sin) = (graph.cos(theta), graph.sin(theta));
+            let (own_cos, own_sin) = (theta.cos(), theta.sin());
             pairs.extend([(own_cos, cos), (own_sin, sin), (theta, angle), (spin, omega)]);
             pairs.extend([x, y].into_iter().zip(self.position[body]));
             pairs.extend([vx, vy].into_iter().zip(self.velocity[body]));
@@ -277,55 +270,55 @@ impl Motion {
     }
 
     /// The angle of a heading.
-    pub(crate) fn angle(&self, coordinates: &Coordinates, graph: &mut Graph, heading: Heading) -> Expr {
+    pub(crate) fn angle(&self, coordinates: &Coordinates, heading: Heading) -> Expr {
         let unknown = coordinates.angle_of_class[heading.class];
-        let of_class = unknown.map_or(graph.zero(), |unknown| self.value[unknown]);
-        graph.add(of_class, heading.offset)
+        let of_class = unknown.map_or(Expr::ZERO, |unknown| self.value[unknown]);
+        of_class + heading.offset
     }
 }
 
 /// The coordinate as a function of the absolute pose: what a state on rung 5 becomes here.
-pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, graph: &mut Graph, unknown: Unknown) -> Expr {
+pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown) -> Expr {
     match unknown {
         Unknown::Angle { body, .. } => model.bodies[body].q[2],
         Unknown::Centre { body, axis } => model.bodies[body].q[axis],
         Unknown::Slide { part } => {
             let frames = &model.parts[part].frames;
             let (a, b) = (frames[0], frames[1]);
-            let (start, end) = (point(model, graph, a), point(model, graph, b));
-            let between = [0, 1].map(|i| graph.sub(end[i], start[i]));
-            let heading = coordinates.heading(a, graph);
+            let (start, end) = (point(model, a), point(model, b));
+            let between = [0, 1].map(|i| end[i] - start[i]);
+            let heading = coordinates.heading(a);
             let own = super::coordinates::port(model, a).angle;
             let angle = a.body.map_or(heading.offset, |body| model.bodies[body].q[2]);
-            let angle = graph.add(angle, own);
-            let axis = [graph.cos(angle), graph.sin(angle)];
-            plane::dot(graph, between, axis)
+            let angle = angle + own;
+            let axis = [angle.cos(), angle.sin()];
+            plane::dot(between, axis)
         }
     }
 }
 
 /// Absolute position of a port as a function of the pose.
-fn point(model: &Model, graph: &mut Graph, frame: FrameRef) -> Vec2 {
+fn point(model: &Model, frame: FrameRef) -> Vec2 {
     let at = super::coordinates::port(model, frame).at;
     let Some(body) = frame.body else { return at };
     let [x, y, theta] = model.bodies[body].q;
-    let axis = [graph.cos(theta), graph.sin(theta)];
-    let arm = plane::turn(graph, axis, at);
-    plane::add(graph, [x, y], arm)
+    let axis = [theta.cos(), theta.sin()];
+    let arm = plane::turn(axis, at);
+    plane::add([x, y], arm)
 }
 
-fn symbols(model: &Model, graph: &mut Graph, unknown: Unknown) -> (Expr, Expr) {
+fn symbols(model: &Model, unknown: Unknown) -> (Expr, Expr) {
     match unknown {
         Unknown::Angle { body, .. } => (model.bodies[body].q[2], model.bodies[body].v[2]),
         Unknown::Centre { body, axis } => (model.bodies[body].q[axis], model.bodies[body].v[axis]),
         Unknown::Slide { part } => {
             let name = &model.parts[part].name.text;
-            (graph.symbol(&format!("s_{name}")), graph.symbol(&format!("v_{name}")))
+            (Expr::symbol(format!("s_{name}")), Expr::symbol(format!("v_{name}")))
         }
     }
 }
 
-fn signed_sum(graph: &mut Graph, a: Vec2, b: Vec2, negative: bool) -> Vec2 {
-    let b = if negative { b.map(|component| graph.neg(component)) } else { b };
-    plane::add(graph, a, b)
+fn signed_sum(a: Vec2, b: Vec2, negative: bool) -> Vec2 {
+    let b = if negative { b.map(|component| -component) } else { b };
+    plane::add(a, b)
 }

@@ -6,7 +6,7 @@
 //! only: a first solution `e` off is `e^2`, then with the same decomposition `e^3`, then `e^6` (J. F. Traub, Iterative
 //! Methods for the Solution of Equations, 1964). Whether that was enough is told by the gap that is left.
 
-use plm_cas::{Expr, Graph, Number};
+use plm_cas::{Expr, Number, algebra};
 
 use super::coordinates::{Coordinates, Unknown};
 use super::elimination::{Column, Elimination, Plan};
@@ -37,7 +37,7 @@ type Arms = Vec<(usize, Vec2)>;
 
 impl Newton {
     /// The group of a block, if it holds nothing but loops, is small enough, and has enough bars of constant length.
-    pub(crate) fn of(coordinates: &Coordinates, block: &Block, graph: &mut Graph) -> Option<Newton> {
+    pub(crate) fn of(coordinates: &Coordinates, block: &Block) -> Option<Newton> {
         let (closures, unknowns) = (&block.equations, &block.unknowns);
         let loops = closures.iter().all(|&equation| equation < coordinates.closures.len());
         let fits = 2 * closures.len() == unknowns.len() && (4..=MOST_UNKNOWNS).contains(&unknowns.len());
@@ -52,17 +52,17 @@ impl Newton {
                     let vectors: Vec<(Option<usize>, Vec2)> = chain.of_class(class).collect();
                     match vectors.as_slice() {
                         [] => Column::Absent,
-                        &[(None, arm)] => Column::Constant(plane::dot(graph, arm, arm)),
+                        &[(None, arm)] => Column::Constant(plane::dot(arm, arm)),
                         _ => Column::Varying,
                     }
                 }
                 _ => chain
                     .slide(unknown)
-                    .map_or(Column::Absent, |(_, axis)| Column::Constant(plane::dot(graph, axis, axis))),
+                    .map_or(Column::Absent, |(_, axis)| Column::Constant(plane::dot(axis, axis))),
             };
             squares.push(unknowns.iter().map(square).collect());
         }
-        let plan = Plan::new(&squares, graph)?;
+        let plan = Plan::new(&squares)?;
         Some(Newton { closures: closures.clone(), unknowns: unknowns.clone(), plan })
     }
 
@@ -79,98 +79,83 @@ impl Newton {
         motion: &mut Motion,
         memory: &Memory,
         time: Expr,
-        graph: &mut Graph,
     ) -> Solution {
-        self.predict(coordinates, motion, memory, time, graph);
-        let known = self.known(coordinates, motion, graph);
+        self.predict(coordinates, motion, memory, time);
+        let known = self.known(coordinates, motion);
         let mut step = 0;
         for corrections in CORRECTIONS {
-            let arms = self.arms(coordinates, motion, &format!("{step}"), graph);
-            let jacobian = self.jacobian(coordinates, motion, (&arms, &format!("j{step}")), graph);
+            let arms = self.arms(coordinates, motion, &format!("{step}"));
+            let jacobian = self.jacobian(coordinates, motion, (&arms, &format!("j{step}")));
             for _ in 0..corrections {
-                let arms = self.arms(coordinates, motion, &format!("{step}"), graph);
-                let gap = self.gap(&known, &arms, &format!("{step}"), graph);
-                let correction = jacobian.solve(gap, &format!("step_{step}"), graph);
-                self.correct(coordinates, motion, &correction, step, graph);
+                let arms = self.arms(coordinates, motion, &format!("{step}"));
+                let gap = self.gap(&known, &arms, &format!("{step}"));
+                let correction = jacobian.solve(gap, &format!("step_{step}"));
+                self.correct(coordinates, motion, &correction, step);
                 step += 1;
             }
         }
-        self.name_axes(coordinates, motion, graph);
-        let arms = self.arms(coordinates, motion, "", graph);
-        let jacobian = self.jacobian(coordinates, motion, (&arms, "j"), graph);
-        self.differentiate(coordinates, motion, (&arms, &jacobian), time, graph);
-        let gap = self.gap(&known, &arms, "", graph);
-        let closed = is_closed(&gap, memory, motion.length, graph);
-        Solution::of_measure(jacobian.measure, closed, graph)
+        self.name_axes(coordinates, motion);
+        let arms = self.arms(coordinates, motion, "");
+        let jacobian = self.jacobian(coordinates, motion, (&arms, "j"));
+        self.differentiate(coordinates, motion, (&arms, &jacobian), time);
+        let gap = self.gap(&known, &arms, "");
+        let closed = is_closed(&gap, memory, motion.length);
+        Solution::of_measure(jacobian.measure, closed)
     }
 
     /// The measure where all unknowns are known.
-    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion, graph: &mut Graph) -> Solution {
-        let arms = self.arms(coordinates, motion, "", graph);
-        let measure = self.jacobian(coordinates, motion, (&arms, "j"), graph).measure;
-        let closed = graph.one();
-        Solution::of_measure(measure, closed, graph)
+    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Solution {
+        let arms = self.arms(coordinates, motion, "");
+        let measure = self.jacobian(coordinates, motion, (&arms, "j")).measure;
+        let closed = Expr::ONE;
+        Solution::of_measure(measure, closed)
     }
 
     /// Writes the unknowns as they should be at `time`.
-    fn predict(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        memory: &Memory,
-        time: Expr,
-        graph: &mut Graph,
-    ) {
+    fn predict(&self, coordinates: &Coordinates, motion: &mut Motion, memory: &Memory, time: Expr) {
         for &unknown in &self.unknowns {
-            let Some([value, moved]) = memory.moved(unknown, time, graph) else { continue };
+            let Some([value, moved]) = memory.moved(unknown, time) else { continue };
             let name = format!("{}_expected", motion.names[unknown]);
             let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] else {
-                let sum = graph.add(value, moved);
-                let value = graph.mul(sum, motion.length);
-                motion.value[unknown] = graph.define(&name, value);
+                let sum = value + moved;
+                let value = sum * motion.length;
+                motion.value[unknown] = value.named(&name);
                 continue;
             };
             let Some(axis) = memory.axis(unknown) else { continue };
             // tan(x / 2) = x / 2 (1 + x^2 / 12 + ...).
-            let square = graph.powi(moved, 2);
-            let [twelfth, half] = [12, 2].map(|n| fraction(n, graph));
-            let bend = graph.mul(square, twelfth);
-            let one = graph.one();
-            let factor = graph.add(one, bend);
-            let tangent = graph.product(&[half, moved, factor]);
-            motion.axis[class] = rotated(axis, tangent, &name, graph);
+            let square = moved.powi(2);
+            let [twelfth, half] = [12, 2].map(fraction);
+            let bend = square * twelfth;
+            let one = Expr::ONE;
+            let factor = one + bend;
+            let tangent = algebra::product(&[half, moved, factor]);
+            motion.axis[class] = rotated(axis, tangent, &name);
         }
     }
 
     /// Subtracts a correction from the unknowns.
-    fn correct(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        correction: &[Expr],
-        step: usize,
-        graph: &mut Graph,
-    ) {
+    fn correct(&self, coordinates: &Coordinates, motion: &mut Motion, correction: &[Expr], step: usize) {
         for (&unknown, &by) in self.unknowns.iter().zip(correction) {
             let name = format!("{}_{step}", motion.names[unknown]);
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                let half = fraction(-2, graph);
-                let tangent = graph.mul(half, by);
-                motion.axis[class] = rotated(motion.axis[class], tangent, &name, graph);
+                let half = fraction(-2);
+                let tangent = half * by;
+                motion.axis[class] = rotated(motion.axis[class], tangent, &name);
             } else {
-                let value = graph.sub(motion.value[unknown], by);
-                motion.value[unknown] = graph.define(&name, value);
+                let value = motion.value[unknown] - by;
+                motion.value[unknown] = value.named(&name);
             }
         }
     }
 
     /// The solution by the names of the unknowns.
-    fn name_axes(&self, coordinates: &Coordinates, motion: &mut Motion, graph: &mut Graph) {
+    fn name_axes(&self, coordinates: &Coordinates, motion: &mut Motion) {
         for &unknown in &self.unknowns {
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                motion.turn_class(unknown, class, motion.axis[class], graph);
+                motion.turn_class(unknown, class, motion.axis[class]);
             } else {
-                motion.set_slide(unknown, motion.value[unknown], graph);
+                motion.set_slide(unknown, motion.value[unknown]);
             }
         }
     }
@@ -182,44 +167,44 @@ impl Newton {
         motion: &mut Motion,
         (arms, jacobian): (&[Arms], &Elimination),
         time: Expr,
-        graph: &mut Graph,
     ) {
-        let flows = self.closures.iter().zip(arms).map(|(&closure, arms)| {
-            Flow::new(coordinates, motion, closure, (&self.unknowns, arms), time, graph)
-        });
+        let flows =
+            self.closures.iter().zip(arms).map(|(&closure, arms)| {
+                Flow::new(coordinates, motion, closure, (&self.unknowns, arms), time)
+            });
         let flows: Vec<Flow> = flows.collect();
-        let solve = |sums: Vec<Vec2>, what: &str, graph: &mut Graph| {
-            let values = jacobian.solve(sums, what, graph);
-            values.into_iter().map(|value| graph.neg(value)).collect::<Vec<Expr>>()
+        let solve = |sums: Vec<Vec2>, what: &str| {
+            let values = jacobian.solve(sums, what);
+            values.into_iter().map(|value| -value).collect::<Vec<Expr>>()
         };
         for driver in 0..motion.drivers.len() {
-            let sums = flows.iter().map(|flow| flow.gain(motion, driver, graph)).collect();
-            let values = solve(sums, &format!("gain_{driver}"), graph);
+            let sums = flows.iter().map(|flow| flow.gain(motion, driver)).collect();
+            let values = solve(sums, &format!("gain_{driver}"));
             for (&unknown, value) in self.unknowns.iter().zip(values) {
                 motion.gain[unknown][driver] = value;
             }
         }
-        let sums = flows.iter().map(|flow| flow.drift(motion, graph)).collect();
-        for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "drift", graph)) {
+        let sums = flows.iter().map(|flow| flow.drift(motion)).collect();
+        for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "drift")) {
             motion.drift[unknown] = value;
-            motion.set_rate(coordinates, unknown, graph);
+            motion.set_rate(coordinates, unknown);
         }
-        let sums = flows.iter().map(|flow| flow.bias(motion, time, graph)).collect();
-        for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "bias", graph)) {
+        let sums = flows.iter().map(|flow| flow.bias(motion, time)).collect();
+        for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "bias")) {
             motion.bias[unknown] = value;
         }
     }
 
     /// The vectors of each loop that move with the unknowns, by class.
-    fn arms(&self, coordinates: &Coordinates, motion: &Motion, tag: &str, graph: &mut Graph) -> Vec<Arms> {
+    fn arms(&self, coordinates: &Coordinates, motion: &Motion, tag: &str) -> Vec<Arms> {
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
             let moving = chain.classes().into_iter().filter(|&class| self.moves(coordinates, closure, class));
             let moving: Vec<usize> = moving.collect();
             let arms = moving.into_iter().map(|class| {
-                let arm = motion.whole_arm(chain, class, graph);
+                let arm = motion.whole_arm(chain, class);
                 let names = ["x", "y"].map(|axis| format!("arm{tag}_{closure}_{class}_{axis}"));
-                (class, [graph.define(&names[0], arm[0]), graph.define(&names[1], arm[1])])
+                (class, [arm[0].named(&names[0]), arm[1].named(&names[1])])
             });
             arms.collect()
         };
@@ -234,28 +219,28 @@ impl Newton {
     }
 
     /// The sum of all other vectors of each loop.
-    fn known(&self, coordinates: &Coordinates, motion: &Motion, graph: &mut Graph) -> Vec<Vec2> {
+    fn known(&self, coordinates: &Coordinates, motion: &Motion) -> Vec<Vec2> {
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
-            let mut sum = [graph.zero(); 2];
+            let mut sum = [Expr::ZERO; 2];
             for class in chain.classes() {
                 if !self.moves(coordinates, closure, class) {
-                    let arm = motion.whole_arm(chain, class, graph);
-                    sum = plane::add(graph, sum, arm);
+                    let arm = motion.whole_arm(chain, class);
+                    sum = plane::add(sum, arm);
                 }
             }
             let names = ["x", "y"].map(|axis| format!("loop_{closure}_{axis}"));
-            [graph.define(&names[0], sum[0]), graph.define(&names[1], sum[1])]
+            [sum[0].named(&names[0]), sum[1].named(&names[1])]
         };
         self.closures.iter().map(of_loop).collect()
     }
 
     /// What the vectors of each loop sum to: zero at the solution.
-    fn gap(&self, known: &[Vec2], arms: &[Arms], tag: &str, graph: &mut Graph) -> Vec<Vec2> {
+    fn gap(&self, known: &[Vec2], arms: &[Arms], tag: &str) -> Vec<Vec2> {
         let of_loop = |((closure, known), arms): ((&usize, &Vec2), &Arms)| {
-            let sum = arms.iter().fold(*known, |sum, (_, arm)| plane::add(graph, sum, *arm));
+            let sum = arms.iter().fold(*known, |sum, (_, arm)| plane::add(sum, *arm));
             let names = ["x", "y"].map(|axis| format!("gap{tag}_{closure}_{axis}"));
-            [graph.define(&names[0], sum[0]), graph.define(&names[1], sum[1])]
+            [sum[0].named(&names[0]), sum[1].named(&names[1])]
         };
         self.closures.iter().zip(known).zip(arms).map(of_loop).collect()
     }
@@ -266,54 +251,53 @@ impl Newton {
         coordinates: &Coordinates,
         motion: &Motion,
         (arms, name): (&[Arms], &str),
-        graph: &mut Graph,
     ) -> Elimination<'_> {
         let of_loop = |(&closure, arms): (&usize, &Arms)| {
             let chain = &coordinates.closures[closure];
             let column = |&unknown: &usize| {
                 if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
                     let arm = arms.iter().find(|(own, _)| *own == class);
-                    return arm.map_or([graph.zero(); 2], |(_, arm)| plane::left(graph, *arm));
+                    return arm.map_or([Expr::ZERO; 2], |(_, arm)| plane::left(*arm));
                 }
                 let slide = chain.slide(unknown);
-                slide.map_or([graph.zero(); 2], |(class, vector)| motion.turned(graph, class, vector))
+                slide.map_or([Expr::ZERO; 2], |(class, vector)| motion.turned(class, vector))
             };
             self.unknowns.iter().map(column).collect()
         };
         let columns = self.closures.iter().zip(arms).map(of_loop).collect();
         let name = format!("{name}_{}", self.closures.first().copied().unwrap_or(0));
-        Elimination::new(&self.plan, columns, &name, graph)
+        Elimination::new(&self.plan, columns, &name)
     }
 }
 
 /// Did the iteration converge?
-fn is_closed(gap: &[Vec2], memory: &Memory, length: Expr, graph: &mut Graph) -> Expr {
-    let Some(precision) = memory.precision() else { return graph.one() };
-    let squares: Vec<Expr> = gap.iter().flatten().map(|&gap| graph.powi(gap, 2)).collect();
-    let gap = graph.sum(&squares);
-    let units = graph.int(CLOSED);
-    let least = graph.product(&[units, precision, length]);
-    let least = graph.powi(least, 2);
-    graph.less(gap, least)
+fn is_closed(gap: &[Vec2], memory: &Memory, length: Expr) -> Expr {
+    let Some(precision) = memory.precision() else { return Expr::ONE };
+    let squares: Vec<Expr> = gap.iter().flatten().map(|&gap| gap.powi(2)).collect();
+    let gap = algebra::sum(&squares);
+    let units = Expr::from(CLOSED);
+    let least = algebra::product(&[units, precision, length]);
+    let least = least.powi(2);
+    gap.less(least)
 }
 
 /// `axis` turned by the angle with half the tangent `tangent`; its length is kept to rounding.
-fn rotated(axis: Vec2, tangent: Expr, name: &str, graph: &mut Graph) -> Vec2 {
-    let tangent = graph.define(&format!("{name}_tangent"), tangent);
-    let (one, square) = (graph.one(), graph.powi(tangent, 2));
-    let (numerator, denominator) = (graph.add(tangent, tangent), graph.add(one, square));
-    let sine = graph.div(numerator, denominator);
-    let sine = graph.define(&format!("{name}_sine"), sine);
+fn rotated(axis: Vec2, tangent: Expr, name: &str) -> Vec2 {
+    let tangent = tangent.named(format!("{name}_tangent"));
+    let (one, square) = (Expr::ONE, tangent.powi(2));
+    let (numerator, denominator) = (tangent + tangent, one + square);
+    let sine = numerator / denominator;
+    let sine = sine.named(format!("{name}_sine"));
     let [cos, sin] = axis;
-    let (first, second) = (graph.mul(tangent, cos), graph.mul(tangent, sin));
-    let (first, second) = (graph.add(first, sin), graph.sub(cos, second));
-    let (by_first, by_second) = (graph.mul(sine, first), graph.mul(sine, second));
-    let (cos, sin) = (graph.sub(cos, by_first), graph.add(sin, by_second));
-    [graph.define(&format!("{name}_cos"), cos), graph.define(&format!("{name}_sin"), sin)]
+    let (first, second) = (tangent * cos, tangent * sin);
+    let (first, second) = (first + sin, cos - second);
+    let (by_first, by_second) = (sine * first, sine * second);
+    let (cos, sin) = (cos - by_first, sin + by_second);
+    [cos.named(format!("{name}_cos")), sin.named(format!("{name}_sin"))]
 }
 
 /// `1 / n`.
-fn fraction(n: i64, graph: &mut Graph) -> Expr {
-    let whole = graph.number(Number::from_int(n));
-    graph.recip(whole)
+fn fraction(n: i64) -> Expr {
+    let whole = Expr::from(Number::from_int(n));
+    whole.recip()
 }

@@ -3,7 +3,7 @@
 //! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
 //! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
 
-use plm_cas::{Expr, Graph, Tape};
+use plm_cas::{Expr, algebra};
 
 use super::charts::{self, Scheme};
 use super::coordinates::{Coordinates, Unknown};
@@ -29,7 +29,6 @@ pub(crate) fn schemes(
     equations: &Equations,
     coordinates: &Coordinates,
     (length, assembled): (f64, &Assembled),
-    graph: &mut Graph,
 ) -> Option<Vec<Scheme>> {
     let all = charts::equations(coordinates);
     let rows: usize = all.iter().map(|equation| equation.rows).sum();
@@ -46,13 +45,13 @@ pub(crate) fn schemes(
         for &closure in &set {
             equations_left[closure].rows = 1;
         }
-        let Ok(schemes) = charts::split(model, coordinates, &equations_left, assembled.freedom, graph) else {
+        let Ok(schemes) = charts::split(model, coordinates, &equations_left, assembled.freedom) else {
             continue;
         };
         let mut closing: Vec<Scheme> = Vec::new();
         let mut measure: f64 = 0.0;
         for scheme in schemes {
-            if let Some(own) = closes(model, equations, coordinates, &scheme, (length, assembled), graph) {
+            if let Some(own) = closes(model, equations, coordinates, &scheme, (length, assembled)) {
                 closing.push(scheme);
                 measure = measure.max(own);
             }
@@ -72,30 +71,28 @@ fn closes(
     coordinates: &Coordinates,
     scheme: &Scheme,
     (length, assembled): (f64, &Assembled),
-    graph: &mut Graph,
 ) -> Option<f64> {
     let iterated: Vec<usize> = scheme.iterated().collect();
-    let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated, graph);
-    let size = graph.number(plm_cas::Number::from_f64(length));
-    let motion = Motion::new(model, coordinates, scheme, &memory, size, graph);
+    let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated);
+    let size = Expr::from(plm_cas::Number::from_f64(length));
+    let motion = Motion::new(model, coordinates, scheme, &memory, size);
     let survey = {
-        let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size, graph };
+        let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size };
         layout.survey(scheme)
     };
-    let values_of =
-        |graph: &Graph, roots: &[Expr], values: &[(Expr, f64)]| check::run(&Tape::new(graph, roots), values);
+    let values_of = |roots: &[Expr], values: &[(Expr, f64)]| check::run(&algebra::tape(roots), values);
     let remembered: Vec<Expr> = survey.results.iter().map(|&(_, value)| value).collect();
-    let remembered = values_of(graph, &remembered, &assembled.values);
+    let remembered = values_of(&remembered, &assembled.values);
     let drivers: Vec<Expr> = scheme
         .drivers
         .iter()
-        .map(|&unknown| motion::of_pose(model, coordinates, graph, coordinates.unknowns[unknown]))
+        .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
         .collect();
-    let start = values_of(graph, &drivers, &assembled.values);
+    let start = values_of(&drivers, &assembled.values);
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
             let [x, y] = motion.position[body];
-            [x, y, motion.angle(coordinates, graph, coordinates.headings[body])]
+            [x, y, motion.angle(coordinates, coordinates.headings[body])]
         })
         .collect();
     let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));
@@ -107,10 +104,10 @@ fn closes(
             let is_angle = matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
             at.push((motion.value[unknown], from + if is_angle { *away } else { away * length }));
         }
-        let q = values_of(graph, &pose, &at);
+        let q = values_of(&pose, &at);
         let mut there = others.clone();
         there.extend(equations.q.iter().copied().zip(q));
-        values_of(graph, &equations.phi, &there).iter().all(|gap| gap.abs() <= CLOSED * length)
+        values_of(&equations.phi, &there).iter().all(|gap| gap.abs() <= CLOSED * length)
     });
     all_close.then(|| remembered.last().copied().unwrap_or(0.0))
 }

@@ -1,6 +1,6 @@
 //! Rows that give one unknown as a function of others: prescribed motions, gears, a mass on a rod.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::coordinates::{Coordinates, Unknown};
 use super::motion::Motion;
@@ -26,17 +26,12 @@ impl Explicit {
 }
 
 /// The row as an explicit one, if it is.
-pub(crate) fn explicit(
-    model: &Model,
-    coordinates: &Coordinates,
-    phi: Expr,
-    graph: &mut Graph,
-) -> Option<Explicit> {
+pub(crate) fn explicit(model: &Model, coordinates: &Coordinates, phi: Expr) -> Option<Explicit> {
     let symbols: Vec<Expr> =
-        (0..coordinates.unknowns.len()).map(|k| graph.symbol(&format!("u_{k}"))).collect();
-    let pairs = poses(model, coordinates, phi, &symbols, graph);
-    let phi = graph.substitute(&[phi], &pairs)[0];
-    let left = graph.symbols(&[phi]);
+        (0..coordinates.unknowns.len()).map(|k| Expr::symbol(format!("u_{k}"))).collect();
+    let pairs = poses(model, coordinates, phi, &symbols);
+    let phi = algebra::substitute(&[phi], &pairs)[0];
+    let left = algebra::symbols(&[phi]);
     let is_fixed = |symbol: &Expr| {
         *symbol == model.time
             || symbols.contains(symbol)
@@ -50,8 +45,8 @@ pub(crate) fn explicit(
     let held: Vec<(usize, Expr)> = held.map(|(unknown, &symbol)| (unknown, symbol)).collect();
     let mut coefficients = Vec::new();
     for &(unknown, symbol) in &held {
-        let coefficient = graph.diff(phi, symbol);
-        let changes = graph.symbols(&[coefficient]);
+        let coefficient = phi.diff(symbol);
+        let changes = algebra::symbols(&[coefficient]);
         if !changes.contains(&model.time) && !held.iter().any(|(_, symbol)| changes.contains(symbol)) {
             coefficients.push((unknown, coefficient));
         }
@@ -60,48 +55,41 @@ pub(crate) fn explicit(
 }
 
 /// What stands for the poses of the bodies that an expression holds.
-fn poses(
-    model: &Model,
-    coordinates: &Coordinates,
-    phi: Expr,
-    symbols: &[Expr],
-    graph: &mut Graph,
-) -> Vec<(Expr, Expr)> {
-    let held = graph.symbols(&[phi]);
+fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) -> Vec<(Expr, Expr)> {
+    let held = algebra::symbols(&[phi]);
     let mut pairs = Vec::new();
     for (body, declared) in model.bodies.iter().enumerate() {
         if !declared.q.iter().any(|symbol| held.contains(symbol)) {
             continue;
         }
         let heading = coordinates.headings[body];
-        let angle =
-            coordinates.angle_of_class[heading.class].map_or(graph.zero(), |unknown| symbols[unknown]);
-        let axis = [graph.cos(angle), graph.sin(angle)];
-        let offset = [graph.cos(heading.offset), graph.sin(heading.offset)];
-        let own = plane::turn(graph, axis, offset);
+        let angle = coordinates.angle_of_class[heading.class].map_or(Expr::ZERO, |unknown| symbols[unknown]);
+        let axis = [angle.cos(), angle.sin()];
+        let offset = [heading.offset.cos(), heading.offset.sin()];
+        let own = plane::turn(axis, offset);
         let theta = declared.q[2];
-        pairs.extend([(graph.cos(theta), own[0]), (graph.sin(theta), own[1])]);
-        pairs.push((theta, graph.add(angle, heading.offset)));
-        let place = place(coordinates, body, symbols, graph);
+        pairs.extend([(theta.cos(), own[0]), (theta.sin(), own[1])]);
+        pairs.push((theta, angle + heading.offset));
+        let place = place(coordinates, body, symbols);
         pairs.extend([(declared.q[0], place[0]), (declared.q[1], place[1])]);
     }
     pairs
 }
 
 /// G of a body as a function of the unknowns.
-fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr], graph: &mut Graph) -> Vec2 {
-    let mut sum = [graph.zero(); 2];
+fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
+    let mut sum = [Expr::ZERO; 2];
     for (class, slide, vector) in coordinates.centres[body].terms() {
-        let factor = slide.map_or(graph.one(), |slide| symbols[slide]);
-        let vector = plane::scale(graph, factor, vector);
+        let factor = slide.map_or(Expr::ONE, |slide| symbols[slide]);
+        let vector = plane::scale(factor, vector);
         let turned = match coordinates.angle_of_class[class] {
             Some(angle) => {
-                let axis = [graph.cos(symbols[angle]), graph.sin(symbols[angle])];
-                plane::turn(graph, axis, vector)
+                let axis = [symbols[angle].cos(), symbols[angle].sin()];
+                plane::turn(axis, vector)
             }
             None => vector,
         };
-        sum = plane::add(graph, sum, turned);
+        sum = plane::add(sum, turned);
     }
     sum
 }
@@ -113,68 +101,62 @@ pub(crate) fn solve(
     row: &Explicit,
     unknown: usize,
     time: Expr,
-    graph: &mut Graph,
 ) {
     let Some(own) = row.coefficients.iter().find(|(of, _)| *of == unknown).map(|found| found.1) else {
         return;
     };
     let others: Vec<(usize, Expr)> = row.held.iter().copied().filter(|(of, _)| *of != unknown).collect();
     let symbol = row.held.iter().find(|(of, _)| *of == unknown).map_or(time, |found| found.1);
-    let zero = graph.zero();
-    let rest = graph.substitute(&[row.phi], &[(symbol, zero)])[0];
-    let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| graph.diff(rest, symbol)).collect();
+    let zero = Expr::ZERO;
+    let rest = algebra::substitute(&[row.phi], &[(symbol, zero)])[0];
+    let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect();
     // Along the motion, but for the second derivatives of the other unknowns.
-    let rates = others.iter().map(|&(of, _)| graph.symbol(&format!("u_rate_{of}")));
+    let rates = others.iter().map(|&(of, _)| Expr::symbol(format!("u_rate_{of}")));
     let rates: Vec<Expr> = rates.collect();
     let mut flow: Vec<(Expr, Expr)> =
         others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect();
-    flow.push((time, graph.one()));
-    let rate = graph.directional(rest, &flow);
-    let curvature = graph.directional(rate, &flow);
-    let by_time = graph.diff(rest, time);
+    flow.push((time, Expr::ONE));
+    let rate = rest.directional(&flow);
+    let curvature = rate.directional(&flow);
+    let by_time = rest.diff(time);
 
-    let mut pairs = known(coordinates, motion, &others, graph);
+    let mut pairs = known(coordinates, motion, &others);
     pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
     let mut roots = vec![rest, by_time, curvature];
     roots.extend(&slopes);
-    let roots = graph.substitute(&roots, &pairs);
+    let roots = algebra::substitute(&roots, &pairs);
     let (&[rest, by_time, curvature], slopes) = roots.split_at(3) else { return };
-    let sum = |graph: &mut Graph, start: Expr, of: &dyn Fn(usize) -> Expr| {
+    let sum = |start: Expr, of: &dyn Fn(usize) -> Expr| {
         let mut terms = vec![start];
-        terms.extend(others.iter().zip(slopes).map(|(&(other, _), &slope)| graph.mul(slope, of(other))));
-        let sum = graph.sum(&terms);
-        let sum = graph.neg(sum);
-        graph.div(sum, own)
+        terms.extend(others.iter().zip(slopes).map(|(&(other, _), &slope)| slope * of(other)));
+        let sum = algebra::sum(&terms);
+        let sum = -sum;
+        sum / own
     };
-    let value = graph.neg(rest);
-    let value = graph.div(value, own);
-    let drift = sum(graph, by_time, &|other| motion.drift[other]);
-    let bias = sum(graph, curvature, &|other| motion.bias[other]);
+    let value = -rest;
+    let value = value / own;
+    let drift = sum(by_time, &|other| motion.drift[other]);
+    let bias = sum(curvature, &|other| motion.bias[other]);
     for driver in 0..motion.drivers.len() {
-        let gain = sum(graph, zero, &|other| motion.gain[other][driver]);
+        let gain = sum(zero, &|other| motion.gain[other][driver]);
         motion.gain[unknown][driver] = gain;
     }
-    let value = motion.set_slide(unknown, value, graph);
+    let value = motion.set_slide(unknown, value);
     (motion.drift[unknown], motion.bias[unknown]) = (drift, bias);
     if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-        motion.axis[class] = [graph.cos(value), graph.sin(value)];
+        motion.axis[class] = [value.cos(), value.sin()];
     }
-    motion.set_rate(coordinates, unknown, graph);
+    motion.set_rate(coordinates, unknown);
 }
 
 /// What stands for the symbols of unknowns that are known.
-fn known(
-    coordinates: &Coordinates,
-    motion: &Motion,
-    others: &[(usize, Expr)],
-    graph: &mut Graph,
-) -> Vec<(Expr, Expr)> {
+fn known(coordinates: &Coordinates, motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
     let mut pairs = Vec::new();
     for &(unknown, symbol) in others {
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-            let along = [graph.one(), graph.zero()];
-            let [cos, sin] = motion.turned(graph, class, along);
-            pairs.extend([(graph.cos(symbol), cos), (graph.sin(symbol), sin)]);
+            let along = [Expr::ONE, Expr::ZERO];
+            let [cos, sin] = motion.turned(class, along);
+            pairs.extend([(symbol.cos(), cos), (symbol.sin(), sin)]);
         }
         pairs.push((symbol, motion.value[unknown]));
     }

@@ -4,7 +4,7 @@
 //! looked at: a mismatch of more than a billionth of the length (`f32`: of a hundred-thousandth) makes the loop one that
 //! cannot be closed.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::coordinates::{Coordinates, Unknown};
 use super::dyad::known;
@@ -34,56 +34,50 @@ impl Single {
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.
-    pub(crate) fn solve(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        time: Expr,
-        graph: &mut Graph,
-    ) -> Solution {
+    pub(crate) fn solve(&self, coordinates: &Coordinates, motion: &mut Motion, time: Expr) -> Solution {
         let turns = matches!(coordinates.unknowns[self.unknown], Unknown::Angle { .. });
         let chain = &coordinates.closures[self.closure];
         let turning: &[usize] = if turns { &[self.class] } else { &[] };
-        let m = known(chain, turning, &[self.unknown], motion, graph);
+        let m = known(chain, turning, &[self.unknown], motion);
         let (column, length, mismatch, arms) = if turns {
-            let arm = motion.arm(chain, self.class, &[], graph);
-            let square = plane::dot(graph, arm, arm);
-            let p = plane::negated(graph, m);
-            let p = motion.name_arm(self.unknown, p, graph);
-            let axis = [plane::dot(graph, arm, p), plane::cross(graph, arm, p)];
-            let axis = axis.map(|product| graph.div(product, square));
-            motion.turn_class(self.unknown, self.class, axis, graph);
-            let distance = plane::dot(graph, p, p);
-            let mismatch = graph.sub(distance, square);
-            let twice = graph.add(square, square);
-            (plane::left(graph, p), square, graph.div(mismatch, twice), vec![(self.class, p)])
+            let arm = motion.arm(chain, self.class, &[]);
+            let square = plane::dot(arm, arm);
+            let p = plane::negated(m);
+            let p = motion.name_arm(self.unknown, p);
+            let axis = [plane::dot(arm, p), plane::cross(arm, p)];
+            let axis = axis.map(|product| product / square);
+            motion.turn_class(self.unknown, self.class, axis);
+            let distance = plane::dot(p, p);
+            let mismatch = distance - square;
+            let twice = square + square;
+            (plane::left(p), square, mismatch / twice, vec![(self.class, p)])
         } else {
-            let vector = chain.slide(self.unknown).map_or([graph.zero(); 2], |slide| slide.1);
-            let e = motion.turned(graph, self.class, vector);
-            let along = plane::dot(graph, m, e);
-            let along = graph.neg(along);
-            motion.set_slide(self.unknown, along, graph);
-            let aside = plane::cross(graph, m, e);
-            (e, graph.one(), graph.div(aside, motion.length), Vec::new())
+            let vector = chain.slide(self.unknown).map_or([Expr::ZERO; 2], |slide| slide.1);
+            let e = motion.turned(self.class, vector);
+            let along = plane::dot(m, e);
+            let along = -along;
+            motion.set_slide(self.unknown, along);
+            let aside = plane::cross(m, e);
+            (e, Expr::ONE, aside / motion.length, Vec::new())
         };
-        let mismatch = graph.mul(mismatch, motion.agreement);
-        let mismatch = graph.powi(mismatch, 2);
-        let one = graph.one();
-        let square = graph.sub(one, mismatch);
-        let zero = graph.zero();
+        let mismatch = mismatch * motion.agreement;
+        let mismatch = mismatch.powi(2);
+        let one = Expr::ONE;
+        let square = one - mismatch;
+        let zero = Expr::ZERO;
         // Zero where it does not close, and of the size of a dyad's.
-        let closes = graph.max(square, zero);
-        let area = graph.powi(motion.length, 2);
-        let determinant = graph.mul(area, closes);
-        let solution = Solution { determinant, square, arms, ..Solution::certain(graph) };
-        let nearest = |sum: Vec2, graph: &mut Graph| {
-            let along = plane::dot(graph, sum, column);
-            let along = graph.neg(along);
-            vec![graph.div(along, length)]
+        let closes = square.max(zero);
+        let area = motion.length.powi(2);
+        let determinant = area * closes;
+        let solution = Solution { determinant, square, arms, ..Solution::certain() };
+        let nearest = |sum: Vec2| {
+            let along = plane::dot(sum, column);
+            let along = -along;
+            vec![along / length]
         };
         let found =
             Found { closure: self.closure, unknowns: &[self.unknown], solution: &solution, solve: &nearest };
-        loops::differentiate(coordinates, motion, &found, time, graph);
+        loops::differentiate(coordinates, motion, &found, time);
         solution
     }
 }

@@ -1,6 +1,6 @@
 //! What the solution of a loop leaves for those who come after.
 
-use plm_cas::{Expr, Graph};
+use plm_cas::Expr;
 
 use super::link::{Link, Own};
 use super::plane::Vec2;
@@ -24,12 +24,12 @@ pub(crate) struct Solution {
 
 impl Solution {
     /// Of a group without mirror images that a sign could tell apart: the square of its measure, and whether it is closed.
-    pub(crate) fn of_measure(measure: Expr, closed: Expr, graph: &mut Graph) -> Solution {
-        let (one, open) = (graph.one(), graph.int(-1));
-        let columns = [[graph.zero(); 2]; 2];
+    pub(crate) fn of_measure(measure: Expr, closed: Expr) -> Solution {
+        let (one, open) = (Expr::ONE, Expr::from(-1));
+        let columns = [[Expr::ZERO; 2]; 2];
         Solution {
-            determinant: graph.select(closed, one, graph.zero()),
-            square: graph.select(closed, measure, open),
+            determinant: closed.select(one, Expr::ZERO),
+            square: closed.select(measure, open),
             scale: one,
             columns,
             arms: Vec::new(),
@@ -38,8 +38,8 @@ impl Solution {
     }
 
     /// A loop that has nothing to decide.
-    pub(crate) fn certain(graph: &Graph) -> Solution {
-        let (zero, one) = ([graph.zero(); 2], graph.one());
+    pub(crate) fn certain() -> Solution {
+        let (zero, one) = ([Expr::ZERO; 2], Expr::ONE);
         Solution {
             determinant: one,
             square: one,

@@ -19,7 +19,7 @@ mod unknowns;
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use self::rows::Way;
 use self::unknowns::Unknowns;
@@ -73,12 +73,11 @@ pub(crate) fn augmented(
     equations: &Equations,
     coordinates: &Coordinates,
     motion: &Motion,
-    graph: &mut Graph,
 ) -> Option<Augmented> {
     if 2 * motion.drivers.len() + equations.x.len() <= MOST_FULL {
         return None;
     }
-    Some(laid_out(model, equations, coordinates, motion, graph))
+    Some(laid_out(model, equations, coordinates, motion))
 }
 
 /// The same for any number of states.
@@ -87,21 +86,20 @@ pub(super) fn laid_out(
     equations: &Equations,
     coordinates: &Coordinates,
     motion: &Motion,
-    graph: &mut Graph,
 ) -> Augmented {
-    let unknowns = Unknowns::new(model, equations, coordinates, motion, graph);
-    let (ways, mut terms) = rows::terms(model, coordinates, motion, &unknowns, graph);
-    let (pairs, sections) = known(model, coordinates, motion, &unknowns, &ways, graph);
+    let unknowns = Unknowns::new(model, equations, coordinates, motion);
+    let (ways, mut terms) = rows::terms(model, coordinates, motion, &unknowns);
+    let (pairs, sections) = known(model, coordinates, motion, &unknowns, &ways);
     let values: Vec<Expr> = terms.values().copied().collect();
-    let values = graph.substitute(&values, &pairs);
+    let values = algebra::substitute(&values, &pairs);
     for (old, value) in terms.values_mut().zip(values) {
         *old = value;
     }
-    let (different, terms) = placed(terms, graph);
+    let (different, terms) = placed(terms);
     let pattern =
         Pattern::new(&unknowns.order(coordinates), terms.iter().map(|term| (term.row, term.column)));
     let results = stored("c", different.iter());
-    let coefficients = Function { sections, results }.optimise(graph);
+    let coefficients = Function { sections, results }.optimise();
     Augmented { coefficients, accelerations: unknowns.accelerations, terms, pattern }
 }
 
@@ -112,18 +110,17 @@ fn known(
     motion: &Motion,
     unknowns: &Unknowns,
     ways: &[Way],
-    graph: &mut Graph,
 ) -> (Vec<(Expr, Expr)>, Vec<Section>) {
-    let applied = loads(model, motion, graph);
-    let zero = graph.zero();
+    let applied = loads(model, motion);
+    let zero = Expr::ZERO;
     let mut pairs = motion.substitution.clone();
     let (mut outward, mut inward) = (Vec::new(), Vec::new());
     let mut reached = vec![[zero; 2]; model.bodies.len()];
     for (hold, way) in coordinates.order.iter().zip(ways) {
         for i in 0..2 {
             let start = hold.parent.map_or(zero, |parent| reached[parent][i]);
-            let sum = graph.add(start, way.acceleration[i]);
-            reached[hold.body][i] = graph.define(["a_x", "a_y"][i], sum);
+            let sum = start + way.acceleration[i];
+            reached[hold.body][i] = sum.named(["a_x", "a_y"][i]);
             outward.push(reached[hold.body][i]);
         }
     }
@@ -131,15 +128,15 @@ fn known(
     for hold in coordinates.order.iter().rev() {
         let body = hold.body;
         for i in 0..2 {
-            let against = graph.sub(reached[body][i], model.gravity[i]);
-            let inertial = graph.mul(model.bodies[body].mass, against);
-            let own = graph.sub(inertial, applied[body][i]);
-            let sum = graph.add(passed[body][i], own);
-            let force = graph.define(["force_x", "force_y"][i], sum);
+            let against = reached[body][i] - model.gravity[i];
+            let inertial = model.bodies[body].mass * against;
+            let own = inertial - applied[body][i];
+            let sum = passed[body][i] + own;
+            let force = sum.named(["force_x", "force_y"][i]);
             inward.push(force);
             pairs.push((unknowns.forces[body][i], force));
             if let Some(parent) = hold.parent {
-                passed[parent][i] = graph.add(passed[parent][i], force);
+                passed[parent][i] += force;
             }
         }
     }
@@ -148,10 +145,10 @@ fn known(
 }
 
 /// Equal coefficients are computed once.
-fn placed(terms: BTreeMap<(usize, usize, Part), Expr>, graph: &Graph) -> (Vec<Expr>, Vec<Term>) {
+fn placed(terms: BTreeMap<(usize, usize, Part), Expr>) -> (Vec<Expr>, Vec<Term>) {
     let (mut different, mut places, mut placed) = (Vec::new(), BTreeMap::new(), Vec::new());
     for ((row, column, part), value) in terms {
-        if graph.is_zero(value) {
+        if value.is_zero() {
             continue;
         }
         let coefficient = *places.entry(value).or_insert_with(|| {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::super::coordinates::{Coordinates, Hold};
 use super::super::motion::Motion;
@@ -29,9 +29,8 @@ pub(super) fn terms(
     coordinates: &Coordinates,
     motion: &Motion,
     unknowns: &Unknowns,
-    graph: &mut Graph,
 ) -> (Vec<Way>, Terms) {
-    let mut work = Rows { model, coordinates, motion, unknowns, graph, terms: Terms::new() };
+    let mut work = Rows { model, coordinates, motion, unknowns, terms: Terms::new() };
     let ways: Vec<Way> = coordinates.order.iter().map(|hold| work.way(hold)).collect();
     work.kinematics(&ways);
     work.forces();
@@ -46,62 +45,61 @@ struct Rows<'a> {
     coordinates: &'a Coordinates,
     motion: &'a Motion,
     unknowns: &'a Unknowns,
-    graph: &'a mut Graph,
     terms: Terms,
 }
 
 impl Rows<'_> {
     /// Adds an expression to an equation: its derivatives by everything unknown.
     fn add(&mut self, row: usize, value: Expr) {
-        let symbols = self.graph.symbols(&[value]);
+        let symbols = algebra::symbols(&[value]);
         for symbol in symbols {
             if let Some(&(column, part)) = self.unknowns.column.get(&symbol) {
-                let derivative = self.graph.diff(value, symbol);
+                let derivative = value.diff(symbol);
                 self.add_term((row, column, part), derivative);
             }
         }
     }
 
     fn add_term(&mut self, key: (usize, usize, Part), value: Expr) {
-        let old = self.terms.get(&key).copied().unwrap_or(self.graph.zero());
-        let sum = self.graph.add(old, value);
+        let old = self.terms.get(&key).copied().unwrap_or(Expr::ZERO);
+        let sum = old + value;
         self.terms.insert(key, sum);
     }
 
     /// From G of the body that holds it, or from the origin, to G of a body.
     fn way(&mut self, hold: &Hold) -> Way {
         let place = self.place(hold);
-        let symbols = self.graph.symbols(&place);
+        let symbols = algebra::symbols(&place);
         let touches = |k: &usize| symbols.binary_search(&self.motion.value[*k]).is_ok();
         let touched: Vec<usize> = (0..self.motion.value.len()).filter(touches).collect();
-        let mut flow = vec![(self.model.time, self.graph.one())];
+        let mut flow = vec![(self.model.time, Expr::ONE)];
         for &k in &touched {
             let (value, speed) = (self.motion.value[k], self.motion.rate[k]);
             flow.extend([(value, speed), (speed, self.unknowns.accelerations[k])]);
         }
-        let mut rate = |of: Vec2| of.map(|component| self.graph.directional(component, &flow));
+        let rate = |of: Vec2| of.map(|component| component.directional(&flow));
         let speed = rate(place);
         Way { touched, place, speed, acceleration: rate(speed) }
     }
 
     fn place(&mut self, hold: &Hold) -> Vec2 {
-        let Rows { model, coordinates, motion, graph, .. } = self;
+        let Rows { model, coordinates, motion, .. } = self;
         let Some(joint) = hold.joint else {
             let declared = &model.bodies[hold.body];
             return [declared.q[0], declared.q[1]];
         };
         let joint = coordinates.joints[joint];
-        let (class, mut out) = coordinates.arm(model, graph, joint.a);
+        let (class, mut out) = coordinates.arm(model, joint.a);
         if let Some(slide) = joint.slide {
-            let (_, axis) = coordinates.axis(model, graph, joint.a);
-            let along = plane::scale(graph, motion.value[slide], axis);
-            out = plane::add(graph, out, along);
+            let (_, axis) = coordinates.axis(model, joint.a);
+            let along = plane::scale(motion.value[slide], axis);
+            out = plane::add(out, along);
         }
-        let out = motion.turned(graph, class, out);
-        let (class, back) = coordinates.arm(model, graph, joint.b);
-        let back = motion.turned(graph, class, back);
-        let way = [0, 1].map(|i| graph.sub(out[i], back[i]));
-        if joint.b.body == Some(hold.body) { way } else { plane::negated(graph, way) }
+        let out = motion.turned(class, out);
+        let (class, back) = coordinates.arm(model, joint.b);
+        let back = motion.turned(class, back);
+        let way = [0, 1].map(|i| out[i] - back[i]);
+        if joint.b.body == Some(hold.body) { way } else { plane::negated(way) }
     }
 
     /// Accelerations, velocities and places of bodies follow from those of the bodies that hold them.
@@ -120,9 +118,9 @@ impl Rows<'_> {
             for (kind, moved) in [Kind::Acceleration, Kind::Velocity, Kind::Place].into_iter().zip(moved) {
                 let Some(rows) = self.unknowns.of_body[hold.body].get(&kind).copied() else { continue };
                 for i in 0..2 {
-                    let mut value = self.graph.sub(of(hold.body, kind)[i], moved[i]);
+                    let mut value = of(hold.body, kind)[i] - moved[i];
                     if let Some(parent) = hold.parent {
-                        value = self.graph.sub(value, of(parent, kind)[i]);
+                        value -= of(parent, kind)[i];
                     }
                     self.add(rows[i], value);
                 }
@@ -132,12 +130,12 @@ impl Rows<'_> {
 
     /// What a body passes on to its joint.
     fn forces(&mut self) {
-        let one = self.graph.one();
-        let minus = self.graph.neg(one);
+        let one = Expr::ONE;
+        let minus = -one;
         for hold in &self.coordinates.order {
             let declared = &self.model.bodies[hold.body];
             let rows = self.unknowns.of_body[hold.body][&Kind::Force];
-            let against = self.graph.neg(declared.mass);
+            let against = -declared.mass;
             for i in 0..2 {
                 let (own, _) = self.unknowns.column[&declared.a[i]];
                 self.add_term((rows[i], rows[i], Part::Value), one);
@@ -161,8 +159,8 @@ impl Rows<'_> {
         for (hold, way) in self.coordinates.order.iter().zip(ways) {
             let force = self.unknowns.forces[hold.body];
             for &unknown in &way.touched {
-                let along = way.place.map(|component| self.graph.diff(component, self.motion.value[unknown]));
-                let power = plane::dot(self.graph, force, along);
+                let along = way.place.map(|component| component.diff(self.motion.value[unknown]));
+                let power = plane::dot(force, along);
                 self.add(unknown, power);
             }
         }
@@ -174,7 +172,7 @@ impl Rows<'_> {
         }
         for load in &self.model.loads {
             if let Some(angle) = angle(load.body) {
-                let against = self.graph.neg(load.force[2]);
+                let against = -load.force[2];
                 self.add(angle, against);
             }
         }
@@ -183,10 +181,10 @@ impl Rows<'_> {
     /// Rates of first-order states.
     fn states(&mut self) {
         let n = self.coordinates.unknowns.len();
-        let one = self.graph.one();
+        let one = Expr::ONE;
         for (k, state) in self.model.states.iter().enumerate() {
             self.add_term((n + k, n + k, Part::Rate), one);
-            let against = self.graph.neg(state.rate);
+            let against = -state.rate;
             self.add(n + k, against);
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_cas::{Expr, Graph};
+use plm_cas::{Expr, algebra};
 
 use super::super::coordinates::{Coordinates, Unknown};
 use super::super::motion::Motion;
@@ -40,13 +40,12 @@ impl Unknowns {
         equations: &Equations,
         coordinates: &Coordinates,
         motion: &Motion,
-        graph: &mut Graph,
     ) -> Unknowns {
         let n = coordinates.unknowns.len();
         let bodies = model.bodies.len();
         let mut unknowns = Unknowns {
-            accelerations: (0..n).map(|_| graph.symbol("acceleration")).collect(),
-            forces: (0..bodies).map(|_| [graph.symbol("force_x"), graph.symbol("force_y")]).collect(),
+            accelerations: (0..n).map(|_| Expr::symbol("acceleration")).collect(),
+            forces: (0..bodies).map(|_| [Expr::symbol("force_x"), Expr::symbol("force_y")]).collect(),
             column: BTreeMap::new(),
             of_body: vec![BTreeMap::new(); bodies],
             states: equations.x.len(),
@@ -69,7 +68,7 @@ impl Unknowns {
             unknowns.add(body, Kind::Force, force);
             unknowns.add(body, Kind::Acceleration, [declared.a[0], declared.a[1]]);
         }
-        unknowns.add_wanted(model, equations, coordinates, graph);
+        unknowns.add_wanted(model, equations, coordinates);
         unknowns
     }
 
@@ -83,10 +82,10 @@ impl Unknowns {
     }
 
     /// Places and velocities that forces or rates depend on, and those that they follow from.
-    fn add_wanted(&mut self, model: &Model, equations: &Equations, coordinates: &Coordinates, graph: &Graph) {
+    fn add_wanted(&mut self, model: &Model, equations: &Equations, coordinates: &Coordinates) {
         let loads = model.loads.iter().flat_map(|load| load.force);
         let read: Vec<Expr> = loads.chain(equations.x_dot.iter().copied()).collect();
-        let read: BTreeSet<Expr> = graph.symbols(&read).into_iter().collect();
+        let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
         let mut wanted = vec![[false; 2]; model.bodies.len()];
         for hold in coordinates.order.iter().rev() {
             let declared = &model.bodies[hold.body];
