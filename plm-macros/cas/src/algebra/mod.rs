@@ -19,7 +19,7 @@ use crate::number::Number;
 
 pub use plane::{Rotation, Vec2};
 pub use several::{
-    count, directionals, gradient, import, product, reachable, shared, substitute, sum, symbols, tape,
+    count, directionals, dot, gradient, import, product, reachable, shared, substitute, sum, symbols, tape,
 };
 
 thread_local! {

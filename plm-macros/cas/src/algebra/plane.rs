@@ -1,6 +1,7 @@
 //! Vectors and rotations of the plane.
 
-use core::ops::{Add, Mul, Neg, Sub};
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::node::Expr;
 
@@ -18,6 +19,8 @@ impl Vec2 {
     pub const ZERO: Vec2 = Vec2::new(Expr::ZERO, Expr::ZERO);
     /// (1, 0)
     pub const X: Vec2 = Vec2::new(Expr::ONE, Expr::ZERO);
+    /// (0, 1)
+    pub const Y: Vec2 = Vec2::new(Expr::ZERO, Expr::ONE);
 
     /// (x, y)
     pub const fn new(x: Expr, y: Expr) -> Vec2 {
@@ -48,6 +51,12 @@ impl Vec2 {
     /// Is it (0, 0)?
     pub fn is_zero(self) -> bool {
         self == Vec2::ZERO
+    }
+
+    /// The derivative with respect to an atom.
+    #[must_use]
+    pub fn diff(self, wrt: Expr) -> Vec2 {
+        self.map(|component| component.diff(wrt))
     }
 
     /// The same of each component.
@@ -104,6 +113,32 @@ impl Neg for Vec2 {
     }
 }
 
+impl AddAssign for Vec2 {
+    fn add_assign(&mut self, other: Vec2) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Vec2 {
+    fn sub_assign(&mut self, other: Vec2) {
+        *self = *self - other;
+    }
+}
+
+impl Sum for Vec2 {
+    fn sum<I: Iterator<Item = Vec2>>(vectors: I) -> Vec2 {
+        vectors.fold(Vec2::ZERO, Add::add)
+    }
+}
+
+impl Div<Expr> for Vec2 {
+    type Output = Vec2;
+
+    fn div(self, divisor: Expr) -> Vec2 {
+        self.map(|component| component / divisor)
+    }
+}
+
 impl Mul<Vec2> for Expr {
     type Output = Vec2;
 
@@ -144,6 +179,13 @@ impl Rotation {
         Rotation { cos, sin: from.cross(to) }
     }
 
+    /// Atoms that stand for the cosine and the sine.
+    #[must_use]
+    pub fn named(self, cos: impl AsRef<str>, sin: impl AsRef<str>) -> Rotation {
+        let cos = self.cos.named(cos);
+        Rotation { cos, sin: self.sin.named(sin) }
+    }
+
     /// Where it takes the x axis.
     pub const fn axis(self) -> Vec2 {
         Vec2::new(self.cos, self.sin)
@@ -171,5 +213,13 @@ impl Mul for Rotation {
 
     fn mul(self, first: Rotation) -> Rotation {
         Rotation::to(self * first.axis())
+    }
+}
+
+impl Div<Expr> for Rotation {
+    type Output = Rotation;
+
+    fn div(self, divisor: Expr) -> Rotation {
+        Rotation::to(self.axis() / divisor)
     }
 }

@@ -16,6 +16,11 @@ pub fn product(factors: &[Expr]) -> Expr {
     with(|graph| graph.product(factors))
 }
 
+/// The scalar product of two lists.
+pub fn dot(a: &[Expr], b: &[Expr]) -> Expr {
+    a.iter().zip(b).map(|(&a, &b)| a * b).sum()
+}
+
 /// With the second of each pair in the place of the first; see [`Graph::substitute`].
 pub fn substitute(roots: &[Expr], pairs: &[(Expr, Expr)]) -> Vec<Expr> {
     with(|graph| graph.substitute(roots, pairs))

@@ -3,7 +3,7 @@
 //! Method: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7 (articulated bodies), in absolute axes and
 //! absolute angles. A body with all that hangs on it answers the acceleration `x = (a_x, a_y, alpha)` of its reference
 //! point, the port by which it is held, with the wrench `I x + p` that its joint has to pass on. A freedom s of the joint
-//! passes on nothing, `s . (I x + p) = 0`, which gives its acceleration and removes it:
+//! passes on nothing, `s . (I x + p) = 0`, which gives its acceleration y and removes it:
 //!
 //! ```text
 //! x = x_0 + s y,   g = I s / (s . I s),   y = -(g . x_0 + s . p / (s . I s))
@@ -13,22 +13,19 @@
 //! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
 //! terms in a revolute; gravity is an acceleration of the ground against it.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2};
 
 use super::super::function::Section;
 use super::coordinates::{Coordinates, Hold, Joint, Unknown};
 use super::motion::Motion;
-use super::plane::{self, Vec2};
+use super::spatial::{Inertia, Spatial};
 use crate::model::Model;
-
-/// Along x, along y, about z.
-type Triple = [Expr; 3];
 
 /// `I x + p`.
 #[derive(Clone, Copy)]
 struct Answer {
-    inertia: [Triple; 3],
-    force: Triple,
+    inertia: Inertia,
+    force: Spatial,
 }
 
 /// How a body is held: `x_0 = (a + alpha lever + bias, alpha or 0)` of the parent's `a` and `alpha`, and freedoms.
@@ -38,19 +35,21 @@ struct Link {
     /// Does the body turn with its parent?
     turns_along: bool,
     /// Unknowns, and how they move the body.
-    freedoms: Vec<(usize, Triple)>,
+    freedoms: Vec<(usize, Spatial)>,
 }
 
 /// What the way back needs of a freedom that was eliminated.
 struct Eliminated {
     unknown: usize,
-    freedom: Triple,
-    /// `I s` and `I s / (s . I s)`.
-    answered: Triple,
-    gain: Triple,
-    /// `1 / (s . I s)`.
+    /// `s`
+    freedom: Spatial,
+    /// `I s`
+    answered: Spatial,
+    /// `g = I s / (s . I s)`
+    gain: Spatial,
+    /// `1 / (s . I s)`
     reciprocal: Expr,
-    /// `s . p / (s . I s)`.
+    /// `s . p / (s . I s)`
     rest: Expr,
 }
 
@@ -60,18 +59,13 @@ pub(crate) fn accelerations(
     model: &Model,
     coordinates: &Coordinates,
     motion: &Motion,
-    force: &[Triple],
+    force: &[[Expr; 3]],
 ) -> (Vec<Expr>, Vec<Section>) {
-    let squared = |&omega: &Expr| {
-        let square = omega.powi(2);
-        square.named("omega_squared")
-    };
-    let squares = motion.omega.iter().map(squared).collect();
+    let squares = motion.omega.iter().map(|omega| omega.squared().named("omega_squared")).collect();
     let mut work = Elimination { model, coordinates, motion, squares, trace: Vec::new() };
-    let zero = Expr::ZERO;
-    let [x, y] = model.gravity.map(|gravity| -gravity);
-    let mut answers: Vec<Answer> =
-        (0..model.bodies.len()).map(|body| work.alone(body, force[body])).collect();
+    let against_gravity = Spatial::new(-Vec2::from(model.gravity), Expr::ZERO);
+    let bodies = 0..model.bodies.len();
+    let mut answers: Vec<Answer> = bodies.map(|body| work.alone(body, Spatial(force[body]))).collect();
     let mut held = Vec::new();
     for hold in coordinates.order.iter().rev() {
         let link = work.link(hold);
@@ -79,16 +73,17 @@ pub(crate) fn accelerations(
         let (left, eliminated) = work.eliminate(whole, &link);
         if let Some(parent) = hold.parent {
             let carried = work.carry(whole, left, &link, &eliminated);
-            answers[parent] = sum(answers[parent], carried);
+            let Answer { inertia, force } = answers[parent];
+            answers[parent] = Answer { inertia: inertia + carried.inertia, force: force + carried.force };
         }
         held.push((hold, link, eliminated));
     }
     let inward =
         Section::new("From the tips inwards: what each body asks of its joint", work.trace.split_off(0));
-    let mut accelerations = vec![zero; coordinates.unknowns.len()];
-    let mut reached = vec![[zero; 3]; model.bodies.len()];
+    let mut accelerations = vec![Expr::ZERO; coordinates.unknowns.len()];
+    let mut reached = vec![Spatial::ZERO; model.bodies.len()];
     for (hold, link, eliminated) in held.iter().rev() {
-        let parent = hold.parent.map_or([x, y, zero], |parent| reached[parent]);
+        let parent = hold.parent.map_or(against_gravity, |parent| reached[parent]);
         reached[hold.body] = work.follow(parent, link, eliminated, &mut accelerations);
     }
     (accelerations, vec![inward, Section::new("From the ground outwards: accelerations", work.trace)])
@@ -105,33 +100,26 @@ struct Elimination<'a> {
 }
 
 impl Elimination<'_> {
-    /// A body by itself.
-    fn alone(&mut self, body: usize, [fx, fy, torque]: Triple) -> Answer {
+    /// A body by itself: `m a_G - f` and `J alpha - torque`, about the reference point.
+    fn alone(&mut self, body: usize, applied: Spatial) -> Answer {
         let Model { bodies, .. } = self.model;
         let (mass, class) = (bodies[body].mass, self.coordinates.headings[body].class);
         let arm = self.reference(body);
-        let squared = plane::dot(arm, arm);
-        let arm = self.motion.turned(class, arm);
-        let to_centre = plane::negated(arm);
-        let across = plane::left(to_centre);
-        let [hx, hy] = plane::scale(mass, across);
-        let steiner = mass * squared;
-        let inertia = bodies[body].inertia + steiner;
-        let inward = mass * self.squares[class];
-        let [cx, cy] = plane::scale(inward, to_centre);
-        let moment = plane::cross(to_centre, [fx, fy]);
-        let against = [cx + fx, cy + fy, torque + moment];
-        let zero = Expr::ZERO;
-        Answer {
-            inertia: [[mass, zero, hx], [zero, mass, hy], [hx, hy, inertia]],
-            force: against.map(|component| -component),
-        }
+        let steiner = mass * arm.squared();
+        let to_centre = -self.motion.turned(class, arm);
+        let coupling = mass * to_centre.left();
+        let inertia = Inertia::new([mass, Expr::ZERO, mass], coupling, bodies[body].inertia + steiner);
+        let force = applied.plane();
+        let centrifugal = (mass * self.squares[class]) * to_centre;
+        let moment = to_centre.cross(force);
+        let against = Spatial::new(centrifugal + force, applied.about() + moment);
+        Answer { inertia, force: -against }
     }
 
     /// From G of a body to its reference point, in the axes of its class.
-    fn reference(&mut self, body: usize) -> Vec2 {
+    fn reference(&self, body: usize) -> Vec2 {
         let joint = self.coordinates.order.iter().find(|hold| hold.body == body).and_then(|hold| hold.joint);
-        let Some(joint) = joint else { return [Expr::ZERO; 2] };
+        let Some(joint) = joint else { return Vec2::ZERO };
         let joint = self.coordinates.joints[joint];
         let own = if joint.b.body == Some(body) { joint.b } else { joint.a };
         self.coordinates.arm(self.model, own).1
@@ -139,30 +127,27 @@ impl Elimination<'_> {
 
     fn link(&mut self, hold: &Hold) -> Link {
         let Some(joint) = hold.joint else { return self.free(hold.body) };
-        let (zero, one) = (Expr::ZERO, Expr::ONE);
         let joint = self.coordinates.joints[joint];
         let near = if joint.b.body == Some(hold.body) { joint.a } else { joint.b };
         let (parent, mut arm) = self.coordinates.arm(self.model, near);
         if let Some(body) = hold.parent {
-            let start = self.reference(body);
-            arm = [0, 1].map(|i| arm[i] - start[i]);
+            arm -= self.reference(body);
         }
-        let arm = self.motion.turned(parent, arm);
         // With a name the lengths in it are multiplied once, not wherever the arm is used.
-        let arm = [0, 1].map(|i| self.define(["arm_x", "arm_y"][i], arm[i]));
-        let lever = plane::left(arm);
+        let arm = self.motion.turned(parent, arm).named("arm");
+        self.trace.extend(arm.components());
+        let lever = arm.left();
         let mut link =
             Link { lever, bias: self.inward(parent, arm), turns_along: true, freedoms: Vec::new() };
         if parent == 0 {
             // A port of the ground may move with the time.
-            let speed = arm.map(|component| component.diff(self.model.time));
-            let moved = speed.map(|component| component.diff(self.model.time));
-            link.bias = plane::add(link.bias, moved);
+            let time = self.model.time;
+            link.bias += arm.diff(time).diff(time);
         }
         let class = self.coordinates.headings[hold.body].class;
         if let (Some(angle), true) = (self.coordinates.angle_of_class[class], class != parent) {
             link.turns_along = false;
-            link.freedoms.push((angle, [zero, zero, one]));
+            link.freedoms.push((angle, Spatial::ABOUT));
         }
         if let Some(slide) = joint.slide {
             self.slide(&mut link, &joint, slide, near == joint.a);
@@ -172,77 +157,56 @@ impl Elimination<'_> {
 
     /// A body that hangs on nothing.
     fn free(&mut self, body: usize) -> Link {
-        let (zero, one) = (Expr::ZERO, Expr::ONE);
         let moves = |&unknown: &Unknown| match unknown {
-            Unknown::Centre { body: other, axis: 0 } if other == body => Some([one, zero, zero]),
-            Unknown::Centre { body: other, .. } if other == body => Some([zero, one, zero]),
-            Unknown::Angle { body: other, .. } if other == body => Some([zero, zero, one]),
+            Unknown::Centre { body: other, axis: 0 } if other == body => {
+                Some(Spatial::new(Vec2::X, Expr::ZERO))
+            }
+            Unknown::Centre { body: other, .. } if other == body => Some(Spatial::new(Vec2::Y, Expr::ZERO)),
+            Unknown::Angle { body: other, .. } if other == body => Some(Spatial::ABOUT),
             _ => None,
         };
         let unknowns = self.coordinates.unknowns.iter().enumerate();
         let freedoms = unknowns.filter_map(|(k, unknown)| Some((k, moves(unknown)?))).collect();
-        Link { lever: [zero; 2], bias: [zero; 2], turns_along: false, freedoms }
+        Link { lever: Vec2::ZERO, bias: Vec2::ZERO, turns_along: false, freedoms }
     }
 
     /// Adds the displacement along the x axis of the port `a`, which the parent carries or the body itself.
     fn slide(&mut self, link: &mut Link, joint: &Joint, slide: usize, on_parent: bool) {
         let (class, axis) = self.coordinates.axis(self.model, joint.a);
-        let Self { motion, .. } = self;
-        let mut along = motion.turned(class, axis);
-        if !on_parent {
-            along = plane::negated(along);
-        }
-        let way = plane::scale(motion.value[slide], along);
-        let across = plane::left(way);
+        let motion = self.motion;
+        let along = motion.turned(class, axis);
+        let along = if on_parent { along } else { -along };
+        let way = motion.value[slide] * along;
         match link.freedoms.first_mut() {
-            Some((_, spin)) if !on_parent => (spin[0], spin[1]) = (across[0], across[1]),
-            _ => link.lever = plane::add(link.lever, across),
+            Some((_, spin)) if !on_parent => *spin = Spatial::new(way.left(), spin.about()),
+            _ => link.lever += way.left(),
         }
         // Coriolis: 2 omega s'.
         let turning = motion.omega[class] * motion.rate[slide];
-        let twice = turning + turning;
-        let sideways = plane::left(along);
-        let coriolis = plane::scale(twice, sideways);
-        link.bias = plane::add(link.bias, coriolis);
-        link.freedoms.push((slide, [along[0], along[1], Expr::ZERO]));
-        let inward = self.inward(class, way);
-        link.bias = plane::add(link.bias, inward);
+        link.bias += (turning + turning) * along.left();
+        link.freedoms.push((slide, Spatial::new(along, Expr::ZERO)));
+        link.bias += self.inward(class, way);
     }
 
     /// `-omega^2 arm`.
-    fn inward(&mut self, class: usize, arm: Vec2) -> Vec2 {
-        let factor = -self.squares[class];
-        plane::scale(factor, arm)
+    fn inward(&self, class: usize, arm: Vec2) -> Vec2 {
+        -self.squares[class] * arm
     }
 
     /// Removes the freedoms of a joint, one after the other.
     fn eliminate(&mut self, mut answer: Answer, link: &Link) -> (Answer, Vec<Eliminated>) {
         let mut eliminated = Vec::new();
         for &(unknown, freedom) in &link.freedoms {
-            let answered = answer.inertia.map(|row| dot(row, freedom));
-            let named = ["x", "y", "a"];
-            let answered = [0, 1, 2].map(|i| self.define(&format!("u_{unknown}{}", named[i]), answered[i]));
-            let pivot = dot(freedom, answered);
-            let one = Expr::ONE;
-            let reciprocal = one / pivot;
-            let reciprocal = self.define(&format!("r_{unknown}"), reciprocal);
-            let gain = [0, 1, 2].map(|i| {
-                let gain = answered[i] * reciprocal;
-                self.define(&format!("g_{unknown}{}", named[i]), gain)
-            });
-            let pushed = dot(freedom, answer.force);
-            let pushed = self.define(&format!("n_{unknown}"), pushed);
+            let answered = self.named(answer.inertia * freedom, |axis| format!("u_{unknown}{axis}"));
+            let reciprocal = self.define(&format!("r_{unknown}"), 1 / freedom.dot(answered));
+            let gain = self.named(reciprocal * answered, |axis| format!("g_{unknown}{axis}"));
+            let pushed = self.define(&format!("n_{unknown}"), freedom.dot(answer.force));
             let rest = pushed * reciprocal;
-            for i in 0..3 {
-                for j in 0..=i {
-                    let less = gain[i] * answered[j];
-                    let left = answer.inertia[i][j] - less;
-                    (answer.inertia[i][j], answer.inertia[j][i]) = (left, left);
-                }
-                let less = gain[i] * pushed;
-                answer.force[i] -= less;
+            answer.inertia = answer.inertia.less_outer(gain, answered);
+            answer.force = answer.force - pushed * gain;
+            if let Some(axis) = freedom.axis() {
+                answer = answer.without(axis);
             }
-            clear(&mut answer, freedom);
             eliminated.push(Eliminated { unknown, freedom, answered, gain, reciprocal, rest });
         }
         (answer, eliminated)
@@ -257,25 +221,17 @@ impl Elimination<'_> {
         link: &Link,
         eliminated: &[Eliminated],
     ) -> Answer {
-        let (zero, one) = (Expr::ZERO, Expr::ONE);
         if !link.turns_along {
             // The third row waits for an angular acceleration that the parent does not give.
-            clear(&mut whole, [zero, zero, one]);
-            clear(&mut left, [zero, zero, one]);
+            (whole, left) = (whole.without(2), left.without(2));
         }
-        let [[xx, xy, _], [_, yy, _], _] = left.inertia;
         let (across, about) = self.levered(whole, left, link, eliminated);
-        let [bx, by] = link.bias;
-        let mut force = left.force;
-        for (i, component) in force.iter_mut().enumerate() {
-            let by_bias = dot(left.inertia[i], [bx, by, zero]);
-            *component += by_bias;
-            *component = self.define(["p_x", "p_y", "p_a"][i], *component);
-        }
-        let [lx, ly] = link.lever;
+        let force = left.force + left.inertia * Spatial::new(link.bias, Expr::ZERO);
+        let force = self.named(force, |axis| format!("p_{axis}"));
+        let moment = force.dot(Spatial::new(link.lever, Expr::ONE));
         Answer {
-            inertia: [[xx, xy, across[0]], [xy, yy, across[1]], [across[0], across[1], about]],
-            force: [force[0], force[1], dot(force, [lx, ly, one])],
+            inertia: Inertia::new(left.inertia.plane(), across.plane(), about),
+            force: Spatial::new(force.plane(), moment),
         }
     }
 
@@ -289,57 +245,42 @@ impl Elimination<'_> {
         left: Answer,
         link: &Link,
         eliminated: &[Eliminated],
-    ) -> (Triple, Expr) {
-        let lever = [link.lever[0], link.lever[1], Expr::ONE];
+    ) -> (Spatial, Expr) {
+        let lever = Spatial::new(link.lever, Expr::ONE);
         let revolute = match eliminated {
             [one] if !link.turns_along => Some(one),
             _ => None,
         };
         let inertia = if revolute.is_some() { whole.inertia } else { left.inertia };
-        let mut across = inertia.map(|row| dot(row, lever));
-        let mut about = dot(across, lever);
-        if let Some(&Eliminated { answered: [ux, uy, _], gain, reciprocal, .. }) = revolute {
-            let part = plane::dot([ux, uy], link.lever);
-            let part = self.define("c", part);
-            let square = part.powi(2);
-            let square = self.define("c_squared", square);
+        let mut across = inertia * lever;
+        let mut about = across.dot(lever);
+        if let Some(&Eliminated { answered, gain, reciprocal, .. }) = revolute {
+            let part = self.define("c", answered.plane().dot(link.lever));
+            let square = self.define("c_squared", part.squared());
             let less = square * reciprocal;
-            about = self.define("w_a", about);
-            about -= less;
-            for i in 0..2 {
-                let less = gain[i] * part;
-                across[i] -= less;
-            }
+            about = self.define("w_a", about) - less;
+            across = across - Spatial::new(part * gain.plane(), Expr::ZERO);
         }
-        let across = [0, 1, 2].map(|i| self.define(["w_x", "w_y", "w_a"][i], across[i]));
-        (across, about)
+        (self.named(across, |axis| format!("w_{axis}")), about)
     }
 
     /// The acceleration of a body's reference point, and of the freedoms that were eliminated there.
     fn follow(
         &mut self,
-        parent: Triple,
+        parent: Spatial,
         link: &Link,
         eliminated: &[Eliminated],
         accelerations: &mut [Expr],
-    ) -> Triple {
-        let [ax, ay, alpha] = parent;
-        let carried = plane::scale(alpha, link.lever);
-        let carried = plane::add(carried, link.bias);
-        let [x, y] = plane::add([ax, ay], carried);
-        let spin = if link.turns_along { alpha } else { Expr::ZERO };
-        let mut reached = [x, y, spin];
+    ) -> Spatial {
+        let alpha = parent.about();
+        let point = parent.plane() + (alpha * link.lever + link.bias);
+        let mut reached = Spatial::new(point, if link.turns_along { alpha } else { Expr::ZERO });
         for Eliminated { unknown, freedom, gain, rest, .. } in eliminated.iter().rev() {
-            reached = [0, 1, 2].map(|i| self.define(["a_x", "a_y", "alpha"][i], reached[i]));
-            let answered = dot(*gain, reached);
-            let sum = answered + *rest;
-            let value = -sum;
+            reached = Spatial([0, 1, 2].map(|i| self.define(["a_x", "a_y", "alpha"][i], reached.0[i])));
+            let value = -(gain.dot(reached) + *rest);
             let value = self.define(&format!("{}_acceleration", self.motion.names[*unknown]), value);
             accelerations[*unknown] = value;
-            for i in 0..3 {
-                let moved = freedom[i] * value;
-                reached[i] += moved;
-            }
+            reached = reached + value * *freedom;
         }
         reached
     }
@@ -349,32 +290,18 @@ impl Elimination<'_> {
         self.trace.push(atom);
         atom
     }
-}
 
-/// Along a freedom that is an axis nothing is left; rounding would leave something.
-fn clear(answer: &mut Answer, freedom: Triple) {
-    let zero = Expr::ZERO;
-    let along: Vec<usize> = (0..3).filter(|&i| freedom[i] != zero).collect();
-    if let [i] = along[..] {
-        answer.force[i] = zero;
-        for j in 0..3 {
-            (answer.inertia[i][j], answer.inertia[j][i]) = (zero, zero);
-        }
+    /// Components by the names of their axes.
+    fn named(&mut self, vector: Spatial, name: impl Fn(&str) -> String) -> Spatial {
+        Spatial([0, 1, 2].map(|i| self.define(&name(["x", "y", "a"][i]), vector.0[i])))
     }
 }
 
-fn sum(a: Answer, b: Answer) -> Answer {
-    let mut sum = a;
-    for i in 0..3 {
-        for j in 0..3 {
-            sum.inertia[i][j] = a.inertia[i][j] + b.inertia[i][j];
-        }
-        sum.force[i] = a.force[i] + b.force[i];
+impl Answer {
+    /// Along a freedom that is an axis nothing is left; rounding would leave something.
+    fn without(self, axis: usize) -> Answer {
+        let mut force = self.force;
+        force.0[axis] = Expr::ZERO;
+        Answer { inertia: self.inertia.without(axis), force }
     }
-    sum
-}
-
-fn dot(a: Triple, b: Triple) -> Expr {
-    let products = [0, 1, 2].map(|i| a[i] * b[i]);
-    algebra::sum(&products)
 }

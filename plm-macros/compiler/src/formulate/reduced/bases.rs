@@ -6,12 +6,12 @@
 //! `conj(a u) b w = (conj(a) b) (conj(u) w)` holds the scalar product of two vectors and their cross product.
 
 use std::collections::BTreeMap;
+use std::ops::{Add, Neg};
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Rotation, Vec2};
 
 use super::chain::Chain;
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 
 /// A vector that turns with a class.
 #[derive(Clone, Copy, Debug)]
@@ -24,13 +24,62 @@ pub(crate) struct Base {
     pub(crate) square: Expr,
 }
 
+/// Scalar and cross product of two vectors, `conj(a) b`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Products {
+    pub(crate) dot: Expr,
+    pub(crate) cross: Expr,
+}
+
+impl Products {
+    pub(crate) fn of(a: Vec2, b: Vec2) -> Products {
+        let dot = a.dot(b);
+        Products { dot, cross: a.cross(b) }
+    }
+
+    /// Those of the second vector with the first.
+    fn swapped(self) -> Products {
+        Products { dot: self.dot, cross: -self.cross }
+    }
+
+    /// Those of the first vector with the second one turned and scaled by `by`.
+    pub(crate) fn turned(self, by: Rotation) -> Products {
+        let Vec2 { x: dot, y: cross } = by * Vec2::new(self.dot, self.cross);
+        Products { dot, cross }
+    }
+
+    /// Atoms that stand for both.
+    pub(crate) fn named(self, name: &str) -> Products {
+        let dot = self.dot.named(format!("dot_{name}"));
+        Products { dot, cross: self.cross.named(format!("cross_{name}")) }
+    }
+}
+
+impl Add for Products {
+    type Output = Products;
+
+    fn add(self, other: Products) -> Products {
+        let dot = self.dot + other.dot;
+        Products { dot, cross: self.cross + other.cross }
+    }
+}
+
+impl Neg for Products {
+    type Output = Products;
+
+    fn neg(self) -> Products {
+        let dot = -self.dot;
+        Products { dot, cross: -self.cross }
+    }
+}
+
 /// What is known of the classes' bases.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bases {
     /// By class; of the others the unit vector is the base.
     of_class: BTreeMap<usize, Base>,
-    /// Scalar and cross product of two bases.
-    products: BTreeMap<(usize, usize), Vec2>,
+    /// Of two bases.
+    products: BTreeMap<(usize, usize), Products>,
 }
 
 impl Bases {
@@ -41,8 +90,8 @@ impl Bases {
         }
     }
 
-    /// Scalar and cross product of the bases of two classes are these.
-    pub(crate) fn insert_products(&mut self, classes: (usize, usize), products: Vec2) {
+    /// The products of the bases of two classes are these.
+    pub(crate) fn insert_products(&mut self, classes: (usize, usize), products: Products) {
         self.products.insert(classes, products);
     }
 }
@@ -51,40 +100,36 @@ impl Motion {
     /// A vector in the axes of a class over the class's base.
     pub(crate) fn over_base(&self, class: usize, vector: Vec2) -> Vec2 {
         let Some(base) = self.bases.of_class.get(&class) else { return vector };
-        let products = [plane::dot(base.own, vector), plane::cross(base.own, vector)];
-        products.map(|product| product / base.square)
+        Rotation::between(base.own, vector).axis() / base.square
     }
 
     /// A vector in the axes of a class, in absolute axes.
     pub(crate) fn turned(&self, class: usize, vector: Vec2) -> Vec2 {
         let vector = self.over_base(class, vector);
-        plane::turn(self.base(class), vector)
+        Rotation::to(self.base(class)) * vector
     }
 
-    /// Scalar and cross product of two vectors over the bases of their classes.
-    pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2)) -> Vec2 {
-        let constant = [plane::dot(u, w), plane::cross(u, w)];
+    /// The products of two vectors that are given over the bases of their classes.
+    pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2)) -> Products {
+        let constant = Products::of(u, w);
         let bases = self.products_of_bases(a, b);
-        plane::turn(bases, constant)
+        constant.turned(Rotation { cos: bases.dot, sin: bases.cross })
     }
 
-    /// Scalar and cross product of the bases of two classes.
-    pub(crate) fn products_of_bases(&self, a: usize, b: usize) -> Vec2 {
+    /// The products of the bases of two classes.
+    pub(crate) fn products_of_bases(&self, a: usize, b: usize) -> Products {
+        let Bases { of_class, products } = &self.bases;
         if a == b {
-            let square = self.bases.of_class.get(&a).map_or(Expr::ONE, |base| base.square);
-            return [square, Expr::ZERO];
+            let square = of_class.get(&a).map_or(Expr::ONE, |base| base.square);
+            return Products { dot: square, cross: Expr::ZERO };
         }
-        let Bases { products, .. } = &self.bases;
-        if let Some(&[dot, cross]) = products.get(&(b, a)) {
-            return [dot, -cross];
-        }
-        products.get(&(a, b)).copied().unwrap_or_else(|| {
-            let (a, b) = (self.base(a), self.base(b));
-            [plane::dot(a, b), plane::cross(a, b)]
-        })
+        let turned_around = products.get(&(b, a)).copied().map(Products::swapped);
+        turned_around
+            .or_else(|| products.get(&(a, b)).copied())
+            .unwrap_or_else(|| Products::of(self.base(a), self.base(b)))
     }
 
     fn base(&self, class: usize) -> Vec2 {
-        self.bases.of_class.get(&class).map_or(self.axis[class], |base| base.vector)
+        self.bases.of_class.get(&class).map_or(self.rotation[class].axis(), |base| base.vector)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::plane::{self, Vec2};
+use plm_cas::Vec2;
 
 /// `p = sum over c of R(theta_c) (d_c + sum over j of s_j e_cj)`.
 ///
@@ -17,13 +17,10 @@ pub(crate) struct Chain {
 impl Chain {
     /// Adds `sign * R(theta_class) vector`, times a slide if one is given.
     pub(crate) fn add(&mut self, class: usize, slide: Option<usize>, vector: Vec2, negative: bool) {
-        let signed = if negative { vector.map(|component| -component) } else { vector };
+        let signed = if negative { -vector } else { vector };
         let key = (class, slide);
-        let sum = match self.terms.get(&key) {
-            Some(&old) => plane::add(old, signed),
-            None => signed,
-        };
-        if plane::is_zero(sum) {
+        let sum = self.terms.get(&key).map_or(signed, |&old| old + signed);
+        if sum.is_zero() {
             self.terms.remove(&key);
         } else {
             self.terms.insert(key, sum);

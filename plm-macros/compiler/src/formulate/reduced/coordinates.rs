@@ -5,10 +5,9 @@
 //! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class. What is left of a
 //! loop of joints is that its vectors sum to zero.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use super::chain::Chain;
-use super::plane::{self, Vec2};
 use super::rows::{self, Explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
@@ -85,7 +84,7 @@ impl Coordinates {
     /// Does anything move with the time, whatever the coordinates do?
     pub(crate) fn moves_with(&self, time: Expr) -> bool {
         let chains = self.closures.iter().chain(&self.centres);
-        let vectors = chains.flat_map(|chain| chain.terms().flat_map(|(_, _, vector)| vector));
+        let vectors = chains.flat_map(|chain| chain.terms().flat_map(|(_, _, vector)| vector.components()));
         let all: Vec<Expr> = vectors.chain(self.rows.iter().map(|row| row.phi)).collect();
         algebra::symbols(&all).contains(&time)
     }
@@ -151,7 +150,7 @@ impl Coordinates {
             }
             let Some(joint) = hold.joint else {
                 for axis in 0..2 {
-                    let along = if axis == 0 { [Expr::ONE, Expr::ZERO] } else { [Expr::ZERO, Expr::ONE] };
+                    let along = [Vec2::X, Vec2::Y][axis];
                     let unknown = self.new_unknown(Unknown::Centre { body: hold.body, axis });
                     self.centres[hold.body].add(0, Some(unknown), along, false);
                 }
@@ -215,6 +214,11 @@ impl Coordinates {
         self.loops[closure].iter().copied().max_by_key(rank).unwrap_or(0)
     }
 
+    /// The coordinate that is x (0) or y (1) of G of a body that hangs on nothing.
+    pub(crate) fn centre(&self, body: usize, axis: usize) -> Option<usize> {
+        self.unknowns.iter().position(|&unknown| unknown == Unknown::Centre { body, axis })
+    }
+
     /// Heading of the body of a frame.
     pub(crate) fn heading(&self, frame: FrameRef) -> Heading {
         frame.body.map_or(Heading { class: 0, offset: Expr::ZERO }, |body| self.headings[body])
@@ -223,15 +227,14 @@ impl Coordinates {
     /// From G (on the ground: from the origin) to a port, in the axes of the class.
     pub(crate) fn arm(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
         let heading = self.heading(frame);
-        let axis = [heading.offset.cos(), heading.offset.sin()];
-        (heading.class, plane::turn(axis, port(model, frame).at))
+        (heading.class, Rotation::by(heading.offset) * Vec2::from(port(model, frame).at))
     }
 
     /// The x axis of a port, in the axes of the class.
     pub(crate) fn axis(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
         let heading = self.heading(frame);
         let angle = heading.offset + port(model, frame).angle;
-        (heading.class, [angle.cos(), angle.sin()])
+        (heading.class, Rotation::by(angle).axis())
     }
 
     /// Adds the way from G of the body of `a` to G of the body of `b` through a joint, or its negative.

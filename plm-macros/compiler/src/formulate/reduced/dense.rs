@@ -1,10 +1,9 @@
 //! Accelerations from the dense mass matrix.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Vec2};
 
 use super::inertia::Dense;
 use super::motion::Motion;
-use super::plane;
 use crate::formulate::function::Section;
 use crate::formulate::ldl::factorise;
 
@@ -28,21 +27,16 @@ pub(super) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<S
         (&[], _) => Vec::new(),
         // The mass is known before the forces, which wait for velocities: let its division begin early.
         (&[force], _) => {
-            let one = Expr::ONE;
-            let reciprocal = one / mass[&(0, 0)];
-            let reciprocal = reciprocal.named("reciprocal");
+            let reciprocal = (1 / mass[&(0, 0)]).named("reciprocal");
             vec![force * reciprocal]
         }
-        // One division instead of two in a row.
+        // Cramer's rule: one division instead of two in a row.
         (&[first, second], Some(coupling)) => {
-            let (m00, m11) = (mass[&(0, 0)], mass[&(1, 1)]);
-            let numerators =
-                [minor([first, coupling], [second, m11]), minor([m00, first], [coupling, second])];
-            let determinant = minor([m00, coupling], [coupling, m11]);
-            let one = Expr::ONE;
-            let reciprocal = one / determinant;
-            let reciprocal = reciprocal.named("reciprocal");
-            numerators.iter().map(|&numerator| numerator * reciprocal).collect()
+            let columns = [Vec2::new(mass[&(0, 0)], coupling), Vec2::new(coupling, mass[&(1, 1)])];
+            let force = Vec2::new(first, second);
+            let minors = [force.cross(columns[1]), columns[0].cross(force)];
+            let reciprocal = (1 / columns[0].cross(columns[1])).named("reciprocal");
+            minors.map(|minor| minor * reciprocal).to_vec()
         }
         _ => {
             let factor = factorise(force.len(), &mass, None);
@@ -54,9 +48,4 @@ pub(super) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<S
     };
     let named = solution.iter().zip(&names).map(|(&value, name)| value.named(name));
     (named.collect(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
-}
-
-/// Determinant of two rows.
-fn minor(a: [Expr; 2], b: [Expr; 2]) -> Expr {
-    plane::cross(a, b)
 }

@@ -13,14 +13,13 @@
 //! `J` is a quarter turn to the left. `D` is, in each case, the determinant of the loop's Jacobian by the two unknowns:
 //! its sign tells the two mirror images apart, and where it vanishes they meet.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Rotation, Vec2};
 
 use super::bases::Base;
 use super::chain::Chain;
 use super::coordinates::{Coordinates, Unknown};
 use super::link::{Link, Own};
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use super::solution::Solution;
 
 /// A block of two unknowns that has a closed form.
@@ -63,7 +62,7 @@ impl Dyad {
             }
             (Unknown::Slide { .. }, Unknown::Slide { .. }) => {
                 let [a, b] = [chain.slide(unknowns[0])?, chain.slide(unknowns[1])?];
-                let across = plane::cross(a.1, b.1);
+                let across = a.1.cross(b.1);
                 if a.0 == b.0 && across.is_zero() {
                     return None;
                 }
@@ -123,33 +122,26 @@ impl Dyad {
         time: Expr,
     ) -> Solution {
         let chain = &coordinates.closures[self.closure];
-        let known = known(chain, &self.classes(), &self.unknowns, motion);
-        let known = named(known, &format!("loop_{}", self.closure));
-        let root = Root { closure: self.closure, side };
+        let m = known(chain, &self.classes(), &self.unknowns, motion).named(format!("loop_{}", self.closure));
+        let link = Link::of(chain, self, motion, time);
+        let found = Found { dyad: self, chain, m, side, motion };
         match self.kind {
-            Kind::Angles(classes) => {
-                let link = Link::of(chain, self, motion, time);
-                self.circles(chain, classes, (known, link), &root, motion)
-            }
-            Kind::Across { class, along } => {
-                let link = Link::of(chain, self, motion, time);
-                self.line_and_circle(chain, [class, along], (known, link), &root, motion)
-            }
-            Kind::Along { class } => self.line_that_turns(chain, class, known, &root, motion),
-            Kind::Slides(classes) => self.lines(chain, classes, known, motion),
+            Kind::Angles(classes) => found.circles(classes, link),
+            Kind::Across { class, along } => found.line_and_circle(class, along, link),
+            Kind::Along { class } => found.line_that_turns(class),
+            Kind::Slides(classes) => found.lines(classes),
         }
     }
 
     /// Determinant and scale where all unknowns are known.
     pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Solution {
         let chain = &coordinates.closures[self.closure];
-        let mut columns = [[Expr::ZERO; 2]; 2];
+        let mut columns = [Vec2::ZERO; 2];
         let mut scale = Expr::ONE;
         for (k, class) in self.classes().into_iter().enumerate() {
             let arm = motion.whole_arm(chain, class);
-            columns[k] = plane::left(arm);
-            let square = plane::dot(arm, arm);
-            scale *= square;
+            columns[k] = arm.left();
+            scale *= arm.squared();
         }
         for (k, unknown) in self.unknowns.into_iter().enumerate() {
             if let Some((class, vector)) = chain.slide(unknown) {
@@ -157,161 +149,123 @@ impl Dyad {
             }
         }
         if matches!(self.kind, Kind::Along { .. }) {
-            scale = motion.length.powi(2);
+            scale = motion.length.squared();
         }
-        let determinant = plane::cross(columns[0], columns[1]);
-        let square = determinant.powi(2);
-        Solution { determinant, square, scale, columns, arms: Vec::new(), link: None }
+        let determinant = columns[0].cross(columns[1]);
+        Solution { determinant, square: determinant.squared(), scale, columns, arms: Vec::new(), link: None }
     }
+}
 
+/// A dyad while it is being solved.
+struct Found<'a> {
+    dyad: &'a Dyad,
+    chain: &'a Chain,
+    /// The sum of the known vectors.
+    m: Vec2,
+    /// A number with the sign of the determinant.
+    side: Option<Expr>,
+    motion: &'a mut Motion,
+}
+
+impl Found<'_> {
     /// RRR.
-    fn circles(
-        &self,
-        chain: &Chain,
-        [a, b]: [usize; 2],
-        (known, link): (Vec2, Option<Link>),
-        root: &Root,
-        motion: &mut Motion,
-    ) -> Solution {
-        let arms = [a, b].map(|class| motion.arm(chain, class, &[]));
-        let [aa, bb] = arms.map(|arm| plane::dot(arm, arm));
-        let mm = root.distance(known);
-        let reach = mm + aa;
-        let difference = bb - reach;
-        let two = Expr::from(2);
-        let n = difference / two;
-        let n = n.named(format!("along_{}", self.closure));
-        let (full, part) = (aa * mm, n.powi(2));
-        let square = full - part;
-        let (square, determinant) = root.of(square);
-        let reciprocal = mm.recip();
-        let reciprocal = reciprocal.named(format!("inverse_{}", self.closure));
-        let ways = plane::scale(reciprocal, [n, determinant]);
-        let ways = named(ways, &format!("way_{}", self.closure));
-        let p = plane::turn(ways, known);
-        let p = motion.name_arm(self.unknowns[0], p);
-        let sum = plane::add(known, p);
-        let r = motion.name_arm(self.unknowns[1], plane::negated(sum));
-        motion.turn_class(self.unknowns[0], a, axis(p, arms[0], aa));
-        motion.turn_class(self.unknowns[1], b, axis(r, arms[1], bb));
-        for (class, vector, own, square) in [(a, p, arms[0], aa), (b, r, arms[1], bb)] {
-            motion.bases.insert_arm(chain, class, Base { vector, own, square });
+    fn circles(self, [a, b]: [usize; 2], link: Option<Link>) -> Solution {
+        let [first, second] = self.dyad.unknowns;
+        let arms = [a, b].map(|class| self.motion.arm(self.chain, class, &[]));
+        let [pp, rr] = arms.map(Vec2::squared);
+        let mm = self.named("distance", self.m.squared());
+        let n = self.named("along", (rr - (mm + pp)) / 2);
+        let (square, determinant) = self.root(pp * mm - n.squared());
+        let reciprocal = self.named("inverse", mm.recip());
+        let ways = (reciprocal * Vec2::new(n, determinant)).named(format!("way_{}", self.dyad.closure));
+        let ways = Rotation::to(ways);
+        let p = self.motion.name_arm(first, ways * self.m);
+        let r = self.motion.name_arm(second, -(self.m + p));
+        self.motion.turn_class(first, a, Rotation::between(arms[0], p) / pp);
+        self.motion.turn_class(second, b, Rotation::between(arms[1], r) / rr);
+        for (class, vector, own, square) in [(a, p, arms[0], pp), (b, r, arms[1], rr)] {
+            self.motion.bases.insert_arm(self.chain, class, Base { vector, own, square });
         }
-        let columns = [plane::left(p), plane::left(r)];
-        let scale = aa * bb;
+        let columns = [p.left(), r.left()];
+        let scale = pp * rr;
         // From `m p = n`.
-        let sum = n + aa;
-        let unit = [Expr::ONE, Expr::ZERO];
-        let own = Own { p: a, r: (b, unit), pp: aa, pr: (-sum), rr: Some(bb) };
+        let own = Own { p: a, r: (b, Vec2::X), pp, pr: -(n + pp), rr: Some(rr) };
         if let Some(link) = &link {
-            link.meet(self, &own, (ways, determinant), motion);
+            link.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
         let link = link.map(|link| (link, own));
         Solution { determinant, square, scale, columns, arms: vec![(a, p), (b, r)], link }
     }
 
     /// RRP and PRR.
-    fn line_and_circle(
-        &self,
-        chain: &Chain,
-        [class, along]: [usize; 2],
-        (known, link): (Vec2, Option<Link>),
-        root: &Root,
-        motion: &mut Motion,
-    ) -> Solution {
-        let [angle, slide] = self.unknowns;
-        let arm = motion.arm(chain, class, &[]);
-        let aa = plane::dot(arm, arm);
-        let e = slide_axis(chain, slide, along, motion);
-        let (offset, ahead) = (plane::cross(e, known), plane::dot(e, known));
-        let squared = offset.powi(2);
-        let square = aa - squared;
-        let (square, determinant) = root.of(square);
-        let value = determinant - ahead;
-        motion.set_slide(slide, value);
+    fn line_and_circle(self, class: usize, along: usize, link: Option<Link>) -> Solution {
+        let [angle, slide] = self.dyad.unknowns;
+        let arm = self.motion.arm(self.chain, class, &[]);
+        let pp = arm.squared();
+        let e = self.slide_axis(slide, along);
+        let (offset, ahead) = (e.cross(self.m), e.dot(self.m));
+        let (square, determinant) = self.root(pp - offset.squared());
+        self.motion.set_slide(slide, determinant - ahead);
         // `m + s e = D e + (e x m) J e`.
-        let sum = across([determinant, offset], e);
-        let p = motion.name_arm(angle, plane::negated(sum));
-        motion.turn_class(angle, class, axis(p, arm, aa));
-        motion.bases.insert_arm(chain, class, Base { vector: p, own: arm, square: aa });
-        let r = [e[1], -e[0]];
-        let own = Own { p: class, r: (0, r), pp: aa, pr: offset, rr: None };
+        let p = -(determinant * e + offset * e.left());
+        let p = self.motion.name_arm(angle, p);
+        self.motion.turn_class(angle, class, Rotation::between(arm, p) / pp);
+        self.motion.bases.insert_arm(self.chain, class, Base { vector: p, own: arm, square: pp });
+        let own = Own { p: class, r: (0, -e.left()), pp, pr: offset, rr: None };
         if let Some(link) = &link {
-            let ways = plane::negated([determinant, offset]);
-            link.meet(self, &own, (ways, determinant), motion);
+            let ways = Rotation::to(-Vec2::new(determinant, offset));
+            link.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
-        let (columns, link) = ([plane::left(p), e], link.map(|link| (link, own)));
-        Solution { determinant, square, scale: aa, columns, arms: vec![(class, p)], link }
+        let link = link.map(|link| (link, own));
+        Solution { determinant, square, scale: pp, columns: [p.left(), e], arms: vec![(class, p)], link }
     }
 
     /// RPR.
-    fn line_that_turns(
-        &self,
-        chain: &Chain,
-        class: usize,
-        known: Vec2,
-        root: &Root,
-        motion: &mut Motion,
-    ) -> Solution {
-        let [angle, slide] = self.unknowns;
-        let d = motion.arm(chain, class, &[slide]);
-        let e = chain.slide(slide).map_or([Expr::ZERO; 2], |slide| slide.1);
-        let (offset, ahead) = (plane::cross(e, d), plane::dot(e, d));
-        let mm = root.distance(known);
-        let squared = offset.powi(2);
-        let square = mm - squared;
-        let (square, determinant) = root.of(square);
-        let back = -determinant;
-        let value = back - ahead;
-        motion.set_slide(slide, value);
+    fn line_that_turns(self, class: usize) -> Solution {
+        let [angle, slide] = self.dyad.unknowns;
+        let d = self.motion.arm(self.chain, class, &[slide]);
+        let e = self.chain.slide(slide).map_or(Vec2::ZERO, |slide| slide.1);
+        let (offset, ahead) = (e.cross(d), e.dot(d));
+        let mm = self.named("distance", self.m.squared());
+        let (square, determinant) = self.root(mm - offset.squared());
+        self.motion.set_slide(slide, -determinant - ahead);
         // `d + s e = -D e + (e x d) J e`.
-        let arm = across([back, offset], e);
-        let p = plane::negated(known);
-        motion.turn_class(angle, class, axis(p, arm, mm));
-        let columns = [plane::left(p), motion.turned(class, e)];
-        let scale = motion.length.powi(2);
+        let arm = -determinant * e + offset * e.left();
+        let p = -self.m;
+        self.motion.turn_class(angle, class, Rotation::between(arm, p) / mm);
+        let columns = [p.left(), self.motion.turned(class, e)];
+        let scale = self.motion.length.squared();
         Solution { determinant, square, scale, columns, arms: vec![(class, p)], link: None }
     }
 
     /// PRP and RPP.
-    fn lines(&self, chain: &Chain, classes: [usize; 2], known: Vec2, motion: &mut Motion) -> Solution {
-        let columns = [0, 1].map(|k| slide_axis(chain, self.unknowns[k], classes[k], motion));
-        let determinant = plane::cross(columns[0], columns[1]);
-        let determinant = determinant.named(format!("area_{}", self.closure));
-        let ways = [plane::cross(columns[1], known), plane::cross(known, columns[0])];
-        for (unknown, way) in self.unknowns.into_iter().zip(ways) {
-            let value = way / determinant;
-            motion.set_slide(unknown, value);
-        }
-        let square = determinant.powi(2);
+    fn lines(self, classes: [usize; 2]) -> Solution {
+        let [first, second] = self.dyad.unknowns;
+        let columns = [self.slide_axis(first, classes[0]), self.slide_axis(second, classes[1])];
+        let determinant = self.named("area", columns[0].cross(columns[1]));
+        let minors = [columns[1].cross(self.m), self.m.cross(columns[0])];
+        self.motion.set_slide(first, minors[0] / determinant);
+        self.motion.set_slide(second, minors[1] / determinant);
+        let square = determinant.squared();
         Solution { determinant, square, scale: Expr::ONE, columns, arms: Vec::new(), link: None }
     }
-}
 
-/// How the root of a dyad's determinant is taken.
-struct Root {
-    closure: usize,
-    side: Option<Expr>,
-}
-
-impl Root {
     /// `D^2` by a name, and `D`.
-    fn of(&self, square: Expr) -> (Expr, Expr) {
-        let zero = Expr::ZERO;
-        let square = square.named(format!("square_{}", self.closure));
-        let real = square.max(zero);
-        let root = real.sqrt();
-        let root = root.named(format!("root_{}", self.closure));
+    fn root(&self, square: Expr) -> (Expr, Expr) {
+        let square = self.named("square", square);
+        let root = self.named("root", square.max(Expr::ZERO).sqrt());
         let Some(side) = self.side else { return (square, root) };
-        let (mirrored, negative) = (side.less(zero), -root);
-        let signed = mirrored.select(negative, root);
-        (square, signed.named(format!("area_{}", self.closure)))
+        (square, self.named("area", side.less(Expr::ZERO).select(-root, root)))
     }
 
-    /// The square of a vector's length.
-    fn distance(&self, vector: Vec2) -> Expr {
-        let square = plane::dot(vector, vector);
-        square.named(format!("distance_{}", self.closure))
+    /// The direction in which a slide moves, in absolute axes.
+    fn slide_axis(&self, slide: usize, class: usize) -> Vec2 {
+        let vector = self.chain.slide(slide).map_or(Vec2::ZERO, |slide| slide.1);
+        self.motion.turned(class, vector)
+    }
+
+    fn named(&self, what: &str, value: Expr) -> Expr {
+        value.named(format!("{what}_{}", self.dyad.closure))
     }
 }
 
@@ -322,34 +276,6 @@ fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
 
 /// Sum of the vectors of a loop that do not hold the unknowns of a dyad.
 pub(crate) fn known(chain: &Chain, turns: &[usize], unknowns: &[usize], motion: &Motion) -> Vec2 {
-    let mut sum = [Expr::ZERO; 2];
-    for class in chain.classes().into_iter().filter(|class| !turns.contains(class)) {
-        let own = motion.arm(chain, class, unknowns);
-        let own = motion.turned(class, own);
-        sum = plane::add(sum, own);
-    }
-    sum
-}
-
-/// Direction in which a slide moves, in absolute axes.
-fn slide_axis(chain: &Chain, slide: usize, class: usize, motion: &Motion) -> Vec2 {
-    let vector = chain.slide(slide).map_or([Expr::ZERO; 2], |slide| slide.1);
-    motion.turned(class, vector)
-}
-
-/// `a e + b J e`.
-fn across([a, b]: [Expr; 2], e: Vec2) -> Vec2 {
-    let (along, aside) = (plane::scale(a, e), plane::left(e));
-    let aside = plane::scale(b, aside);
-    plane::add(along, aside)
-}
-
-/// Cosine and sine of the angle that turns `arm`, of which the square is given, into `p`.
-fn axis(p: Vec2, arm: Vec2, square: Expr) -> Vec2 {
-    [plane::dot(arm, p), plane::cross(arm, p)].map(|product| product / square)
-}
-
-fn named(vector: Vec2, name: &str) -> Vec2 {
-    let names = [format!("{name}_x"), format!("{name}_y")];
-    [vector[0].named(&names[0]), vector[1].named(&names[1])]
+    let classes = chain.classes().into_iter().filter(|class| !turns.contains(class));
+    classes.map(|class| motion.turned(class, motion.arm(chain, class, unknowns))).sum()
 }

@@ -6,9 +6,8 @@
 //! left is a system of half the size, of at most four unknowns, whose inverse is written down by minors (Laplace's
 //! expansion, two rows at a time). It is singular where the whole is, and nowhere else.
 
-use plm_cas::{Expr, algebra};
-
-use super::plane::{self, Vec2};
+use plm_cas::algebra::dot;
+use plm_cas::{Expr, Vec2};
 
 /// Which unknown each loop gives. Loops and unknowns by their places in the block.
 #[derive(Clone, Debug)]
@@ -128,21 +127,19 @@ impl<'a> Elimination<'a> {
             let column = own[unknown];
             let (mut along, mut across) = (vec![zero; own.len()], vec![zero; own.len()]);
             for (c, &other) in own.iter().enumerate().filter(|&(c, _)| c != unknown) {
-                let product = plane::dot(column, other);
-                let product = product * reciprocal;
-                along[c] = product.named(format!("{name}_along_{place}_{c}"));
-                let product = plane::cross(column, other);
-                across[c] = product.named(format!("{name}_across_{place}_{c}"));
+                along[c] = (column.dot(other) * reciprocal).named(format!("{name}_along_{place}_{c}"));
+                across[c] = column.cross(other).named(format!("{name}_across_{place}_{c}"));
             }
             let mut stage = Stage { column, along, later: Vec::new(), before: Vec::new() };
             for (k, columns) in columns.iter_mut().enumerate() {
-                let Some(&carried) = columns.get(unknown).filter(|column| !plane::is_zero(**column)) else {
+                let Some(&carried) = columns.get(unknown).filter(|column| !(**column).is_zero()) else {
                     continue;
                 };
                 for (c, column) in columns.iter_mut().enumerate() {
-                    *column = less(*column, stage.along[c], carried, &format!("{name}_of_{place}_{k}_{c}"));
+                    *column =
+                        (*column - stage.along[c] * carried).named(format!("{name}_of_{place}_{k}_{c}"));
                 }
-                columns[unknown] = [zero; 2];
+                columns[unknown] = Vec2::ZERO;
                 stage.later.push((k, carried));
             }
             for (k, row) in rows.iter_mut().enumerate() {
@@ -151,9 +148,8 @@ impl<'a> Elimination<'a> {
                     continue;
                 }
                 for (c, entry) in row.iter_mut().enumerate() {
-                    let product = carried * stage.along[c];
-                    let left = *entry - product;
-                    *entry = left.named(format!("{name}_left_{place}_{k}_{c}"));
+                    *entry =
+                        (*entry - carried * stage.along[c]).named(format!("{name}_left_{place}_{k}_{c}"));
                 }
                 stage.before.push((k, carried));
             }
@@ -163,13 +159,11 @@ impl<'a> Elimination<'a> {
         let rest =
             rows.iter().map(|row| plan.rest.iter().map(|&u| row[u]).collect()).collect::<Vec<Vec<Expr>>>();
         let (cofactors, determinant) = cofactors(&rest, name);
-        let reciprocal = determinant.recip();
-        let reciprocal = reciprocal.named(format!("{name}_reciprocal"));
+        let reciprocal = determinant.recip().named(format!("{name}_reciprocal"));
         let mut inverse = cofactors;
         for (i, row) in inverse.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                let value = *entry * reciprocal;
-                *entry = value.named(format!("{name}_inverse_{i}_{j}"));
+                *entry = (*entry * reciprocal).named(format!("{name}_inverse_{i}_{j}"));
             }
         }
         let measure = plan.measure(&rest, determinant);
@@ -182,29 +176,22 @@ impl<'a> Elimination<'a> {
         let (mut along, mut across): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
         for (place, (stage, pivot)) in self.stages.iter().zip(&self.plan.pivots).enumerate() {
             let own = b[pivot.in_loop];
-            let product = plane::dot(stage.column, own);
-            let product = product * pivot.reciprocal;
-            let product = product.named(format!("{label}_along_{place}"));
+            let product = (stage.column.dot(own) * pivot.reciprocal).named(format!("{label}_along_{place}"));
             for &(k, carried) in &stage.later {
-                b[k] = less(b[k], product, carried, &format!("{label}_of_{place}_{k}"));
+                b[k] = (b[k] - product * carried).named(format!("{label}_of_{place}_{k}"));
             }
             for &(k, carried) in &stage.before {
-                let gone = product * carried;
-                let left = across[k] - gone;
-                across[k] = left.named(format!("{label}_left_{place}_{k}"));
+                across[k] = (across[k] - product * carried).named(format!("{label}_left_{place}_{k}"));
             }
-            let left = plane::cross(stage.column, own);
-            across.push(left.named(format!("{label}_across_{place}")));
+            across.push(stage.column.cross(own).named(format!("{label}_across_{place}")));
             along.push(product);
         }
         let mut x = vec![Expr::ZERO; self.stages.first().map_or(0, |stage| stage.along.len())];
         for (row, &unknown) in self.inverse.iter().zip(&self.plan.rest) {
-            let value = dot(row, &across);
-            x[unknown] = value.named(format!("{label}_{unknown}"));
+            x[unknown] = dot(row, &across).named(format!("{label}_{unknown}"));
         }
         for ((stage, pivot), along) in self.stages.iter().zip(&self.plan.pivots).zip(along).rev() {
-            let others = dot(&stage.along, &x);
-            let value = along - others;
+            let value = along - dot(&stage.along, &x);
             x[pivot.unknown] = value.named(format!("{label}_{}", pivot.unknown));
         }
         x
@@ -215,19 +202,12 @@ impl Plan {
     /// The square of the determinant of the rows that are left, over those of its columns (J. Hadamard's bound): for two
     /// unknowns the square of a sine. Rows count as if they stood across columns of the length 1.
     fn measure(&self, rows: &[Vec<Expr>], determinant: Expr) -> Expr {
-        let mut most = vec![];
-        for c in 0..rows.len() {
-            let squares = rows.iter().zip(&self.pivots).map(|(row, pivot)| {
-                let square = row[c].powi(2);
-                square * pivot.reciprocal
-            });
-            let squares: Vec<Expr> = squares.collect();
-            most.push(algebra::sum(&squares));
-        }
-        let most = algebra::product(&most);
-        let mut own: Vec<Expr> = self.pivots.iter().map(|pivot| pivot.reciprocal).collect();
-        own.push(determinant.powi(2));
-        let own = algebra::product(&own);
+        let column = |c: usize| -> Expr {
+            rows.iter().zip(&self.pivots).map(|(row, pivot)| row[c].squared() * pivot.reciprocal).sum()
+        };
+        let most: Expr = (0..rows.len()).map(column).product();
+        let pivots = self.pivots.iter().map(|pivot| pivot.reciprocal);
+        let own: Expr = pivots.chain([determinant.squared()]).product();
         own / most
     }
 }
@@ -245,8 +225,7 @@ fn cofactors(rows: &[Vec<Expr>], name: &str) -> (Vec<Vec<Expr>>, Expr) {
         }
     }
     let first: Vec<Expr> = all.iter().map(|row| row[0]).collect();
-    let determinant = dot(&first, &rows[0]);
-    let determinant = determinant.named(format!("{name}_determinant"));
+    let determinant = dot(&first, &rows[0]).named(format!("{name}_determinant"));
     (all, determinant)
 }
 
@@ -255,7 +234,7 @@ fn minor(rows: &[Vec<Expr>], of: &[usize], columns: &[usize], name: &str) -> Exp
     match (of, columns) {
         (&[i], &[j]) => rows[i][j],
         (&[i, k], &[j, l]) => {
-            let value = plane::cross([rows[i][j], rows[i][l]], [rows[k][j], rows[k][l]]);
+            let value = Vec2::new(rows[i][j], rows[i][l]).cross(Vec2::new(rows[k][j], rows[k][l]));
             value.named(format!("{name}_minor_{i}{k}_{j}{l}"))
         }
         (&[first, second, third], &[j, k, l]) => {
@@ -266,25 +245,10 @@ fn minor(rows: &[Vec<Expr>], of: &[usize], columns: &[usize], name: &str) -> Exp
                 let rest = minor(rows, &pair, &others, name);
                 rows[single][own] * rest
             });
-            let outer = terms[0] + terms[2];
-            outer - terms[1]
+            (terms[0] + terms[2]) - terms[1]
         }
         _ => Expr::ONE,
     }
-}
-
-/// `a - factor b`, by a name.
-fn less(a: Vec2, factor: Expr, b: Vec2, name: &str) -> Vec2 {
-    let gone = plane::scale(factor, b);
-    [0, 1].map(|i| {
-        let left = a[i] - gone[i];
-        left.named(format!("{name}_{}", ["x", "y"][i]))
-    })
-}
-
-fn dot(a: &[Expr], b: &[Expr]) -> Expr {
-    let products: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
-    algebra::sum(&products)
 }
 
 #[cfg(test)]
@@ -316,9 +280,12 @@ mod tests {
                 .collect();
             let mut values = Vec::new();
             let mut vector = |held: bool| {
-                let symbols = [0, 1].map(|_| if held { Expr::symbol("a") } else { Expr::ZERO });
-                values.extend(symbols.into_iter().filter(|_| held).map(|symbol| (symbol, number())));
-                symbols
+                if !held {
+                    return Vec2::ZERO;
+                }
+                let symbols = ["a_x", "a_y"].map(Expr::symbol);
+                values.extend(symbols.map(|symbol| (symbol, number())));
+                Vec2::from(symbols)
             };
             let columns: Vec<Vec<Vec2>> =
                 holds.iter().map(|row| row.iter().map(|&held| vector(held)).collect()).collect();
@@ -326,7 +293,7 @@ mod tests {
             let square = |k: usize, u: usize| match (holds[k][u], u < loops) {
                 (false, _) => Column::Absent,
                 (true, false) => Column::Varying,
-                (true, true) => Column::Constant(plane::dot(columns[k][u], columns[k][u])),
+                (true, true) => Column::Constant(columns[k][u].dot(columns[k][u])),
             };
             let squares: Vec<Vec<Column>> =
                 (0..loops).map(|k| (0..n).map(|u| square(k, u)).collect()).collect();
@@ -337,13 +304,10 @@ mod tests {
             let x = elimination.solve(b.clone(), "x");
             let mut roots = vec![elimination.measure];
             for (row, b) in columns.iter().zip(&b) {
-                for (i, &b) in b.iter().enumerate() {
-                    let row: Vec<Expr> = row.iter().map(|column| column[i]).collect();
-                    let product = dot(&row, &x);
-                    roots.push(product - b);
-                }
+                let product: Vec2 = row.iter().zip(&x).map(|(&column, &x)| x * column).sum();
+                roots.extend((product - *b).components());
             }
-            let results = algebra::tape(&roots).eval(&values).unwrap();
+            let results = plm_cas::algebra::tape(&roots).eval(&values).unwrap();
             let measure = results[0];
             assert!((0.0..1.0 + 1e-12).contains(&measure), "{case}: {measure}");
             let worst = results[1..].iter().fold(0.0_f64, |worst, gap| worst.max(gap.abs()));

@@ -117,7 +117,7 @@ impl Group {
         motion.solutions.push(solution);
         for unknown in self.unknowns() {
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                let angle = memory.unwound(unknown, motion.axis[class]);
+                let angle = memory.unwound(unknown, motion.rotation[class]);
                 motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
             }
         }

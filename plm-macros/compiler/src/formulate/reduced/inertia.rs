@@ -7,12 +7,13 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, algebra};
+use plm_cas::algebra::{self, dot};
+use plm_cas::{Expr, Vec2};
 
+use super::bases::Products;
 use super::chain::Chain;
 use super::coordinates::{Coordinates, Unknown};
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use crate::model::Model;
 
 /// `M a = Q` for the second derivatives `a` of the coordinates.
@@ -34,15 +35,15 @@ struct Term {
 }
 
 /// Sums of `m u . w` and `m u x w` over the bodies, by (class of u, class of w, factor).
-type Products = BTreeMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
+type Sums = BTreeMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
 
 /// Sets up the equations; `force` are the applied forces at each G in absolute axes, without gravity.
 pub(crate) fn dense(model: &Model, coordinates: &Coordinates, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
     let count = coordinates.unknowns.len();
-    let mut mass: BTreeMap<(usize, usize), Products> = BTreeMap::new();
+    let mut mass: BTreeMap<(usize, usize), Sums> = BTreeMap::new();
     let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
-    let mut inertial: Vec<Products> = (0..count).map(|_| Products::new()).collect();
-    let mut turning: Vec<Products> = (0..count).map(|_| Products::new()).collect();
+    let mut inertial: Vec<Sums> = (0..count).map(|_| Sums::new()).collect();
+    let mut turning: Vec<Sums> = (0..count).map(|_| Sums::new()).collect();
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
         let columns = partial_velocities(coordinates, motion, &coordinates.centres[body]);
@@ -59,7 +60,7 @@ pub(crate) fn dense(model: &Model, coordinates: &Coordinates, motion: &Motion, f
             let [fx, fy, _] = force[body];
             for term in left {
                 let along = motion.turned(term.class, term.vector);
-                let work = plane::dot(along, [fx, fy]);
+                let work = along.dot(Vec2::new(fx, fy));
                 applied[*i].push(term.factor * work);
             }
         }
@@ -69,23 +70,19 @@ pub(crate) fn dense(model: &Model, coordinates: &Coordinates, motion: &Motion, f
         }
     }
     let mut entries: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
-    for (key, products) in mass {
-        let value = collect(motion, products);
-        entries.insert(key, value);
+    for (key, sums) in mass {
+        entries.insert(key, collect(motion, sums));
     }
     for (key, terms) in spin {
-        let own = algebra::sum(&terms);
-        let old = entries.get(&key).copied().unwrap_or(Expr::ZERO);
-        entries.insert(key, old + own);
+        *entries.entry(key).or_insert(Expr::ZERO) += algebra::sum(&terms);
     }
-    entries.retain(|&(i, j), entry| i == j || !(*entry).is_zero());
+    entries.retain(|&(i, j), entry| i == j || !entry.is_zero());
     let force = inertial.into_iter().zip(applied).map(|(inertial, applied)| {
         let against = collect(motion, inertial);
-        let applied = algebra::sum(&applied);
-        applied - against
+        algebra::sum(&applied) - against
     });
     let force = force.collect();
-    let turning = turning.into_iter().map(|products| collect(motion, products)).collect();
+    let turning = turning.into_iter().map(|sums| collect(motion, sums)).collect();
     Dense { mass: entries, force, turning }
 }
 
@@ -93,13 +90,10 @@ impl Dense {
     /// Forces less what the velocities ask for.
     pub(crate) fn right_hand_side(&self, motion: &Motion) -> Vec<Expr> {
         let Some(pace) = motion.pace else { return self.force.clone() };
-        let square = pace.powi(2);
         let each = self.force.iter().zip(&self.turning).enumerate().map(|(i, (&force, &turning))| {
             // By names, so that what waits for the velocity is done last.
             let force = force.named(format!("still_{i}"));
-            let turning = turning.named(format!("turning_{i}"));
-            let turning = square * turning;
-            force - turning
+            force - pace.squared() * turning.named(format!("turning_{i}"))
         });
         each.collect()
     }
@@ -116,13 +110,13 @@ pub(crate) fn along_drivers(dense: &Dense, motion: &Motion) -> Dense {
         let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
         let moved: Vec<Expr> = moved.collect();
         for i in j..drivers {
-            let entry = product(&gains(i), &moved);
+            let entry = dot(&gains(i), &moved);
             if i == j || !entry.is_zero() {
                 mass.insert((i, j), entry);
             }
         }
-        let own = product(&column, &dense.force);
-        let (asked, pushed) = (product(&column, &dense.turning), product(&moved, &motion.bias));
+        let own = dot(&column, &dense.force);
+        let (asked, pushed) = (dot(&column, &dense.turning), dot(&moved, &motion.bias));
         let paced = motion.pace.is_some();
         force.push(if paced { own } else { own - pushed });
         turning.push(asked + pushed);
@@ -142,20 +136,14 @@ fn times(dense: &Dense, u: &[Expr]) -> Vec<Expr> {
     terms.iter().map(|terms| algebra::sum(terms)).collect()
 }
 
-fn product(a: &[Expr], b: &[Expr]) -> Expr {
-    let terms: Vec<Expr> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
-    algebra::sum(&terms)
-}
-
 /// The acceleration with which the ground would have to move instead of gravity. Where it lies along an axis its size is left
 /// as a factor of whole sums.
 fn against_gravity(model: &Model) -> Term {
-    let [x, y] = model.gravity.map(|gravity| -gravity);
-    let (zero, one) = (Expr::ZERO, Expr::ONE);
-    let (factor, vector) = match (x == zero, y == zero) {
-        (true, _) => (y, [zero, one]),
-        (_, true) => (x, [one, zero]),
-        _ => (one, [x, y]),
+    let against = -Vec2::from(model.gravity);
+    let (factor, vector) = match (against.x.is_zero(), against.y.is_zero()) {
+        (true, _) => (against.y, Vec2::Y),
+        (_, true) => (against.x, Vec2::X),
+        _ => (Expr::ONE, against),
     };
     Term { class: 0, factor, vector }
 }
@@ -164,14 +152,12 @@ fn against_gravity(model: &Model) -> Term {
 fn partial_velocities(coordinates: &Coordinates, motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)> {
     let mut columns: BTreeMap<usize, Vec<Term>> = BTreeMap::new();
     for (class, slide, vector) in place.terms() {
-        let one = Expr::ONE;
-        let factor = slide.map_or(one, |slide| motion.value[slide]);
+        let factor = slide.map_or(Expr::ONE, |slide| motion.value[slide]);
         if let Some(angle) = coordinates.angle_of_class[class] {
-            let across = plane::left(vector);
-            columns.entry(angle).or_default().push(Term { class, factor, vector: across });
+            columns.entry(angle).or_default().push(Term { class, factor, vector: vector.left() });
         }
         if let Some(slide) = slide {
-            columns.entry(slide).or_default().push(Term { class, factor: one, vector });
+            columns.entry(slide).or_default().push(Term { class, factor: Expr::ONE, vector });
         }
     }
     columns.into_iter().collect()
@@ -182,62 +168,53 @@ fn bias(model: &Model, motion: &Motion, place: &Chain) -> Vec<Term> {
     let mut terms = Vec::new();
     for (class, slide, vector) in place.terms() {
         let omega = motion.turning[class];
-        let squared = omega.powi(2);
-        let inward = vector.map(|component| -component);
-        let factor = match slide {
-            Some(slide) => squared * motion.value[slide],
-            None => squared,
-        };
-        terms.push(Term { class, factor, vector: inward });
+        let squared = omega.squared();
+        let factor = slide.map_or(squared, |slide| squared * motion.value[slide]);
+        terms.push(Term { class, factor, vector: -vector });
         if let Some(slide) = slide {
             // Coriolis: 2 omega s'.
             let turning = omega * motion.sliding(slide);
-            let factor = turning + turning;
-            terms.push(Term { class, factor, vector: plane::left(vector) });
+            terms.push(Term { class, factor: turning + turning, vector: vector.left() });
         }
         if class == 0 && slide.is_none() {
-            let rate = vector.map(|component| component.diff(model.time));
-            let moved = rate.map(|component| component.diff(model.time));
+            let moved = vector.diff(model.time).diff(model.time);
             terms.push(Term { class, factor: Expr::ONE, vector: moved });
         }
     }
-    terms.retain(|term| !term.factor.is_zero() && !plane::is_zero(term.vector));
+    terms.retain(|term| !term.factor.is_zero() && !term.vector.is_zero());
     terms
 }
 
 /// Adds the products of two sums of vectors, times a mass; those of two classes over the classes' bases.
-fn multiply(motion: &Motion, into: &mut Products, mass: Expr, (left, right): (&[Term], &[Term])) {
+fn multiply(motion: &Motion, into: &mut Sums, mass: Expr, (left, right): (&[Term], &[Term])) {
     for a in left {
         for b in right {
             let over_base = |term: &Term| {
                 if a.class == b.class { term.vector } else { motion.over_base(term.class, term.vector) }
             };
-            let (u, w) = (over_base(a), over_base(b));
-            let (along, across) = (plane::dot(u, w), plane::cross(u, w));
+            let products = Products::of(over_base(a), over_base(b));
             let factor = a.factor * b.factor;
             let (dots, crosses) = into.entry((a.class, b.class, factor)).or_default();
-            dots.push(mass * along);
-            crosses.push(mass * across);
+            dots.push(mass * products.dot);
+            crosses.push(mass * products.cross);
         }
     }
 }
 
 /// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are scalar and cross product of the bases of the class of
 /// `u` and of that of `w`.
-fn collect(motion: &Motion, products: Products) -> Expr {
-    let mut terms = Vec::new();
-    for ((a, b, factor), (dots, crosses)) in products {
+fn collect(motion: &Motion, sums: Sums) -> Expr {
+    let terms = sums.into_iter().map(|((a, b, factor), (dots, crosses))| {
         let (dots, crosses) = (algebra::sum(&dots), algebra::sum(&crosses));
         let along = if a == b {
             dots
         } else {
-            let [cosine, sine] = motion.products_of_bases(a, b);
-            let (first, second) = (cosine * dots, sine * crosses);
-            first - second
+            let bases = motion.products_of_bases(a, b);
+            bases.dot * dots - bases.cross * crosses
         };
-        terms.push(factor * along);
-    }
-    algebra::sum(&terms)
+        factor * along
+    });
+    terms.sum()
 }
 
 /// Index of the coordinate in words, for names in the code.

@@ -14,13 +14,13 @@
 //! A slide along the ground in the direction `e` instead of the second angle is the same with `r = -J e`, but that this
 //! vector does not turn: the terms with `w^2` are none.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Rotation, Vec2, algebra};
 
+use super::bases::Products;
 use super::chain::Chain;
 use super::coordinates::Coordinates;
 use super::dyad::{Dyad, Kind};
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 
 /// The body that moves a dyad.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ pub(crate) struct Link {
     /// `a` over the base of the class.
     arm: Vec2,
     /// Scalar and cross product of the base with the vector that the dyad's `p` is found from, `m` or `e`.
-    known: Vec2,
+    known: Products,
 }
 
 /// The vectors of a dyad.
@@ -54,20 +54,18 @@ impl Link {
         let turns = dyad.classes();
         let mut known = chain.classes().into_iter().filter(|class| *class != 0 && !turns.contains(class));
         let (Some(class), None) = (known.next(), known.next()) else { return None };
-        let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector).collect();
+        let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector.components()).collect();
         let mut slides = chain.terms().filter_map(|(class, slide, _)| Some((class, slide?)));
         if slides.any(|slide| slide != (0, dyad.unknowns[1])) || algebra::symbols(&vectors).contains(&time) {
             return None;
         }
-        let arm = motion.arm(chain, class, &[]);
-        let (arm, unit) = (motion.over_base(class, arm), [Expr::ONE, Expr::ZERO]);
+        let arm = motion.over_base(class, motion.arm(chain, class, &[]));
+        let base = (class, Vec2::X);
         let known = if let (Kind::Across { .. }, Some((_, e))) = (dyad.kind, chain.slide(dyad.unknowns[1])) {
-            motion.products((class, unit), (0, e))
+            motion.products(base, (0, e))
         } else {
             let ground = motion.arm(chain, 0, &[]);
-            let with_arm = motion.products((class, unit), (class, arm));
-            let with_ground = motion.products((class, unit), (0, ground));
-            plane::add(with_arm, with_ground)
+            motion.products(base, (class, arm)) + motion.products(base, (0, ground))
         };
         Some(Link { class, arm, known })
     }
@@ -77,22 +75,17 @@ impl Link {
         &self,
         dyad: &Dyad,
         own: &Own,
-        (ways, determinant): (Vec2, Expr),
+        (ways, determinant): (Rotation, Expr),
         motion: &mut Motion,
     ) {
-        let named = |products: Vec2, k: usize| {
-            let names = ["dot", "cross"].map(|kind| format!("{kind}_{}_{k}", dyad.closure));
-            [products[0].named(&names[0]), products[1].named(&names[1])]
-        };
-        let with_p = plane::turn(ways, self.known);
-        let with_p = named(with_p, 0);
+        let named = |products: Products, k: usize| products.named(&format!("{}_{k}", dyad.closure));
+        let with_p = named(self.known.turned(ways), 0);
         motion.bases.insert_products((self.class, own.p), with_p);
         if own.rr.is_some() {
-            let sum = plane::add(self.known, with_p);
-            let sum = named(sum, 1);
-            let with_r = plane::negated(sum);
+            // `r = -(m + p)`.
+            let with_r = -named(self.known + with_p, 1);
             motion.bases.insert_products((self.class, own.r.0), with_r);
-            motion.bases.insert_products((own.p, own.r.0), [own.pr, determinant]);
+            motion.bases.insert_products((own.p, own.r.0), Products { dot: own.pr, cross: determinant });
         }
     }
 
@@ -106,42 +99,42 @@ impl Link {
     ) {
         let Some(body) = coordinates.angle_of_class[self.class] else { return };
         let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal);
-        let square = motion.turning[self.class].powi(2);
-        for (k, &unknown) in dyad.unknowns.iter().enumerate() {
+        let square = motion.turning[self.class].squared();
+        for (k, (&unknown, (ratio, slope))) in
+            dyad.unknowns.iter().zip(ratios.into_iter().zip(slopes)).enumerate()
+        {
             for driver in 0..motion.drivers.len() {
-                let gain = ratios[k] * motion.gain[body][driver];
-                let name = format!("gain_{driver}_{}_{k}", dyad.closure);
-                motion.gain[unknown][driver] = gain.named(&name);
+                let gain = ratio * motion.gain[body][driver];
+                motion.gain[unknown][driver] = gain.named(format!("gain_{driver}_{}_{k}", dyad.closure));
             }
-            motion.drift[unknown] = ratios[k] * motion.drift[body];
-            let (turned, carried) = (square * slopes[k], ratios[k] * motion.bias[body]);
-            let bias = turned + carried;
+            motion.drift[unknown] = ratio * motion.drift[body];
+            let bias = square * slope + ratio * motion.bias[body];
             motion.bias[unknown] = bias.named(format!("bias_{}_{k}", dyad.closure));
             motion.set_rate(coordinates, unknown);
         }
     }
 
     /// `u`, `w` and their derivatives.
-    fn ratios(&self, motion: &Motion, (dyad, own): (&Dyad, &Own), reciprocal: Expr) -> (Vec2, Vec2) {
-        let named = |values: Vec2, what: &str| {
-            [0, 1].map(|k| {
-                let value = values[k] * reciprocal;
-                value.named(format!("{what}_{}_{k}", dyad.closure))
-            })
+    fn ratios(
+        &self,
+        motion: &Motion,
+        (dyad, own): (&Dyad, &Own),
+        reciprocal: Expr,
+    ) -> ([Expr; 2], [Expr; 2]) {
+        let over_determinant = |values: [Expr; 2], what: &str| {
+            let [first, second] = values;
+            let first = (first * reciprocal).named(format!("{what}_{}_0", dyad.closure));
+            [first, (second * reciprocal).named(format!("{what}_{}_1", dyad.closure))]
         };
         let a = (self.class, self.arm);
-        let unit = [Expr::ONE, Expr::ZERO];
-        let with_p = motion.products(a, (own.p, unit));
-        let with_r = motion.products(a, own.r);
-        let ratios = named([-with_r[1], with_p[1]], "ratio");
-        let squares = ratios.map(|ratio| ratio.powi(2));
-        let by_w = own.rr.map_or([Expr::ZERO; 2], |rr| [rr, own.pr]);
-        let inward = |first: Expr, by_u: Expr, by_w: Expr| {
-            let terms = [first, squares[0] * by_u, squares[1] * by_w];
-            algebra::sum(&terms)
-        };
-        let sums = [inward(with_r[0], own.pr, by_w[0]), inward(with_p[0], own.pp, by_w[1])];
-        let slopes = named([sums[0], -sums[1]], "slope");
-        (ratios, slopes)
+        let ap = motion.products(a, (own.p, Vec2::X));
+        let ar = motion.products(a, own.r);
+        let [u, w] = over_determinant([-ar.cross, ap.cross], "ratio");
+        let (uu, ww) = (u.squared(), w.squared());
+        let Own { pp, pr, .. } = *own;
+        // A slide along the ground does not turn.
+        let (rr, rp) = own.rr.map_or((Expr::ZERO, Expr::ZERO), |rr| (rr, pr));
+        let inward = [ar.dot + uu * pr + ww * rr, ap.dot + uu * pp + ww * rp];
+        ([u, w], over_determinant([inward[0], -inward[1]], "slope"))
     }
 }

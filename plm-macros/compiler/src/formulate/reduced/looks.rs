@@ -48,11 +48,9 @@ impl Layout<'_> {
     ) -> Expr {
         let mut bounds: Vec<Expr> = Vec::new();
         for (group, solution) in scheme.loops().zip(&motion.solutions) {
-            let own = solution.square / solution.scale;
-            let own = own.sqrt();
+            let measure = (solution.square / solution.scale).sqrt();
             for speed in group.closing_in(self.coordinates, (rate, motion.length)) {
-                let speed = speed.abs();
-                bounds.push(speed / own);
+                bounds.push(speed.abs() / measure);
             }
             for unknown in group.unknowns() {
                 if matches!(self.coordinates.unknowns[unknown], Unknown::Angle { .. }) {
@@ -69,9 +67,7 @@ impl Layout<'_> {
         };
         let (part, whole) = CALM;
         let coordinates = i64::try_from(motion.drivers.len()).unwrap_or(1).max(1);
-        let [part, whole] = [part, whole * coordinates].map(Expr::from);
-        let calm = part / whole;
-        calm / fastest
+        Expr::from(part) / Expr::from(whole * coordinates) / fastest
     }
 
     /// The same of a pose and velocity, but for how far the coordinates may move.
@@ -84,9 +80,8 @@ impl Layout<'_> {
         flow.push((self.model.time, Expr::ONE));
         let areas = solutions.iter().map(|solution| solution.determinant).collect();
         motion.rate = algebra::directionals(&motion.value, &flow);
-        let zero = Expr::ZERO;
-        let places = scheme.drivers.iter().map(|&driver| [motion.value[driver], zero]);
-        let boxes = places.chain([[self.model.time, zero]]).collect();
+        let places = scheme.drivers.iter().map(|&driver| [motion.value[driver], Expr::ZERO]);
+        let boxes = places.chain([[self.model.time, Expr::ZERO]]).collect();
         self.remembered(&motion, (boxes, areas), &solutions)
     }
 

@@ -5,13 +5,12 @@
 //! `u'' = K y'' + b`, the velocity and acceleration coefficients of the mechanism (E. J. Haug, Computer Aided Kinematics
 //! and Dynamics of Mechanical Systems, 1989, section 3.6).
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Vec2};
 
 use super::chain::Chain;
 use super::coordinates::Coordinates;
 use super::dyad::Dyad;
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use super::solution::Solution;
 
 /// Unknowns of one closure that have been found.
@@ -46,14 +45,13 @@ pub(crate) fn differentiate_dyad(
     solution: &Solution,
     time: Expr,
 ) {
-    let reciprocal = solution.determinant.recip();
-    let reciprocal = reciprocal.named(format!("reciprocal_{}", dyad.closure));
+    let reciprocal = solution.determinant.recip().named(format!("reciprocal_{}", dyad.closure));
     if let Some((link, own)) = &solution.link {
         return link.differentiate(coordinates, motion, (dyad, own), reciprocal);
     }
     let [first, second] = solution.columns;
     let cramer = |sum: Vec2| {
-        let minors = [plane::cross(second, sum), plane::cross(sum, first)];
+        let minors = [second.cross(sum), sum.cross(first)];
         minors.map(|minor| minor * reciprocal).to_vec()
     };
     let found = Found { closure: dyad.closure, unknowns: &dyad.unknowns, solution, solve: &cramer };
@@ -114,7 +112,7 @@ impl<'a> Flow<'a> {
             .collect();
         let mut known: Vec<(usize, Vec2)> = Vec::new();
         for &(class, arm) in &arms {
-            known.extend(coordinates.angle_of_class[class].map(|angle| (angle, plane::left(arm))));
+            known.extend(coordinates.angle_of_class[class].map(|angle| (angle, arm.left())));
         }
         for (class, slide, vector) in closure.terms() {
             if let Some(slide) = slide {
@@ -123,10 +121,8 @@ impl<'a> Flow<'a> {
         }
         known.retain(|(unknown, _)| !sought.contains(unknown));
         // What a port of the ground that moves with the time adds.
-        let ground: Vec2 =
-            closure.of_class(0).filter(|(slide, _)| slide.is_none()).fold([Expr::ZERO; 2], |_, (_, d)| d);
-        let ground_rate = ground.map(|component| component.diff(time));
-        Flow { closure, arms, known, ground_rate }
+        let ground = closure.of_class(0).find(|(slide, _)| slide.is_none()).map_or(Vec2::ZERO, |(_, d)| d);
+        Flow { closure, arms, known, ground_rate: ground.diff(time) }
     }
 
     /// The closure's velocity when one coordinate moves at the rate 1.
@@ -136,8 +132,7 @@ impl<'a> Flow<'a> {
 
     /// Its velocity when no coordinate moves.
     pub(crate) fn drift(&self, motion: &Motion) -> Vec2 {
-        let drifts = weighted(&self.known, |unknown| motion.drift[unknown]);
-        plane::add(self.ground_rate, drifts)
+        self.ground_rate + weighted(&self.known, |unknown| motion.drift[unknown])
     }
 
     /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known. With a pace, over
@@ -145,40 +140,28 @@ impl<'a> Flow<'a> {
     pub(crate) fn bias(&self, motion: &Motion, time: Expr) -> Vec2 {
         let mut sum = weighted(&self.known, |unknown| motion.bias[unknown]);
         for &(class, arm) in &self.arms {
-            let turning = motion.turning[class];
-            let squared = turning.powi(2);
-            let inward = plane::scale(squared, arm);
-            sum = [0, 1].map(|i| sum[i] - inward[i]);
-            let coriolis = sliding(self.closure, class, motion, &|slide| motion.sliding(slide));
-            let twice = turning + turning;
-            let across = plane::left(coriolis);
-            let across = plane::scale(twice, across);
-            sum = plane::add(sum, across);
+            let omega = motion.turning[class];
+            sum -= omega.squared() * arm;
+            let sliding = sliding(self.closure, class, motion);
+            // Coriolis: 2 omega J v.
+            sum += (omega + omega) * sliding.left();
         }
-        let moved = self.ground_rate.map(|component| component.diff(time));
-        plane::add(sum, moved)
+        sum + self.ground_rate.diff(time)
     }
 }
 
-/// Velocity of a loop's vector in the axes of its class, turned into absolute ones, by the rates of slides.
-fn sliding(closure: &Chain, class: usize, motion: &Motion, rate: &dyn Fn(usize) -> Expr) -> Vec2 {
-    let mut sum = [Expr::ZERO; 2];
-    for (slide, vector) in closure.of_class(class) {
-        if let Some(slide) = slide {
+/// How fast the vector of a loop changes in the axes of its class, turned into absolute ones: by the rates of its slides.
+fn sliding(closure: &Chain, class: usize, motion: &Motion) -> Vec2 {
+    let slides = closure.of_class(class).filter_map(|(slide, vector)| Some((slide?, vector)));
+    slides
+        .map(|(slide, vector)| {
             let along = motion.turned(class, vector);
-            let along = plane::scale(rate(slide), along);
-            sum = plane::add(sum, along);
-        }
-    }
-    sum
+            motion.sliding(slide) * along
+        })
+        .sum()
 }
 
 /// `sum of g_j w_j`.
 fn weighted(columns: &[(usize, Vec2)], weight: impl Fn(usize) -> Expr) -> Vec2 {
-    let mut sum = [Expr::ZERO; 2];
-    for &(unknown, column) in columns {
-        let own = plane::scale(weight(unknown), column);
-        sum = plane::add(sum, own);
-    }
-    sum
+    columns.iter().map(|&(unknown, column)| weight(unknown) * column).sum()
 }

@@ -1,6 +1,6 @@
 //! What a formulation with loops remembers from the last state that was looked at.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Rotation};
 
 use super::coordinates::{Coordinates, Unknown};
 
@@ -122,25 +122,21 @@ impl Memory {
     pub(crate) fn moved(&self, unknown: usize, time: Expr) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
         let [last, _] = *self.boxes.last()?;
-        let passed = time - last;
-        let passed = passed.named("since_look");
-        let bent = passed * bend;
-        let slope = rate + bent;
-        let slope = slope.named("slope");
+        let passed = (time - last).named("since_look");
+        let slope = (rate + passed * bend).named("slope");
         Some([value, passed * slope])
     }
 
-    /// Cosine and sine of an angle as remembered.
-    pub(crate) fn axis(&self, unknown: usize) -> Option<[Expr; 2]> {
+    /// An angle as remembered.
+    pub(crate) fn rotation(&self, unknown: usize) -> Option<Rotation> {
         let [_, cos, sin] = (*self.angles.get(unknown)?)?;
-        Some([cos, sin])
+        Some(Rotation { cos, sin })
     }
 
-    /// The angle with the cosine and sine `axis` that is nearest to the one remembered.
-    pub(crate) fn unwound(&self, unknown: usize, axis: [Expr; 2]) -> Option<Expr> {
-        let [angle, cos, sin] = (*self.angles.get(unknown)?)?;
-        let turned = super::plane::turned_back(axis, [cos, sin]);
-        let by = turned[1].atan2(turned[0]);
-        Some(angle + by)
+    /// The angle of a rotation that is nearest to the one remembered.
+    pub(crate) fn unwound(&self, unknown: usize, rotation: Rotation) -> Option<Expr> {
+        let [angle, ..] = (*self.angles.get(unknown)?)?;
+        let by = Rotation::between(self.rotation(unknown)?.axis(), rotation.axis());
+        Some(angle + by.sin.atan2(by.cos))
     }
 }

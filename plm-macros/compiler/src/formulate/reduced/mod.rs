@@ -20,12 +20,12 @@ mod loops;
 mod memory;
 mod motion;
 mod newton;
-mod plane;
 mod reactions;
 mod redundant;
 mod rows;
 mod single;
 mod solution;
+mod spatial;
 
 use plm_cas::{Expr, algebra};
 
@@ -364,9 +364,9 @@ fn pose(model: &Model, coordinates: &Coordinates, motion: &Motion) -> Function {
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for body in 0..model.bodies.len() {
         let heading = coordinates.headings[body];
-        q.extend(motion.position[body]);
+        q.extend(motion.position[body].components());
         q.push(motion.angle(coordinates, heading));
-        v.extend(motion.velocity[body]);
+        v.extend(motion.velocity[body].components());
         v.push(motion.omega[heading.class]);
     }
     let mut results = stored("q", q.iter());

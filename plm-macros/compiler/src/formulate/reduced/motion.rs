@@ -1,13 +1,12 @@
 //! How the unknowns and the bodies move when the coordinates do.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Rotation, Vec2};
 
 use super::bases::Bases;
 use super::chain::Chain;
 use super::charts::Scheme;
-use super::coordinates::{Coordinates, Heading, Unknown};
+use super::coordinates::{Coordinates, Heading, Hold, Unknown};
 use super::memory::Memory;
-use super::plane::{self, Vec2};
 use super::solution::Solution;
 use crate::model::{FrameRef, Model};
 
@@ -36,13 +35,13 @@ pub(crate) struct Motion {
     /// times the pace, all that velocities ask for is a function of the pose times its square. Such a function need not
     /// wait for the velocity.
     pub(crate) pace: Option<Expr>,
-    /// Cosine and sine of each class.
-    pub(crate) axis: Vec<Vec2>,
+    /// How far each class is turned.
+    pub(crate) rotation: Vec<Rotation>,
     /// Vectors that turn with the classes, and their products.
     pub(crate) bases: Bases,
     /// Angular velocity of each class.
     pub(crate) omega: Vec<Expr>,
-    /// The same; with a pace, over it.
+    /// Angular velocity of each class; with a pace, over it.
     pub(crate) turning: Vec<Expr>,
     /// G of each body.
     pub(crate) position: Vec<Vec2>,
@@ -75,7 +74,7 @@ impl Motion {
             motion.gain[unknown][place] = Expr::ONE;
             motion.drivers.push(unknown);
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                motion.axis[class] = [value.cos(), value.sin()];
+                motion.rotation[class] = Rotation::by(value);
                 motion.omega[class] = rate;
                 motion.turning[class] = if paced { Expr::ONE } else { rate };
             }
@@ -96,7 +95,7 @@ impl Motion {
             let value = of_pose(model, coordinates, unknown);
             motion.value[k] = value;
             if let Unknown::Angle { class, .. } = unknown {
-                motion.axis[class] = [value.cos(), value.sin()];
+                motion.rotation[class] = Rotation::by(value);
             }
         }
         motion
@@ -116,7 +115,7 @@ impl Motion {
             drift: zeros.clone(),
             bias: zeros,
             pace: None,
-            axis: vec![[Expr::ONE, Expr::ZERO]; classes],
+            rotation: vec![Rotation::IDENTITY; classes],
             bases: Bases::default(),
             omega: vec![Expr::ZERO; classes],
             turning: vec![Expr::ZERO; classes],
@@ -129,34 +128,26 @@ impl Motion {
 
     /// The vector of a loop in the axes of a class, without some slides.
     pub(crate) fn arm(&self, chain: &Chain, class: usize, without: &[usize]) -> Vec2 {
-        let mut sum = [Expr::ZERO; 2];
-        for (slide, vector) in chain.of_class(class) {
-            let vector = match slide {
-                Some(slide) if without.contains(&slide) => continue,
-                Some(slide) => plane::scale(self.value[slide], vector),
-                None => vector,
-            };
-            sum = plane::add(sum, vector);
-        }
-        sum
+        let vectors =
+            chain.of_class(class).filter(|(slide, _)| slide.is_none_or(|slide| !without.contains(&slide)));
+        vectors.map(|(slide, vector)| slide.map_or(vector, |slide| self.value[slide] * vector)).sum()
     }
 
     /// The vector of a loop that turns with a class, in absolute axes.
     pub(crate) fn whole_arm(&self, chain: &Chain, class: usize) -> Vec2 {
-        let arm = self.arm(chain, class, &[]);
-        self.turned(class, arm)
+        self.turned(class, self.arm(chain, class, &[]))
     }
 
     /// Names the vector of a loop that turns with an unknown angle.
     pub(crate) fn name_arm(&self, unknown: usize, arm: Vec2) -> Vec2 {
         let name = self.names[unknown].trim_end_matches(".angle");
-        [arm[0].named(format!("{name}.arm_x")), arm[1].named(format!("{name}.arm_y"))]
+        arm.named(format!("{name}.arm"))
     }
 
-    /// Writes the axis of a class.
-    pub(crate) fn turn_class(&mut self, unknown: usize, class: usize, axis: Vec2) {
+    /// Writes how far a class is turned.
+    pub(crate) fn turn_class(&mut self, unknown: usize, class: usize, rotation: Rotation) {
         let name = self.names[unknown].trim_end_matches(".angle");
-        self.axis[class] = [axis[0].named(format!("{name}.cos")), axis[1].named(format!("{name}.sin"))];
+        self.rotation[class] = rotation.named(format!("{name}.cos"), format!("{name}.sin"));
     }
 
     /// Writes the value of a slide.
@@ -168,11 +159,9 @@ impl Motion {
 
     /// Writes the rate of an unknown whose coefficients are known.
     pub(crate) fn set_rate(&mut self, coordinates: &Coordinates, unknown: usize) {
-        let mut terms = vec![self.drift[unknown]];
-        for (place, &driver) in self.drivers.iter().enumerate() {
-            terms.push(self.gain[unknown][place] * self.rate[driver]);
-        }
-        let rate = algebra::sum(&terms);
+        let driven = self.drivers.iter().enumerate();
+        let driven = driven.map(|(place, &driver)| self.gain[unknown][place] * self.rate[driver]);
+        let rate: Expr = [self.drift[unknown]].into_iter().chain(driven).sum();
         let rate = rate.named(format!("{}.rate", self.names[unknown]));
         self.rate[unknown] = rate;
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
@@ -191,64 +180,52 @@ impl Motion {
 
     /// Positions and velocities from the ground outwards, each from the one before.
     fn place(&mut self, model: &Model, coordinates: &Coordinates) {
-        let zero = [Expr::ZERO; 2];
-        self.position = vec![zero; model.bodies.len()];
-        self.velocity = vec![zero; model.bodies.len()];
+        self.position = vec![Vec2::ZERO; model.bodies.len()];
+        self.velocity = vec![Vec2::ZERO; model.bodies.len()];
         for hold in &coordinates.order {
             let body = hold.body;
-            let names = &model.bodies[body];
             let Some(joint) = hold.joint else {
-                for axis in 0..2 {
-                    let centre = Unknown::Centre { body, axis };
-                    let Some(unknown) = coordinates.unknowns.iter().position(|&of| of == centre) else {
-                        continue;
-                    };
-                    self.position[body][axis] = self.value[unknown];
-                    self.velocity[body][axis] = self.rate[unknown];
-                }
+                let centre = [0, 1].map(|axis| coordinates.centre(body, axis));
+                self.position[body] =
+                    Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| self.value[k])));
+                self.velocity[body] =
+                    Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| self.rate[k])));
                 continue;
             };
-            let joint = coordinates.joints[joint];
-            let negative = joint.b.body != Some(body);
-            let mut position = hold.parent.map_or(zero, |parent| self.position[parent]);
-            let mut velocity = hold.parent.map_or(zero, |parent| self.velocity[parent]);
-            let (class, start) = coordinates.arm(model, joint.a);
-            let mut out = start;
-            if let Some(slide) = joint.slide {
-                let (_, axis) = coordinates.axis(model, joint.a);
-                let along = plane::scale(self.value[slide], axis);
-                out = plane::add(out, along);
-                let speed = plane::scale(self.rate[slide], axis);
-                let speed = self.turned(class, speed);
-                velocity = signed_sum(velocity, speed, negative);
-            }
-            let (other, back) = coordinates.arm(model, joint.b);
-            for (class, arm, fixed, negative) in
-                [(class, out, start, negative), (other, back, back, !negative)]
-            {
-                let arm = self.turned(class, arm);
-                position = signed_sum(position, arm, negative);
-                // A port of the ground may move with the time.
-                if class == 0 {
-                    let drift = fixed.map(|component| component.diff(model.time));
-                    velocity = signed_sum(velocity, drift, negative);
-                }
-                let across = plane::left(arm);
-                let across = plane::scale(self.omega[class], across);
-                velocity = signed_sum(velocity, across, negative);
-            }
-            let named = |value: Vec2, kind: [&str; 2]| {
-                [0, 1].map(|i| value[i].named(format!("{}.{}", names.name.text, kind[i])))
-            };
-            self.position[body] = named(position, ["x", "y"]);
-            self.velocity[body] = named(velocity, ["vx", "vy"]);
+            let (position, velocity) = self.beyond(model, coordinates, hold, joint);
+            let name = &model.bodies[body].name.text;
+            self.position[body] =
+                Vec2::new(position.x.named(format!("{name}.x")), position.y.named(format!("{name}.y")));
+            self.velocity[body] =
+                Vec2::new(velocity.x.named(format!("{name}.vx")), velocity.y.named(format!("{name}.vy")));
         }
     }
 
-    /// Cosine and sine of a body's own angle.
-    fn axis_of(&self, heading: Heading) -> Vec2 {
-        let offset = [heading.offset.cos(), heading.offset.sin()];
-        self.turned(heading.class, offset)
+    /// Position and velocity of G of a body beyond a joint.
+    fn beyond(&self, model: &Model, coordinates: &Coordinates, hold: &Hold, joint: usize) -> (Vec2, Vec2) {
+        let joint = coordinates.joints[joint];
+        let outward = joint.b.body == Some(hold.body);
+        let signed = |vector: Vec2, positive: bool| if positive { vector } else { -vector };
+        let mut position = hold.parent.map_or(Vec2::ZERO, |parent| self.position[parent]);
+        let mut velocity = hold.parent.map_or(Vec2::ZERO, |parent| self.velocity[parent]);
+        let (class, start) = coordinates.arm(model, joint.a);
+        let mut out = start;
+        if let Some(slide) = joint.slide {
+            let (_, axis) = coordinates.axis(model, joint.a);
+            out += self.value[slide] * axis;
+            velocity += signed(self.turned(class, self.rate[slide] * axis), outward);
+        }
+        let (other, back) = coordinates.arm(model, joint.b);
+        for (class, arm, fixed, positive) in [(class, out, start, outward), (other, back, back, !outward)] {
+            let arm = self.turned(class, arm);
+            position += signed(arm, positive);
+            // A port of the ground may move with the time.
+            if class == 0 {
+                velocity += signed(fixed.diff(model.time), positive);
+            }
+            velocity += signed(self.omega[class] * arm.left(), positive);
+        }
+        (position, velocity)
     }
 
     fn substitute_headings(&mut self, model: &Model, coordinates: &Coordinates) {
@@ -257,13 +234,12 @@ impl Motion {
             let heading = coordinates.headings[body];
             let angle = self.angle(coordinates, heading);
             let omega = self.omega[heading.class];
-            let [cos, sin] = self.axis_of(heading);
+            let axis = self.turned(heading.class, Rotation::by(heading.offset).axis());
             let [x, y, theta] = declared.q;
             let [vx, vy, spin] = declared.v;
-            let (own_cos, own_sin) = (theta.cos(), theta.sin());
-            pairs.extend([(own_cos, cos), (own_sin, sin), (theta, angle), (spin, omega)]);
-            pairs.extend([x, y].into_iter().zip(self.position[body]));
-            pairs.extend([vx, vy].into_iter().zip(self.velocity[body]));
+            pairs.extend([(theta.cos(), axis.x), (theta.sin(), axis.y), (theta, angle), (spin, omega)]);
+            pairs.extend([x, y].into_iter().zip(self.position[body].components()));
+            pairs.extend([vx, vy].into_iter().zip(self.velocity[body].components()));
         }
         pairs.retain(|(old, new)| old != new);
         self.substitution = pairs;
@@ -286,25 +262,21 @@ pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown
             let frames = &model.parts[part].frames;
             let (a, b) = (frames[0], frames[1]);
             let (start, end) = (point(model, a), point(model, b));
-            let between = [0, 1].map(|i| end[i] - start[i]);
+            let between = end - start;
             let heading = coordinates.heading(a);
-            let own = super::coordinates::port(model, a).angle;
-            let angle = a.body.map_or(heading.offset, |body| model.bodies[body].q[2]);
-            let angle = angle + own;
-            let axis = [angle.cos(), angle.sin()];
-            plane::dot(between, axis)
+            let own = a.body.map_or(heading.offset, |body| model.bodies[body].q[2]);
+            let angle = own + super::coordinates::port(model, a).angle;
+            between.dot(Rotation::by(angle).axis())
         }
     }
 }
 
 /// Absolute position of a port as a function of the pose.
 fn point(model: &Model, frame: FrameRef) -> Vec2 {
-    let at = super::coordinates::port(model, frame).at;
+    let at = Vec2::from(super::coordinates::port(model, frame).at);
     let Some(body) = frame.body else { return at };
     let [x, y, theta] = model.bodies[body].q;
-    let axis = [theta.cos(), theta.sin()];
-    let arm = plane::turn(axis, at);
-    plane::add([x, y], arm)
+    Vec2::new(x, y) + Rotation::by(theta) * at
 }
 
 fn symbols(model: &Model, unknown: Unknown) -> (Expr, Expr) {
@@ -316,9 +288,4 @@ fn symbols(model: &Model, unknown: Unknown) -> (Expr, Expr) {
             (Expr::symbol(format!("s_{name}")), Expr::symbol(format!("v_{name}")))
         }
     }
-}
-
-fn signed_sum(a: Vec2, b: Vec2, negative: bool) -> Vec2 {
-    let b = if negative { b.map(|component| -component) } else { b };
-    plane::add(a, b)
 }

@@ -6,14 +6,13 @@
 //! only: a first solution `e` off is `e^2`, then with the same decomposition `e^3`, then `e^6` (J. F. Traub, Iterative
 //! Methods for the Solution of Equations, 1964). Whether that was enough is told by the gap that is left.
 
-use plm_cas::{Expr, Number, algebra};
+use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use super::coordinates::{Coordinates, Unknown};
 use super::elimination::{Column, Elimination, Plan};
 use super::loops::Flow;
 use super::memory::Memory;
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use super::solution::Solution;
 use crate::topology::Block;
 
@@ -22,7 +21,7 @@ pub(crate) const MOST_UNKNOWNS: usize = 8;
 /// Corrections with each decomposition of the Jacobian. One more decomposition is made at the solution, for the rates.
 const CORRECTIONS: [usize; 2] = [2, 1];
 /// The widest gap that counts as closed, in units in the last place of the scene's size.
-const CLOSED: i64 = 4096;
+const CLOSED: i32 = 4096;
 
 /// A block of loops with as many rows as unknowns.
 #[derive(Clone, Debug)]
@@ -52,13 +51,13 @@ impl Newton {
                     let vectors: Vec<(Option<usize>, Vec2)> = chain.of_class(class).collect();
                     match vectors.as_slice() {
                         [] => Column::Absent,
-                        &[(None, arm)] => Column::Constant(plane::dot(arm, arm)),
+                        &[(None, arm)] => Column::Constant(arm.dot(arm)),
                         _ => Column::Varying,
                     }
                 }
-                _ => chain
-                    .slide(unknown)
-                    .map_or(Column::Absent, |(_, axis)| Column::Constant(plane::dot(axis, axis))),
+                _ => {
+                    chain.slide(unknown).map_or(Column::Absent, |(_, axis)| Column::Constant(axis.dot(axis)))
+                }
             };
             squares.push(unknowns.iter().map(square).collect());
         }
@@ -117,20 +116,15 @@ impl Newton {
             let Some([value, moved]) = memory.moved(unknown, time) else { continue };
             let name = format!("{}_expected", motion.names[unknown]);
             let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] else {
-                let sum = value + moved;
-                let value = sum * motion.length;
-                motion.value[unknown] = value.named(&name);
+                motion.value[unknown] = ((value + moved) * motion.length).named(&name);
                 continue;
             };
-            let Some(axis) = memory.axis(unknown) else { continue };
+            let Some(rotation) = memory.rotation(unknown) else { continue };
             // tan(x / 2) = x / 2 (1 + x^2 / 12 + ...).
-            let square = moved.powi(2);
-            let [twelfth, half] = [12, 2].map(fraction);
-            let bend = square * twelfth;
-            let one = Expr::ONE;
-            let factor = one + bend;
-            let tangent = algebra::product(&[half, moved, factor]);
-            motion.axis[class] = rotated(axis, tangent, &name);
+            let [twelfth, half] = [12, 2].map(|n| Expr::from(n).recip());
+            let bend = moved.squared() * twelfth;
+            let tangent = algebra::product(&[half, moved, 1 + bend]);
+            motion.rotation[class] = turned_on(rotation, tangent, &name);
         }
     }
 
@@ -139,12 +133,10 @@ impl Newton {
         for (&unknown, &by) in self.unknowns.iter().zip(correction) {
             let name = format!("{}_{step}", motion.names[unknown]);
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                let half = fraction(-2);
-                let tangent = half * by;
-                motion.axis[class] = rotated(motion.axis[class], tangent, &name);
+                let tangent = Expr::from(-2).recip() * by;
+                motion.rotation[class] = turned_on(motion.rotation[class], tangent, &name);
             } else {
-                let value = motion.value[unknown] - by;
-                motion.value[unknown] = value.named(&name);
+                motion.value[unknown] = (motion.value[unknown] - by).named(&name);
             }
         }
     }
@@ -153,7 +145,7 @@ impl Newton {
     fn name_axes(&self, coordinates: &Coordinates, motion: &mut Motion) {
         for &unknown in &self.unknowns {
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                motion.turn_class(unknown, class, motion.axis[class]);
+                motion.turn_class(unknown, class, motion.rotation[class]);
             } else {
                 motion.set_slide(unknown, motion.value[unknown]);
             }
@@ -202,9 +194,7 @@ impl Newton {
             let moving = chain.classes().into_iter().filter(|&class| self.moves(coordinates, closure, class));
             let moving: Vec<usize> = moving.collect();
             let arms = moving.into_iter().map(|class| {
-                let arm = motion.whole_arm(chain, class);
-                let names = ["x", "y"].map(|axis| format!("arm{tag}_{closure}_{class}_{axis}"));
-                (class, [arm[0].named(&names[0]), arm[1].named(&names[1])])
+                (class, motion.whole_arm(chain, class).named(format!("arm{tag}_{closure}_{class}")))
             });
             arms.collect()
         };
@@ -222,15 +212,9 @@ impl Newton {
     fn known(&self, coordinates: &Coordinates, motion: &Motion) -> Vec<Vec2> {
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
-            let mut sum = [Expr::ZERO; 2];
-            for class in chain.classes() {
-                if !self.moves(coordinates, closure, class) {
-                    let arm = motion.whole_arm(chain, class);
-                    sum = plane::add(sum, arm);
-                }
-            }
-            let names = ["x", "y"].map(|axis| format!("loop_{closure}_{axis}"));
-            [sum[0].named(&names[0]), sum[1].named(&names[1])]
+            let still = chain.classes().into_iter().filter(|&class| !self.moves(coordinates, closure, class));
+            let sum: Vec2 = still.map(|class| motion.whole_arm(chain, class)).sum();
+            sum.named(format!("loop_{closure}"))
         };
         self.closures.iter().map(of_loop).collect()
     }
@@ -238,9 +222,8 @@ impl Newton {
     /// What the vectors of each loop sum to: zero at the solution.
     fn gap(&self, known: &[Vec2], arms: &[Arms], tag: &str) -> Vec<Vec2> {
         let of_loop = |((closure, known), arms): ((&usize, &Vec2), &Arms)| {
-            let sum = arms.iter().fold(*known, |sum, (_, arm)| plane::add(sum, *arm));
-            let names = ["x", "y"].map(|axis| format!("gap{tag}_{closure}_{axis}"));
-            [sum[0].named(&names[0]), sum[1].named(&names[1])]
+            let sum = arms.iter().fold(*known, |sum, (_, arm)| sum + *arm);
+            sum.named(format!("gap{tag}_{closure}"))
         };
         self.closures.iter().zip(known).zip(arms).map(of_loop).collect()
     }
@@ -257,10 +240,10 @@ impl Newton {
             let column = |&unknown: &usize| {
                 if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
                     let arm = arms.iter().find(|(own, _)| *own == class);
-                    return arm.map_or([Expr::ZERO; 2], |(_, arm)| plane::left(*arm));
+                    return arm.map_or(Vec2::ZERO, |(_, arm)| (*arm).left());
                 }
                 let slide = chain.slide(unknown);
-                slide.map_or([Expr::ZERO; 2], |(class, vector)| motion.turned(class, vector))
+                slide.map_or(Vec2::ZERO, |(class, vector)| motion.turned(class, vector))
             };
             self.unknowns.iter().map(column).collect()
         };
@@ -273,31 +256,18 @@ impl Newton {
 /// Did the iteration converge?
 fn is_closed(gap: &[Vec2], memory: &Memory, length: Expr) -> Expr {
     let Some(precision) = memory.precision() else { return Expr::ONE };
-    let squares: Vec<Expr> = gap.iter().flatten().map(|&gap| gap.powi(2)).collect();
-    let gap = algebra::sum(&squares);
-    let units = Expr::from(CLOSED);
-    let least = algebra::product(&[units, precision, length]);
-    let least = least.powi(2);
-    gap.less(least)
+    let squares: Expr = gap.iter().flat_map(|gap| gap.components()).map(Expr::squared).sum();
+    let least = algebra::product(&[Expr::from(CLOSED), precision, length]);
+    squares.less(least.squared())
 }
 
-/// `axis` turned by the angle with half the tangent `tangent`; its length is kept to rounding.
-fn rotated(axis: Vec2, tangent: Expr, name: &str) -> Vec2 {
-    let tangent = tangent.named(format!("{name}_tangent"));
-    let (one, square) = (Expr::ONE, tangent.powi(2));
-    let (numerator, denominator) = (tangent + tangent, one + square);
-    let sine = numerator / denominator;
-    let sine = sine.named(format!("{name}_sine"));
-    let [cos, sin] = axis;
-    let (first, second) = (tangent * cos, tangent * sin);
-    let (first, second) = (first + sin, cos - second);
-    let (by_first, by_second) = (sine * first, sine * second);
-    let (cos, sin) = (cos - by_first, sin + by_second);
-    [cos.named(format!("{name}_cos")), sin.named(format!("{name}_sin"))]
-}
-
-/// `1 / n`.
-fn fraction(n: i64) -> Expr {
-    let whole = Expr::from(Number::from_int(n));
-    whole.recip()
+/// A rotation, and another one after it by twice the angle with this tangent; its length is kept to rounding.
+fn turned_on(rotation: Rotation, tangent: Expr, name: &str) -> Rotation {
+    let t = tangent.named(format!("{name}_tangent"));
+    let denominator = 1 + t.squared();
+    let sine = ((t + t) / denominator).named(format!("{name}_sine"));
+    let Rotation { cos, sin } = rotation;
+    let (across, along) = (t * cos + sin, cos - t * sin);
+    let turned = Rotation { cos: cos - sine * across, sin: sin + sine * along };
+    turned.named(format!("{name}_cos"), format!("{name}_sin"))
 }

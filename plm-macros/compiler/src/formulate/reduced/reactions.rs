@@ -4,17 +4,14 @@
 //! multipliers of what holds it, those further out being known (J. Y. S. Luh, M. W. Walker, R. P. C. Paul, J. Dyn. Syst.
 //! Meas. Control 102, 1980: the recursive Newton-Euler method). So every joint costs a system of at most three rows.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2, algebra};
 
 use super::super::function::{Function, Section};
-use super::coordinates::{Joint, Unknown};
+use super::coordinates::Joint;
 use super::motion::Motion;
-use super::plane::{self, Vec2};
+use super::spatial::Spatial;
 use super::{Layout, stored};
 use crate::derive::SparseRow;
-
-/// Along x, along y, about z.
-type Triple = [Expr; 3];
 
 impl Layout<'_> {
     /// `a` of all bodies and `lambda` of all rows, where `rate` gives the accelerations of the coordinates; nothing if some
@@ -24,13 +21,12 @@ impl Layout<'_> {
         let of_drivers: Vec<Expr> = rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect();
         let second = second_derivatives(motion, &of_drivers);
         let acceleration = self.accelerations(motion, &second);
-        let a: Vec<Expr> = acceleration.iter().flatten().copied().collect();
+        let a: Vec<Expr> = acceleration.iter().flat_map(|a| a.0).collect();
         let phi_q = self.jacobian(motion);
         let force = algebra::substitute(&self.equations.force, &motion.substitution);
         let mut left: Vec<Vec<Expr>> = Vec::with_capacity(3 * bodies);
         for ((&force, &mass), &a) in force.iter().zip(&self.equations.mass).zip(&a) {
-            let inertial = mass * a;
-            left.push(vec![force, -inertial]);
+            left.push(vec![force, -(mass * a)]);
         }
         let (lambda, trace) = self.multipliers(&phi_q, left)?;
         let mut sections = rate.sections.clone();
@@ -52,29 +48,26 @@ impl Layout<'_> {
             let body = hold.body;
             let rows = (0..phi_q.len()).filter(|&row| lambda[row].is_none());
             let holding = rows.map(|row| (row, column(&phi_q[row], body)));
-            let holding: Vec<(usize, Triple)> =
-                holding.filter(|(_, column)| column.iter().any(|&entry| !entry.is_zero())).collect();
+            let holding: Vec<(usize, Spatial)> =
+                holding.filter(|(_, column)| *column != Spatial::ZERO).collect();
             if holding.is_empty() {
                 continue;
             }
+            let name = &self.model.bodies[body].name.text;
             let asked = [0, 1, 2].map(|axis| {
                 let sum = algebra::sum(&left[3 * body + axis]);
-                let name =
-                    format!("{}.left_{}", self.model.bodies[body].name.text, ["x", "y", "angle"][axis]);
-                sum.named(&name)
+                sum.named(format!("{name}.left_{}", ["x", "y", "angle"][axis]))
             });
-            let columns: Vec<Triple> = holding.iter().map(|held| held.1).collect();
+            let columns: Vec<Spatial> = holding.iter().map(|held| held.1).collect();
             let is_pair =
-                |&(row, _): &(usize, Triple)| self.model.parts[self.model.rows[row].part].pair.is_some();
-            let solution = solve(&columns, asked, holding.iter().all(is_pair))?;
+                |&(row, _): &(usize, Spatial)| self.model.parts[self.model.rows[row].part].pair.is_some();
+            let solution = solve(&columns, Spatial(asked), holding.iter().all(is_pair))?;
             for (&(row, _), value) in holding.iter().zip(solution) {
-                let name = format!("lambda_{}", self.model.rows[row].name);
-                let value = value.named(&name);
+                let value = value.named(format!("lambda_{}", self.model.rows[row].name));
                 trace.push(value);
                 lambda[row] = Some(value);
                 for &(column, entry) in phi_q[row].iter().filter(|(column, _)| column / 3 != body) {
-                    let passed = entry * value;
-                    left[column].push(-passed);
+                    left[column].push(-(entry * value));
                 }
             }
         }
@@ -82,36 +75,31 @@ impl Layout<'_> {
     }
 
     /// Accelerations of G and of the angle of every body.
-    fn accelerations(&mut self, motion: &Motion, second: &[Expr]) -> Vec<Triple> {
+    fn accelerations(&self, motion: &Motion, second: &[Expr]) -> Vec<Spatial> {
         let Layout { model, coordinates, .. } = *self;
-        let zero = Expr::ZERO;
-        let mut reached = vec![[zero; 3]; model.bodies.len()];
+        let mut reached = vec![Spatial::ZERO; model.bodies.len()];
         for hold in &coordinates.order {
             let body = hold.body;
-            let centre =
-                |axis| coordinates.unknowns.iter().position(|&u| u == Unknown::Centre { body, axis });
-            let from = hold.parent.map_or([zero; 2], |parent| [reached[parent][0], reached[parent][1]]);
-            let [x, y] = match hold.joint.map(|joint| coordinates.joints[joint]) {
-                None => [0, 1].map(|axis| centre(axis).map_or(zero, |unknown| second[unknown])),
+            let from = hold.parent.map_or(Vec2::ZERO, |parent| reached[parent].plane());
+            let a = match hold.joint.map(|joint| coordinates.joints[joint]) {
+                None => {
+                    let centre = [0, 1].map(|axis| coordinates.centre(body, axis));
+                    Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| second[k])))
+                }
                 Some(joint) => {
-                    let mut across = self.across(motion, second, &joint);
-                    if joint.b.body != Some(body) {
-                        across = plane::negated(across);
-                    }
-                    plane::add(from, across)
+                    let across = self.across(motion, second, &joint);
+                    from + if joint.b.body == Some(body) { across } else { -across }
                 }
             };
             let name = &model.bodies[body].name.text;
-            let x = x.named(format!("{name}.ax"));
-            let y = y.named(format!("{name}.ay"));
-            let class = coordinates.headings[body].class;
-            reached[body] = [x, y, self.alpha(second, class)];
+            let a = Vec2::new(a.x.named(format!("{name}.ax")), a.y.named(format!("{name}.ay")));
+            reached[body] = Spatial::new(a, self.alpha(second, coordinates.headings[body].class));
         }
         reached
     }
 
     /// How much more G of the body of `b` accelerates than G of the body of `a`.
-    fn across(&mut self, motion: &Motion, second: &[Expr], joint: &Joint) -> Vec2 {
+    fn across(&self, motion: &Motion, second: &[Expr], joint: &Joint) -> Vec2 {
         let Layout { model, coordinates, .. } = *self;
         let (near, start) = coordinates.arm(model, joint.a);
         let (far, back) = coordinates.arm(model, joint.b);
@@ -119,46 +107,28 @@ impl Layout<'_> {
         let mut sum = self.drifting(near, start);
         if let Some(slide) = joint.slide {
             let (_, axis) = coordinates.axis(model, joint.a);
-            let way = plane::scale(motion.value[slide], axis);
-            out = plane::add(out, way);
+            out += motion.value[slide] * axis;
             let along = motion.turned(near, axis);
-            let speeding = plane::scale(second[slide], along);
-            sum = plane::add(sum, speeding);
+            sum += second[slide] * along;
             // Coriolis: 2 omega s'.
             let turning = motion.omega[near] * motion.rate[slide];
-            let twice = turning + turning;
-            let sideways = plane::left(along);
-            let coriolis = plane::scale(twice, sideways);
-            sum = plane::add(sum, coriolis);
+            sum += (turning + turning) * along.left();
         }
-        let there = self.turning(motion, second, near, out);
-        sum = plane::add(sum, there);
-        for beyond in [self.drifting(far, back), self.turning(motion, second, far, back)] {
-            let beyond = plane::negated(beyond);
-            sum = plane::add(sum, beyond);
-        }
-        sum
+        sum += self.turning(motion, second, near, out);
+        sum -= self.drifting(far, back);
+        sum - self.turning(motion, second, far, back)
     }
 
-    /// `alpha x arm - omega^2 arm` of an arm in the axes of its class.
-    fn turning(&mut self, motion: &Motion, second: &[Expr], class: usize, arm: Vec2) -> Vec2 {
+    /// `alpha J arm - omega^2 arm` of an arm in the axes of its class.
+    fn turning(&self, motion: &Motion, second: &[Expr], class: usize, arm: Vec2) -> Vec2 {
         let alpha = self.alpha(second, class);
         let arm = motion.turned(class, arm);
-        let sideways = plane::left(arm);
-        let speeding = plane::scale(alpha, sideways);
-        let squared = motion.omega[class].powi(2);
-        let squared = -squared;
-        let inward = plane::scale(squared, arm);
-        plane::add(speeding, inward)
+        alpha * arm.left() + -motion.omega[class].squared() * arm
     }
 
     /// The acceleration of a port of the ground, which may move with the time.
-    fn drifting(&mut self, class: usize, at: Vec2) -> Vec2 {
-        if class > 0 {
-            return [Expr::ZERO; 2];
-        }
-        let speed = at.map(|component| component.diff(self.model.time));
-        speed.map(|component| component.diff(self.model.time))
+    fn drifting(&self, class: usize, at: Vec2) -> Vec2 {
+        if class > 0 { Vec2::ZERO } else { at.diff(self.model.time).diff(self.model.time) }
     }
 
     fn alpha(&self, second: &[Expr], class: usize) -> Expr {
@@ -176,10 +146,10 @@ impl Layout<'_> {
 }
 
 /// The entries of a row in the columns of a body.
-fn column(row: &SparseRow, body: usize) -> Triple {
-    let mut entries = [Expr::ZERO; 3];
+fn column(row: &SparseRow, body: usize) -> Spatial {
+    let mut entries = Spatial::ZERO;
     for &(column, entry) in row.iter().filter(|(column, _)| column / 3 == body) {
-        entries[column % 3] = entry;
+        entries.0[column % 3] = entry;
     }
     entries
 }
@@ -188,40 +158,36 @@ fn column(row: &SparseRow, body: usize) -> Triple {
 ///
 /// One force is the part of what is asked along its direction: the equations agree, so nothing is left across it. The direction
 /// of a row that is no pair's could vanish where it depends on the pose.
-fn solve(columns: &[Triple], asked: Triple, pairs: bool) -> Option<Vec<Expr>> {
-    let direction = |k: usize| [columns[k][0], columns[k][1]];
+fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> {
+    let direction = |k: usize| columns[k].plane();
     let (couples, forces): (Vec<usize>, Vec<usize>) =
-        (0..columns.len()).partition(|&k| plane::is_zero(direction(k)));
-    let [x, y, about] = asked;
+        (0..columns.len()).partition(|&k| direction(k).is_zero());
+    let force = asked.plane();
     let mut lambda = vec![Expr::ZERO; columns.len()];
     match forces[..] {
         [] => {}
         [one] => {
-            let along = plane::dot(direction(one), [x, y]);
-            let square = plane::dot(direction(one), direction(one));
+            let along = direction(one).dot(force);
+            let square = direction(one).squared();
             if !pairs && square.as_number().is_none() {
                 return None;
             }
             lambda[one] = along / square;
         }
         [first, second] => {
-            let determinant = plane::cross(direction(first), direction(second));
+            let determinant = direction(first).cross(direction(second));
             // What depends on the pose could vanish.
             determinant.as_number().filter(|number| !number.is_zero())?;
-            let numerators =
-                [plane::cross([x, y], direction(second)), plane::cross(direction(first), [x, y])];
-            [lambda[first], lambda[second]] = numerators.map(|value| value / determinant);
+            let minors = [force.cross(direction(second)), direction(first).cross(force)];
+            [lambda[first], lambda[second]] = minors.map(|minor| minor / determinant);
         }
         _ => return None,
     }
     match couples[..] {
         [] => {}
         [one] => {
-            let carried = forces.iter().map(|&k| columns[k][2] * lambda[k]);
-            let carried: Vec<Expr> = carried.collect();
-            let carried = algebra::sum(&carried);
-            let left = about - carried;
-            lambda[one] = left / columns[one][2];
+            let carried: Expr = forces.iter().map(|&k| columns[k].about() * lambda[k]).sum();
+            lambda[one] = (asked.about() - carried) / columns[one].about();
         }
         _ => return None,
     }
@@ -231,12 +197,11 @@ fn solve(columns: &[Triple], asked: Triple, pairs: bool) -> Option<Vec<Expr>> {
 /// Second derivatives of all unknowns from those of the coordinates.
 fn second_derivatives(motion: &Motion, of_drivers: &[Expr]) -> Vec<Expr> {
     // With a pace, what the velocities ask for is over its square.
-    let square = motion.pace.map_or(Expr::ONE, |pace| pace.powi(2));
+    let square = motion.pace.map_or(Expr::ONE, Expr::squared);
     let gains = motion.gain.iter().zip(&motion.bias);
     let values = gains.map(|(gains, &bias)| {
         let mut terms = vec![square * bias];
-        let zero = Expr::ZERO;
-        let moving = gains.iter().zip(of_drivers).filter(|(gain, _)| **gain != zero);
+        let moving = gains.iter().zip(of_drivers).filter(|(gain, _)| !gain.is_zero());
         terms.extend(moving.map(|(&gain, &value)| gain * value));
         algebra::sum(&terms)
     });

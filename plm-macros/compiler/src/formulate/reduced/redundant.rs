@@ -3,7 +3,7 @@
 //! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
 //! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2, algebra};
 
 use super::charts::{self, Scheme};
 use super::coordinates::{Coordinates, Unknown};
@@ -91,7 +91,7 @@ fn closes(
     let start = values_of(&drivers, &assembled.values);
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
-            let [x, y] = motion.position[body];
+            let Vec2 { x, y } = motion.position[body];
             [x, y, motion.angle(coordinates, coordinates.headings[body])]
         })
         .collect();

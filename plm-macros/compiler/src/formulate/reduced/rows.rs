@@ -1,10 +1,9 @@
 //! Rows that give one unknown as a function of others: prescribed motions, gears, a mass on a rod.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use super::coordinates::{Coordinates, Unknown};
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use crate::model::Model;
 
 /// `c u + rest(t, other unknowns) = 0` for one unknown u at least, with a constant c.
@@ -64,34 +63,23 @@ fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) 
         }
         let heading = coordinates.headings[body];
         let angle = coordinates.angle_of_class[heading.class].map_or(Expr::ZERO, |unknown| symbols[unknown]);
-        let axis = [angle.cos(), angle.sin()];
-        let offset = [heading.offset.cos(), heading.offset.sin()];
-        let own = plane::turn(axis, offset);
+        let own = Rotation::by(angle) * Rotation::by(heading.offset).axis();
         let theta = declared.q[2];
-        pairs.extend([(theta.cos(), own[0]), (theta.sin(), own[1])]);
+        pairs.extend([(theta.cos(), own.x), (theta.sin(), own.y)]);
         pairs.push((theta, angle + heading.offset));
         let place = place(coordinates, body, symbols);
-        pairs.extend([(declared.q[0], place[0]), (declared.q[1], place[1])]);
+        pairs.extend([(declared.q[0], place.x), (declared.q[1], place.y)]);
     }
     pairs
 }
 
 /// G of a body as a function of the unknowns.
 fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
-    let mut sum = [Expr::ZERO; 2];
-    for (class, slide, vector) in coordinates.centres[body].terms() {
-        let factor = slide.map_or(Expr::ONE, |slide| symbols[slide]);
-        let vector = plane::scale(factor, vector);
-        let turned = match coordinates.angle_of_class[class] {
-            Some(angle) => {
-                let axis = [symbols[angle].cos(), symbols[angle].sin()];
-                plane::turn(axis, vector)
-            }
-            None => vector,
-        };
-        sum = plane::add(sum, turned);
-    }
-    sum
+    let terms = coordinates.centres[body].terms().map(|(class, slide, vector)| {
+        let vector = slide.map_or(Expr::ONE, |slide| symbols[slide]) * vector;
+        coordinates.angle_of_class[class].map_or(vector, |angle| Rotation::by(symbols[angle]) * vector)
+    });
+    terms.sum()
 }
 
 /// Solves a row for one unknown and writes its value, coefficients and rate.
@@ -107,8 +95,7 @@ pub(crate) fn solve(
     };
     let others: Vec<(usize, Expr)> = row.held.iter().copied().filter(|(of, _)| *of != unknown).collect();
     let symbol = row.held.iter().find(|(of, _)| *of == unknown).map_or(time, |found| found.1);
-    let zero = Expr::ZERO;
-    let rest = algebra::substitute(&[row.phi], &[(symbol, zero)])[0];
+    let rest = algebra::substitute(&[row.phi], &[(symbol, Expr::ZERO)])[0];
     let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect();
     // Along the motion, but for the second derivatives of the other unknowns.
     let rates = others.iter().map(|&(of, _)| Expr::symbol(format!("u_rate_{of}")));
@@ -126,25 +113,23 @@ pub(crate) fn solve(
     roots.extend(&slopes);
     let roots = algebra::substitute(&roots, &pairs);
     let (&[rest, by_time, curvature], slopes) = roots.split_at(3) else { return };
-    let sum = |start: Expr, of: &dyn Fn(usize) -> Expr| {
-        let mut terms = vec![start];
-        terms.extend(others.iter().zip(slopes).map(|(&(other, _), &slope)| slope * of(other)));
-        let sum = algebra::sum(&terms);
-        let sum = -sum;
-        sum / own
+    // `c u + rest = 0`, and its derivatives.
+    let solved = |start: Expr, of: &dyn Fn(usize) -> Expr| {
+        let carried = others.iter().zip(slopes).map(|(&(other, _), &slope)| slope * of(other));
+        let sum: Expr = [start].into_iter().chain(carried).sum();
+        -sum / own
     };
-    let value = -rest;
-    let value = value / own;
-    let drift = sum(by_time, &|other| motion.drift[other]);
-    let bias = sum(curvature, &|other| motion.bias[other]);
+    let value = -rest / own;
+    let drift = solved(by_time, &|other| motion.drift[other]);
+    let bias = solved(curvature, &|other| motion.bias[other]);
     for driver in 0..motion.drivers.len() {
-        let gain = sum(zero, &|other| motion.gain[other][driver]);
+        let gain = solved(Expr::ZERO, &|other| motion.gain[other][driver]);
         motion.gain[unknown][driver] = gain;
     }
     let value = motion.set_slide(unknown, value);
     (motion.drift[unknown], motion.bias[unknown]) = (drift, bias);
     if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-        motion.axis[class] = [value.cos(), value.sin()];
+        motion.rotation[class] = Rotation::by(value);
     }
     motion.set_rate(coordinates, unknown);
 }
@@ -154,9 +139,8 @@ fn known(coordinates: &Coordinates, motion: &Motion, others: &[(usize, Expr)]) -
     let mut pairs = Vec::new();
     for &(unknown, symbol) in others {
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-            let along = [Expr::ONE, Expr::ZERO];
-            let [cos, sin] = motion.turned(class, along);
-            pairs.extend([(symbol.cos(), cos), (symbol.sin(), sin)]);
+            let axis = motion.turned(class, Vec2::X);
+            pairs.extend([(symbol.cos(), axis.x), (symbol.sin(), axis.y)]);
         }
         pairs.push((symbol, motion.value[unknown]));
     }

@@ -4,13 +4,12 @@
 //! looked at: a mismatch of more than a billionth of the length (`f32`: of a hundred-thousandth) makes the loop one that
 //! cannot be closed.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Rotation, Vec2};
 
 use super::coordinates::{Coordinates, Unknown};
 use super::dyad::known;
 use super::loops::{self, Found};
 use super::motion::Motion;
-use super::plane::{self, Vec2};
 use super::solution::Solution;
 
 /// The one unknown of a loop.
@@ -41,40 +40,22 @@ impl Single {
         let m = known(chain, turning, &[self.unknown], motion);
         let (column, length, mismatch, arms) = if turns {
             let arm = motion.arm(chain, self.class, &[]);
-            let square = plane::dot(arm, arm);
-            let p = plane::negated(m);
-            let p = motion.name_arm(self.unknown, p);
-            let axis = [plane::dot(arm, p), plane::cross(arm, p)];
-            let axis = axis.map(|product| product / square);
-            motion.turn_class(self.unknown, self.class, axis);
-            let distance = plane::dot(p, p);
-            let mismatch = distance - square;
-            let twice = square + square;
-            (plane::left(p), square, mismatch / twice, vec![(self.class, p)])
+            let square = arm.squared();
+            let p = motion.name_arm(self.unknown, -m);
+            motion.turn_class(self.unknown, self.class, Rotation::between(arm, p) / square);
+            let mismatch = (p.squared() - square) / (square + square);
+            (p.left(), square, mismatch, vec![(self.class, p)])
         } else {
-            let vector = chain.slide(self.unknown).map_or([Expr::ZERO; 2], |slide| slide.1);
+            let vector = chain.slide(self.unknown).map_or(Vec2::ZERO, |slide| slide.1);
             let e = motion.turned(self.class, vector);
-            let along = plane::dot(m, e);
-            let along = -along;
-            motion.set_slide(self.unknown, along);
-            let aside = plane::cross(m, e);
-            (e, Expr::ONE, aside / motion.length, Vec::new())
+            motion.set_slide(self.unknown, -m.dot(e));
+            (e, Expr::ONE, m.cross(e) / motion.length, Vec::new())
         };
-        let mismatch = mismatch * motion.agreement;
-        let mismatch = mismatch.powi(2);
-        let one = Expr::ONE;
-        let square = one - mismatch;
-        let zero = Expr::ZERO;
+        let square = 1 - (mismatch * motion.agreement).squared();
         // Zero where it does not close, and of the size of a dyad's.
-        let closes = square.max(zero);
-        let area = motion.length.powi(2);
-        let determinant = area * closes;
+        let determinant = motion.length.squared() * square.max(Expr::ZERO);
         let solution = Solution { determinant, square, arms, ..Solution::certain() };
-        let nearest = |sum: Vec2| {
-            let along = plane::dot(sum, column);
-            let along = -along;
-            vec![along / length]
-        };
+        let nearest = |sum: Vec2| vec![-sum.dot(column) / length];
         let found =
             Found { closure: self.closure, unknowns: &[self.unknown], solution: &solution, solve: &nearest };
         loops::differentiate(coordinates, motion, &found, time);

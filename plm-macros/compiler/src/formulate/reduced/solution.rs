@@ -1,9 +1,8 @@
 //! What the solution of a loop leaves for those who come after.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Vec2};
 
 use super::link::{Link, Own};
-use super::plane::Vec2;
 
 /// What a dyad's solution leaves for velocities and for the choice of charts.
 #[derive(Clone, Debug)]
@@ -25,26 +24,18 @@ pub(crate) struct Solution {
 impl Solution {
     /// Of a group without mirror images that a sign could tell apart: the square of its measure, and whether it is closed.
     pub(crate) fn of_measure(measure: Expr, closed: Expr) -> Solution {
-        let (one, open) = (Expr::ONE, Expr::from(-1));
-        let columns = [[Expr::ZERO; 2]; 2];
-        Solution {
-            determinant: closed.select(one, Expr::ZERO),
-            square: closed.select(measure, open),
-            scale: one,
-            columns,
-            arms: Vec::new(),
-            link: None,
-        }
+        let determinant = closed.select(Expr::ONE, Expr::ZERO);
+        let square = closed.select(measure, Expr::from(-1));
+        Solution { determinant, square, ..Solution::certain() }
     }
 
     /// A loop that has nothing to decide.
     pub(crate) fn certain() -> Solution {
-        let (zero, one) = ([Expr::ZERO; 2], Expr::ONE);
         Solution {
-            determinant: one,
-            square: one,
-            scale: one,
-            columns: [zero; 2],
+            determinant: Expr::ONE,
+            square: Expr::ONE,
+            scale: Expr::ONE,
+            columns: [Vec2::ZERO; 2],
             arms: Vec::new(),
             link: None,
         }

@@ -19,7 +19,7 @@ mod unknowns;
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2, algebra};
 
 use self::rows::Way;
 use self::unknowns::Unknowns;
@@ -112,32 +112,24 @@ fn known(
     ways: &[Way],
 ) -> (Vec<(Expr, Expr)>, Vec<Section>) {
     let applied = loads(model, motion);
-    let zero = Expr::ZERO;
     let mut pairs = motion.substitution.clone();
     let (mut outward, mut inward) = (Vec::new(), Vec::new());
-    let mut reached = vec![[zero; 2]; model.bodies.len()];
+    let mut reached = vec![Vec2::ZERO; model.bodies.len()];
     for (hold, way) in coordinates.order.iter().zip(ways) {
-        for i in 0..2 {
-            let start = hold.parent.map_or(zero, |parent| reached[parent][i]);
-            let sum = start + way.acceleration[i];
-            reached[hold.body][i] = sum.named(["a_x", "a_y"][i]);
-            outward.push(reached[hold.body][i]);
-        }
+        let start = hold.parent.map_or(Vec2::ZERO, |parent| reached[parent]);
+        reached[hold.body] = (start + way.acceleration).named("a");
+        outward.extend(reached[hold.body].components());
     }
-    let mut passed = vec![[zero; 2]; model.bodies.len()];
+    let mut passed = vec![Vec2::ZERO; model.bodies.len()];
     for hold in coordinates.order.iter().rev() {
         let body = hold.body;
-        for i in 0..2 {
-            let against = reached[body][i] - model.gravity[i];
-            let inertial = model.bodies[body].mass * against;
-            let own = inertial - applied[body][i];
-            let sum = passed[body][i] + own;
-            let force = sum.named(["force_x", "force_y"][i]);
-            inward.push(force);
-            pairs.push((unknowns.forces[body][i], force));
-            if let Some(parent) = hold.parent {
-                passed[parent][i] += force;
-            }
+        let [fx, fy, _] = applied[body];
+        let inertial = model.bodies[body].mass * (reached[body] - Vec2::from(model.gravity));
+        let force = (passed[body] + (inertial - Vec2::new(fx, fy))).named("force");
+        inward.extend(force.components());
+        pairs.extend(unknowns.forces[body].components().into_iter().zip(force.components()));
+        if let Some(parent) = hold.parent {
+            passed[parent] += force;
         }
     }
     let outward = Section::new("Accelerations of G of the bodies", outward);

@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2, algebra};
 
 use super::super::coordinates::{Coordinates, Hold};
 use super::super::motion::Motion;
-use super::super::plane::{self, Vec2};
 use super::Part;
 use super::unknowns::{Kind, Unknowns};
 use crate::model::Model;
@@ -61,15 +60,13 @@ impl Rows<'_> {
     }
 
     fn add_term(&mut self, key: (usize, usize, Part), value: Expr) {
-        let old = self.terms.get(&key).copied().unwrap_or(Expr::ZERO);
-        let sum = old + value;
-        self.terms.insert(key, sum);
+        *self.terms.entry(key).or_insert(Expr::ZERO) += value;
     }
 
     /// From G of the body that holds it, or from the origin, to G of a body.
     fn way(&mut self, hold: &Hold) -> Way {
         let place = self.place(hold);
-        let symbols = algebra::symbols(&place);
+        let symbols = algebra::symbols(&place.components());
         let touches = |k: &usize| symbols.binary_search(&self.motion.value[*k]).is_ok();
         let touched: Vec<usize> = (0..self.motion.value.len()).filter(touches).collect();
         let mut flow = vec![(self.model.time, Expr::ONE)];
@@ -86,20 +83,19 @@ impl Rows<'_> {
         let Rows { model, coordinates, motion, .. } = self;
         let Some(joint) = hold.joint else {
             let declared = &model.bodies[hold.body];
-            return [declared.q[0], declared.q[1]];
+            return Vec2::new(declared.q[0], declared.q[1]);
         };
         let joint = coordinates.joints[joint];
         let (class, mut out) = coordinates.arm(model, joint.a);
         if let Some(slide) = joint.slide {
             let (_, axis) = coordinates.axis(model, joint.a);
-            let along = plane::scale(motion.value[slide], axis);
-            out = plane::add(out, along);
+            out += motion.value[slide] * axis;
         }
         let out = motion.turned(class, out);
         let (class, back) = coordinates.arm(model, joint.b);
         let back = motion.turned(class, back);
-        let way = [0, 1].map(|i| out[i] - back[i]);
-        if joint.b.body == Some(hold.body) { way } else { plane::negated(way) }
+        let way = out - back;
+        if joint.b.body == Some(hold.body) { way } else { -way }
     }
 
     /// Accelerations, velocities and places of bodies follow from those of the bodies that hold them.
@@ -112,17 +108,17 @@ impl Rows<'_> {
                     Kind::Velocity => declared.v,
                     _ => declared.a,
                 };
-                [x, y]
+                Vec2::new(x, y)
             };
             let moved = [way.acceleration, way.speed, way.place];
             for (kind, moved) in [Kind::Acceleration, Kind::Velocity, Kind::Place].into_iter().zip(moved) {
                 let Some(rows) = self.unknowns.of_body[hold.body].get(&kind).copied() else { continue };
-                for i in 0..2 {
-                    let mut value = of(hold.body, kind)[i] - moved[i];
-                    if let Some(parent) = hold.parent {
-                        value -= of(parent, kind)[i];
-                    }
-                    self.add(rows[i], value);
+                let mut value = of(hold.body, kind) - moved;
+                if let Some(parent) = hold.parent {
+                    value -= of(parent, kind);
+                }
+                for (row, component) in rows.into_iter().zip(value.components()) {
+                    self.add(row, component);
                 }
             }
         }
@@ -159,9 +155,8 @@ impl Rows<'_> {
         for (hold, way) in self.coordinates.order.iter().zip(ways) {
             let force = self.unknowns.forces[hold.body];
             for &unknown in &way.touched {
-                let along = way.place.map(|component| component.diff(self.motion.value[unknown]));
-                let power = plane::dot(force, along);
-                self.add(unknown, power);
+                let along = way.place.diff(self.motion.value[unknown]);
+                self.add(unknown, force.dot(along));
             }
         }
         let angle = |body: usize| self.coordinates.angle_of_class[self.coordinates.headings[body].class];
@@ -172,8 +167,7 @@ impl Rows<'_> {
         }
         for load in &self.model.loads {
             if let Some(angle) = angle(load.body) {
-                let against = -load.force[2];
-                self.add(angle, against);
+                self.add(angle, -load.force[2]);
             }
         }
     }
@@ -184,8 +178,7 @@ impl Rows<'_> {
         let one = Expr::ONE;
         for (k, state) in self.model.states.iter().enumerate() {
             self.add_term((n + k, n + k, Part::Rate), one);
-            let against = -state.rate;
-            self.add(n + k, against);
+            self.add(n + k, -state.rate);
         }
     }
 }

@@ -2,11 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2, algebra};
 
 use super::super::coordinates::{Coordinates, Unknown};
 use super::super::motion::Motion;
-use super::super::plane::Vec2;
 use super::Part;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -45,7 +44,9 @@ impl Unknowns {
         let bodies = model.bodies.len();
         let mut unknowns = Unknowns {
             accelerations: (0..n).map(|_| Expr::symbol("acceleration")).collect(),
-            forces: (0..bodies).map(|_| [Expr::symbol("force_x"), Expr::symbol("force_y")]).collect(),
+            forces: (0..bodies)
+                .map(|_| Vec2::new(Expr::symbol("force_x"), Expr::symbol("force_y")))
+                .collect(),
             column: BTreeMap::new(),
             of_body: vec![BTreeMap::new(); bodies],
             states: equations.x.len(),
@@ -66,7 +67,7 @@ impl Unknowns {
             }
             let force = unknowns.forces[body];
             unknowns.add(body, Kind::Force, force);
-            unknowns.add(body, Kind::Acceleration, [declared.a[0], declared.a[1]]);
+            unknowns.add(body, Kind::Acceleration, Vec2::new(declared.a[0], declared.a[1]));
         }
         unknowns.add_wanted(model, equations, coordinates);
         unknowns
@@ -75,7 +76,7 @@ impl Unknowns {
     fn add(&mut self, body: usize, kind: Kind, symbols: Vec2) {
         let own = [self.count, self.count + 1];
         self.of_body[body].insert(kind, own);
-        for (symbol, unknown) in symbols.into_iter().zip(own) {
+        for (symbol, unknown) in symbols.components().into_iter().zip(own) {
             self.column.insert(symbol, (unknown, Part::Value));
         }
         self.count += 2;
@@ -99,7 +100,7 @@ impl Unknowns {
             for (k, kind) in [Kind::Place, Kind::Velocity].into_iter().enumerate() {
                 if wanted[hold.body][k] {
                     let [x, y, _] = [declared.q, declared.v][k];
-                    self.add(hold.body, kind, [x, y]);
+                    self.add(hold.body, kind, Vec2::new(x, y));
                     if let Some(parent) = hold.parent {
                         wanted[parent][k] = true;
                     }
