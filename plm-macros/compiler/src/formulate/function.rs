@@ -79,3 +79,8 @@ impl Function {
         algebra::tape(&self.roots())
     }
 }
+
+/// Results that fill an array from its beginning.
+pub(crate) fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Vec<(Place, Expr)> {
+    values.enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
+}

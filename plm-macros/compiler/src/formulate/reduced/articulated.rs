@@ -57,10 +57,10 @@ struct Eliminated {
 /// at each G in absolute axes, without gravity.
 pub(crate) fn accelerations(
     model: &Model,
-    coordinates: &Coordinates,
     motion: &Motion,
     force: &[[Expr; 3]],
 ) -> (Vec<Expr>, Vec<Section>) {
+    let coordinates = motion.coordinates;
     let squares = motion.omega.iter().map(|omega| omega.squared().named("omega_squared")).collect();
     let mut work = Elimination { model, coordinates, motion, squares, trace: Vec::new() };
     let against_gravity = Spatial::new(-Vec2::from(model.gravity), Expr::ZERO);
@@ -93,7 +93,7 @@ pub(crate) fn accelerations(
 struct Elimination<'a> {
     model: &'a Model,
     coordinates: &'a Coordinates,
-    motion: &'a Motion,
+    motion: &'a Motion<'a>,
     /// Squares of the angular velocities of the classes.
     squares: Vec<Expr>,
     trace: Vec<Expr>,

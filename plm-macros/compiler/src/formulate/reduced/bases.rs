@@ -11,7 +11,6 @@ use std::ops::{Add, Neg};
 use plm_cas::{Expr, Rotation, Vec2};
 
 use super::chain::Chain;
-use super::motion::Motion;
 
 /// A vector that turns with a class.
 #[derive(Clone, Copy, Debug)]
@@ -96,40 +95,15 @@ impl Bases {
     }
 }
 
-impl Motion {
-    /// A vector in the axes of a class over the class's base.
-    pub(crate) fn over_base(&self, class: usize, vector: Vec2) -> Vec2 {
-        let Some(base) = self.bases.of_class.get(&class) else { return vector };
-        Rotation::between(base.own, vector).axis() / base.square
+impl Bases {
+    /// The base of a class, if it is not the unit vector.
+    pub(crate) fn of_class(&self, class: usize) -> Option<&Base> {
+        self.of_class.get(&class)
     }
 
-    /// A vector in the axes of a class, in absolute axes.
-    pub(crate) fn turned(&self, class: usize, vector: Vec2) -> Vec2 {
-        let vector = self.over_base(class, vector);
-        Rotation::to(self.base(class)) * vector
-    }
-
-    /// The products of two vectors that are given over the bases of their classes.
-    pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2)) -> Products {
-        let constant = Products::of(u, w);
-        let bases = self.products_of_bases(a, b);
-        constant.turned(Rotation { cos: bases.dot, sin: bases.cross })
-    }
-
-    /// The products of the bases of two classes.
-    pub(crate) fn products_of_bases(&self, a: usize, b: usize) -> Products {
-        let Bases { of_class, products } = &self.bases;
-        if a == b {
-            let square = of_class.get(&a).map_or(Expr::ONE, |base| base.square);
-            return Products { dot: square, cross: Expr::ZERO };
-        }
-        let turned_around = products.get(&(b, a)).copied().map(Products::swapped);
-        turned_around
-            .or_else(|| products.get(&(a, b)).copied())
-            .unwrap_or_else(|| Products::of(self.base(a), self.base(b)))
-    }
-
-    fn base(&self, class: usize) -> Vec2 {
-        self.bases.of_class.get(&class).map_or(self.rotation[class].axis(), |base| base.vector)
+    /// The products of the bases of two classes, if they were found otherwise than from the vectors.
+    pub(crate) fn products(&self, a: usize, b: usize) -> Option<Products> {
+        let swapped = self.products.get(&(b, a)).copied().map(Products::swapped);
+        swapped.or_else(|| self.products.get(&(a, b)).copied())
     }
 }

@@ -23,6 +23,19 @@ pub(crate) enum Unknown {
     Centre { body: usize, axis: usize },
 }
 
+impl Unknown {
+    /// Its name, as a path of the model.
+    pub(crate) fn name(self, model: &Model) -> String {
+        match self {
+            Unknown::Angle { body, .. } => format!("{}.angle", model.bodies[body].name.text),
+            Unknown::Centre { body, axis } => {
+                format!("{}.{}", model.bodies[body].name.text, ["x", "y"][axis])
+            }
+            Unknown::Slide { part } => format!("{}.displacement", model.parts[part].name.text),
+        }
+    }
+}
+
 /// A joint that the coordinates walk through.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Joint {

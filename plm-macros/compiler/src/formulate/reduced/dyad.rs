@@ -19,6 +19,7 @@ use super::bases::Base;
 use super::chain::Chain;
 use super::coordinates::{Coordinates, Unknown};
 use super::link::{Link, Own};
+use super::loops::{self, Found};
 use super::motion::Motion;
 use super::solution::Solution;
 
@@ -112,30 +113,42 @@ impl Dyad {
         }
     }
 
-    /// Solves for the two unknowns and writes them into `motion`. `side` has the sign of the determinant; without it the
-    /// determinant is positive.
-    pub(crate) fn solve(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        side: Option<Expr>,
-        time: Expr,
-    ) -> Solution {
-        let chain = &coordinates.closures[self.closure];
-        let m = known(chain, &self.classes(), &self.unknowns, motion).named(format!("loop_{}", self.closure));
-        let link = Link::of(chain, self, motion, time);
-        let found = Found { dyad: self, chain, m, side, motion };
-        match self.kind {
-            Kind::Angles(classes) => found.circles(classes, link),
-            Kind::Across { class, along } => found.line_and_circle(class, along, link),
-            Kind::Along { class } => found.line_that_turns(class),
-            Kind::Slides(classes) => found.lines(classes),
+    /// Solves for the two unknowns and writes them, their coefficients and rates into `motion`. `side` has the sign of the
+    /// determinant; without it the determinant is positive.
+    pub(crate) fn solve(&self, motion: &mut Motion, side: Option<Expr>) -> Solution {
+        let chain = &motion.coordinates.closures[self.closure];
+        let m = motion.known_sum(chain, &self.classes(), &self.unknowns);
+        let m = m.named(format!("loop_{}", self.closure));
+        let link = Link::of(chain, self, motion);
+        let mut work = Solving { dyad: self, chain, m, side, motion };
+        let (solution, own) = match self.kind {
+            Kind::Angles(classes) => work.circles(classes, link.as_ref()),
+            Kind::Across { class, along } => work.line_and_circle(class, along, link.as_ref()),
+            Kind::Along { class } => (work.line_that_turns(class), None),
+            Kind::Slides(classes) => (work.lines(classes), None),
+        };
+        self.differentiate(motion, &solution, link.as_ref().zip(own.as_ref()));
+        solution
+    }
+
+    /// Writes coefficients and rates of the two unknowns into `motion`: by Cramer's rule, if not by one body that moves it.
+    fn differentiate(&self, motion: &mut Motion, solution: &Solution, link: Option<(&Link, &Own)>) {
+        let reciprocal = solution.determinant.recip().named(format!("reciprocal_{}", self.closure));
+        if let Some((link, own)) = link {
+            return link.differentiate(motion, (self, own), reciprocal);
         }
+        let [first, second] = solution.columns;
+        let cramer = |sum: Vec2| {
+            let minors = [second.cross(sum), sum.cross(first)];
+            minors.map(|minor| minor * reciprocal).to_vec()
+        };
+        let found = Found { closure: self.closure, unknowns: &self.unknowns, solution, solve: &cramer };
+        loops::differentiate(motion, &found);
     }
 
     /// Determinant and scale where all unknowns are known.
-    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Solution {
-        let chain = &coordinates.closures[self.closure];
+    pub(crate) fn at_pose(&self, motion: &Motion) -> Solution {
+        let chain = &motion.coordinates.closures[self.closure];
         let mut columns = [Vec2::ZERO; 2];
         let mut scale = Expr::ONE;
         for (k, class) in self.classes().into_iter().enumerate() {
@@ -152,24 +165,24 @@ impl Dyad {
             scale = motion.length.squared();
         }
         let determinant = columns[0].cross(columns[1]);
-        Solution { determinant, square: determinant.squared(), scale, columns, arms: Vec::new(), link: None }
+        Solution { determinant, square: determinant.squared(), scale, columns, arms: Vec::new() }
     }
 }
 
 /// A dyad while it is being solved.
-struct Found<'a> {
+struct Solving<'a, 'm> {
     dyad: &'a Dyad,
     chain: &'a Chain,
     /// The sum of the known vectors.
     m: Vec2,
     /// A number with the sign of the determinant.
     side: Option<Expr>,
-    motion: &'a mut Motion,
+    motion: &'a mut Motion<'m>,
 }
 
-impl Found<'_> {
+impl Solving<'_, '_> {
     /// RRR.
-    fn circles(self, [a, b]: [usize; 2], link: Option<Link>) -> Solution {
+    fn circles(&mut self, [a, b]: [usize; 2], link: Option<&Link>) -> (Solution, Option<Own>) {
         let [first, second] = self.dyad.unknowns;
         let arms = [a, b].map(|class| self.motion.arm(self.chain, class, &[]));
         let [pp, rr] = arms.map(Vec2::squared);
@@ -187,18 +200,22 @@ impl Found<'_> {
             self.motion.bases.insert_arm(self.chain, class, Base { vector, own, square });
         }
         let columns = [p.left(), r.left()];
-        let scale = pp * rr;
         // From `m p = n`.
         let own = Own { p: a, r: (b, Vec2::X), pp, pr: -(n + pp), rr: Some(rr) };
-        if let Some(link) = &link {
+        if let Some(link) = link {
             link.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
-        let link = link.map(|link| (link, own));
-        Solution { determinant, square, scale, columns, arms: vec![(a, p), (b, r)], link }
+        let arms = vec![(a, p), (b, r)];
+        (Solution { determinant, square, scale: pp * rr, columns, arms }, Some(own))
     }
 
     /// RRP and PRR.
-    fn line_and_circle(self, class: usize, along: usize, link: Option<Link>) -> Solution {
+    fn line_and_circle(
+        &mut self,
+        class: usize,
+        along: usize,
+        link: Option<&Link>,
+    ) -> (Solution, Option<Own>) {
         let [angle, slide] = self.dyad.unknowns;
         let arm = self.motion.arm(self.chain, class, &[]);
         let pp = arm.squared();
@@ -212,16 +229,16 @@ impl Found<'_> {
         self.motion.turn_class(angle, class, Rotation::between(arm, p) / pp);
         self.motion.bases.insert_arm(self.chain, class, Base { vector: p, own: arm, square: pp });
         let own = Own { p: class, r: (0, -e.left()), pp, pr: offset, rr: None };
-        if let Some(link) = &link {
+        if let Some(link) = link {
             let ways = Rotation::to(-Vec2::new(determinant, offset));
             link.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
-        let link = link.map(|link| (link, own));
-        Solution { determinant, square, scale: pp, columns: [p.left(), e], arms: vec![(class, p)], link }
+        let (columns, arms) = ([p.left(), e], vec![(class, p)]);
+        (Solution { determinant, square, scale: pp, columns, arms }, Some(own))
     }
 
     /// RPR.
-    fn line_that_turns(self, class: usize) -> Solution {
+    fn line_that_turns(&mut self, class: usize) -> Solution {
         let [angle, slide] = self.dyad.unknowns;
         let d = self.motion.arm(self.chain, class, &[slide]);
         let e = self.chain.slide(slide).map_or(Vec2::ZERO, |slide| slide.1);
@@ -235,11 +252,11 @@ impl Found<'_> {
         self.motion.turn_class(angle, class, Rotation::between(arm, p) / mm);
         let columns = [p.left(), self.motion.turned(class, e)];
         let scale = self.motion.length.squared();
-        Solution { determinant, square, scale, columns, arms: vec![(class, p)], link: None }
+        Solution { determinant, square, scale, columns, arms: vec![(class, p)] }
     }
 
     /// PRP and RPP.
-    fn lines(self, classes: [usize; 2]) -> Solution {
+    fn lines(&mut self, classes: [usize; 2]) -> Solution {
         let [first, second] = self.dyad.unknowns;
         let columns = [self.slide_axis(first, classes[0]), self.slide_axis(second, classes[1])];
         let determinant = self.named("area", columns[0].cross(columns[1]));
@@ -247,7 +264,7 @@ impl Found<'_> {
         self.motion.set_slide(first, minors[0] / determinant);
         self.motion.set_slide(second, minors[1] / determinant);
         let square = determinant.squared();
-        Solution { determinant, square, scale: Expr::ONE, columns, arms: Vec::new(), link: None }
+        Solution { determinant, square, scale: Expr::ONE, columns, arms: Vec::new() }
     }
 
     /// `D^2` by a name, and `D`.
@@ -272,10 +289,4 @@ impl Found<'_> {
 fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
     let (along, _) = chain.slide(slide)?;
     Some(if along == class { Kind::Along { class } } else { Kind::Across { class, along } })
-}
-
-/// Sum of the vectors of a loop that do not hold the unknowns of a dyad.
-pub(crate) fn known(chain: &Chain, turns: &[usize], unknowns: &[usize], motion: &Motion) -> Vec2 {
-    let classes = chain.classes().into_iter().filter(|class| !turns.contains(class));
-    classes.map(|class| motion.turned(class, motion.arm(chain, class, unknowns))).sum()
 }

@@ -5,9 +5,11 @@ use plm_cas::{Expr, algebra};
 
 use super::charts::Scheme;
 use super::coordinates::Coordinates;
+use super::kinematics::kinematics;
+use super::layout::Layout;
 use super::memory::Memory;
 use super::motion::Motion;
-use super::{Layout, augmented, charts};
+use super::{augmented, charts};
 use crate::check;
 use crate::derive::derive;
 use crate::diag::Diagnostics;
@@ -30,7 +32,7 @@ fn laid_out<T>(model: &Model, then: impl FnOnce(Layout, &Motion, &Scheme) -> T) 
     let scheme = charts::schemes(model, &coordinates).unwrap().remove(0);
     let memory = Memory::new(&coordinates, (scheme.drivers.len(), 0), &[]);
     let length = Expr::ONE;
-    let motion = Motion::new(model, &coordinates, &scheme, &memory, length);
+    let motion = kinematics(model, &coordinates, &scheme, &memory, length);
     let layout = Layout { model, equations: &equations, coordinates: &coordinates, memory: &memory, length };
     then(layout, &motion, &scheme)
 }
@@ -148,8 +150,8 @@ fn a_chain() {
 #[test]
 fn implicit_methods_work_in_proportion_to_the_bodies() {
     let cost = |bars: u32| {
-        with_layout(&chain(bars), |Layout { model, equations, coordinates, .. }, motion, _| {
-            let augmented = augmented::laid_out(model, equations, coordinates, motion);
+        with_layout(&chain(bars), |Layout { model, equations, .. }, motion, _| {
+            let augmented = augmented::laid_out(model, equations, motion);
             let pivots = &augmented.pattern.pivots;
             let products = pivots.iter().map(|pivot| pivot.below.len() * (1 + pivot.right.len()));
             let coefficients = augmented.coefficients.tape().count().total();

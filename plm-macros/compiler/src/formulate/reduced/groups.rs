@@ -5,7 +5,6 @@ use plm_cas::Expr;
 
 use super::coordinates::{Coordinates, Unknown};
 use super::dyad::{Dyad, Kind};
-use super::loops;
 use super::memory::Memory;
 use super::motion::Motion;
 use super::newton::Newton;
@@ -94,25 +93,18 @@ impl Group {
     }
 
     /// Writes its unknowns, their coefficients and rates into `motion`; `place` is its place among the loops in the memory.
-    pub(crate) fn solve(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        (memory, place): (&Memory, usize),
-        time: Expr,
-    ) {
+    pub(crate) fn solve(&self, motion: &mut Motion, (memory, place): (&Memory, usize)) {
+        let coordinates = motion.coordinates;
         let solution = match self {
             Group::Row { row, unknown } => {
-                return rows::solve(coordinates, motion, &coordinates.rows[*row], *unknown, time);
+                return rows::solve(motion, &coordinates.rows[*row], *unknown);
             }
             Group::Dyad(dyad) => {
                 let side = if dyad.is_signed() { memory.area(place) } else { None };
-                let solution = dyad.solve(coordinates, motion, side, time);
-                loops::differentiate_dyad(coordinates, motion, dyad, &solution, time);
-                solution
+                dyad.solve(motion, side)
             }
-            Group::Single(single) => single.solve(coordinates, motion, time),
-            Group::Newton(newton) => newton.solve(coordinates, motion, memory, time),
+            Group::Single(single) => single.solve(motion),
+            Group::Newton(newton) => newton.solve(motion, memory),
         };
         motion.solutions.push(solution);
         for unknown in self.unknowns() {
@@ -124,12 +116,12 @@ impl Group {
     }
 
     /// What is known of a loop where all unknowns are.
-    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Option<Solution> {
+    pub(crate) fn at_pose(&self, motion: &Motion) -> Option<Solution> {
         match self {
             Group::Row { .. } => None,
-            Group::Dyad(dyad) => Some(dyad.at_pose(coordinates, motion)),
+            Group::Dyad(dyad) => Some(dyad.at_pose(motion)),
             Group::Single(_) => Some(Solution::certain()),
-            Group::Newton(newton) => Some(newton.at_pose(coordinates, motion)),
+            Group::Newton(newton) => Some(newton.at_pose(motion)),
         }
     }
 

@@ -12,7 +12,6 @@ use plm_cas::{Expr, Vec2};
 
 use super::bases::Products;
 use super::chain::Chain;
-use super::coordinates::{Coordinates, Unknown};
 use super::motion::Motion;
 use crate::model::Model;
 
@@ -38,7 +37,8 @@ struct Term {
 type Sums = BTreeMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
 
 /// Sets up the equations; `force` are the applied forces at each G in absolute axes, without gravity.
-pub(crate) fn dense(model: &Model, coordinates: &Coordinates, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
+pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
+    let coordinates = motion.coordinates;
     let count = coordinates.unknowns.len();
     let mut mass: BTreeMap<(usize, usize), Sums> = BTreeMap::new();
     let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
@@ -46,7 +46,7 @@ pub(crate) fn dense(model: &Model, coordinates: &Coordinates, motion: &Motion, f
     let mut turning: Vec<Sums> = (0..count).map(|_| Sums::new()).collect();
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
-        let columns = partial_velocities(coordinates, motion, &coordinates.centres[body]);
+        let columns = partial_velocities(motion, &coordinates.centres[body]);
         let weight = [against_gravity(model)];
         let bias = bias(model, motion, &coordinates.centres[body]);
         for (k, (i, left)) in columns.iter().enumerate() {
@@ -149,7 +149,8 @@ fn against_gravity(model: &Model) -> Term {
 }
 
 /// `dp/dy_i` of a place, for every coordinate that moves it, ascending.
-fn partial_velocities(coordinates: &Coordinates, motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)> {
+fn partial_velocities(motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)> {
+    let coordinates = motion.coordinates;
     let mut columns: BTreeMap<usize, Vec<Term>> = BTreeMap::new();
     for (class, slide, vector) in place.terms() {
         let factor = slide.map_or(Expr::ONE, |slide| motion.value[slide]);
@@ -215,13 +216,4 @@ fn collect(motion: &Motion, sums: Sums) -> Expr {
         factor * along
     });
     terms.sum()
-}
-
-/// Index of the coordinate in words, for names in the code.
-pub(crate) fn name(model: &Model, unknown: Unknown) -> String {
-    match unknown {
-        Unknown::Angle { body, .. } => format!("{}.angle", model.bodies[body].name.text),
-        Unknown::Centre { body, axis } => format!("{}.{}", model.bodies[body].name.text, ["x", "y"][axis]),
-        Unknown::Slide { part } => format!("{}.displacement", model.parts[part].name.text),
-    }
 }

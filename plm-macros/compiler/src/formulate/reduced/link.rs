@@ -18,7 +18,6 @@ use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use super::bases::Products;
 use super::chain::Chain;
-use super::coordinates::Coordinates;
 use super::dyad::{Dyad, Kind};
 use super::motion::Motion;
 
@@ -50,13 +49,15 @@ pub(crate) struct Own {
 
 impl Link {
     /// Of a loop that is moved by one body, and in which nothing else slides or moves with the time.
-    pub(crate) fn of(chain: &Chain, dyad: &Dyad, motion: &Motion, time: Expr) -> Option<Link> {
+    pub(crate) fn of(chain: &Chain, dyad: &Dyad, motion: &Motion) -> Option<Link> {
         let turns = dyad.classes();
         let mut known = chain.classes().into_iter().filter(|class| *class != 0 && !turns.contains(class));
         let (Some(class), None) = (known.next(), known.next()) else { return None };
         let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector.components()).collect();
         let mut slides = chain.terms().filter_map(|(class, slide, _)| Some((class, slide?)));
-        if slides.any(|slide| slide != (0, dyad.unknowns[1])) || algebra::symbols(&vectors).contains(&time) {
+        if slides.any(|slide| slide != (0, dyad.unknowns[1]))
+            || algebra::symbols(&vectors).contains(&motion.time)
+        {
             return None;
         }
         let arm = motion.over_base(class, motion.arm(chain, class, &[]));
@@ -90,13 +91,8 @@ impl Link {
     }
 
     /// Writes coefficients and rates of the dyad's unknowns into `motion`.
-    pub(crate) fn differentiate(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        (dyad, own): (&Dyad, &Own),
-        reciprocal: Expr,
-    ) {
+    pub(crate) fn differentiate(&self, motion: &mut Motion, (dyad, own): (&Dyad, &Own), reciprocal: Expr) {
+        let coordinates = motion.coordinates;
         let Some(body) = coordinates.angle_of_class[self.class] else { return };
         let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal);
         let square = motion.turning[self.class].squared();
@@ -110,7 +106,7 @@ impl Link {
             motion.drift[unknown] = ratio * motion.drift[body];
             let bias = square * slope + ratio * motion.bias[body];
             motion.bias[unknown] = bias.named(format!("bias_{}_{k}", dyad.closure));
-            motion.set_rate(coordinates, unknown);
+            motion.set_rate(unknown);
         }
     }
 

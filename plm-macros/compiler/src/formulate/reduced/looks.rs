@@ -4,11 +4,12 @@ use plm_cas::{Expr, Number, algebra};
 
 use super::charts::Scheme;
 use super::coordinates::Unknown;
+use super::layout::Layout;
 use super::memory::Memorable;
 use super::motion::Motion;
 use super::solution::Solution;
-use super::{Layout, measure, stored};
-use crate::formulate::function::{Function, Place};
+use super::solution::measure;
+use crate::formulate::function::{Function, Place, stored};
 
 /// By this part of its distance to a flat pose a loop may move until the next look, and bodies by as many radians.
 const CALM: (i64, i64) = (1, 10);
@@ -73,7 +74,7 @@ impl Layout<'_> {
     /// The same of a pose and velocity, but for how far the coordinates may move.
     pub(super) fn survey(&mut self, scheme: &Scheme) -> Function {
         let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
-        let solutions = scheme.loops().filter_map(|group| group.at_pose(self.coordinates, &motion));
+        let solutions = scheme.loops().filter_map(|group| group.at_pose(&motion));
         let solutions: Vec<Solution> = solutions.collect();
         let (q, v) = (&self.equations.q, &self.equations.v);
         let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect();

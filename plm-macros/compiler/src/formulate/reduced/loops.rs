@@ -8,8 +8,6 @@
 use plm_cas::{Expr, Vec2};
 
 use super::chain::Chain;
-use super::coordinates::Coordinates;
-use super::dyad::Dyad;
 use super::motion::Motion;
 use super::solution::Solution;
 
@@ -37,31 +35,10 @@ impl Found<'_> {
     }
 }
 
-/// Writes coefficients and rates of the two unknowns of a dyad into `motion`.
-pub(crate) fn differentiate_dyad(
-    coordinates: &Coordinates,
-    motion: &mut Motion,
-    dyad: &Dyad,
-    solution: &Solution,
-    time: Expr,
-) {
-    let reciprocal = solution.determinant.recip().named(format!("reciprocal_{}", dyad.closure));
-    if let Some((link, own)) = &solution.link {
-        return link.differentiate(coordinates, motion, (dyad, own), reciprocal);
-    }
-    let [first, second] = solution.columns;
-    let cramer = |sum: Vec2| {
-        let minors = [second.cross(sum), sum.cross(first)];
-        minors.map(|minor| minor * reciprocal).to_vec()
-    };
-    let found = Found { closure: dyad.closure, unknowns: &dyad.unknowns, solution, solve: &cramer };
-    differentiate(coordinates, motion, &found, time);
-}
-
 /// Writes coefficients and rates of the unknowns that were found into `motion`.
-pub(crate) fn differentiate(coordinates: &Coordinates, motion: &mut Motion, found: &Found, time: Expr) {
+pub(crate) fn differentiate(motion: &mut Motion, found: &Found) {
     let solved = (found.unknowns, &found.solution.arms[..]);
-    let flow = Flow::new(coordinates, motion, found.closure, solved, time);
+    let flow = Flow::new(motion, found.closure, solved);
     for driver in 0..motion.drivers.len() {
         let sum = flow.gain(motion, driver);
         for (unknown, value) in found.named(sum, &format!("gain_{driver}")) {
@@ -73,9 +50,9 @@ pub(crate) fn differentiate(coordinates: &Coordinates, motion: &mut Motion, foun
         motion.drift[unknown] = value;
     }
     for &unknown in found.unknowns {
-        motion.set_rate(coordinates, unknown);
+        motion.set_rate(unknown);
     }
-    let sum = flow.bias(motion, time);
+    let sum = flow.bias(motion);
     for (unknown, value) in found.named(sum, "bias") {
         motion.bias[unknown] = value;
     }
@@ -95,12 +72,11 @@ pub(crate) struct Flow<'a> {
 impl<'a> Flow<'a> {
     /// `sought` are unknowns, and vectors of the closure that have names.
     pub(crate) fn new(
-        coordinates: &'a Coordinates,
-        motion: &Motion,
+        motion: &Motion<'a>,
         closure: usize,
         (sought, solved): (&[usize], &[(usize, Vec2)]),
-        time: Expr,
     ) -> Flow<'a> {
+        let coordinates = motion.coordinates;
         let closure = &coordinates.closures[closure];
         let arms: Vec<(usize, Vec2)> = closure
             .classes()
@@ -120,9 +96,9 @@ impl<'a> Flow<'a> {
             }
         }
         known.retain(|(unknown, _)| !sought.contains(unknown));
-        // What a port of the ground that moves with the time adds.
+        // What a port of the ground that moves with the motion.time adds.
         let ground = closure.of_class(0).find(|(slide, _)| slide.is_none()).map_or(Vec2::ZERO, |(_, d)| d);
-        Flow { closure, arms, known, ground_rate: ground.diff(time) }
+        Flow { closure, arms, known, ground_rate: ground.diff(motion.time) }
     }
 
     /// The closure's velocity when one coordinate moves at the rate 1.
@@ -137,7 +113,7 @@ impl<'a> Flow<'a> {
 
     /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known. With a pace, over
     /// its square.
-    pub(crate) fn bias(&self, motion: &Motion, time: Expr) -> Vec2 {
+    pub(crate) fn bias(&self, motion: &Motion) -> Vec2 {
         let mut sum = weighted(&self.known, |unknown| motion.bias[unknown]);
         for &(class, arm) in &self.arms {
             let omega = motion.turning[class];
@@ -146,7 +122,7 @@ impl<'a> Flow<'a> {
             // Coriolis: 2 omega J v.
             sum += (omega + omega) * sliding.left();
         }
-        sum + self.ground_rate.diff(time)
+        sum + self.ground_rate.diff(motion.time)
     }
 }
 

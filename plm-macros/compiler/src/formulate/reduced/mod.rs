@@ -14,6 +14,8 @@ mod elimination;
 mod forms;
 mod groups;
 mod inertia;
+mod kinematics;
+mod layout;
 mod link;
 mod looks;
 mod loops;
@@ -34,9 +36,13 @@ pub(crate) use self::augmented::{Augmented, Part, Term};
 use self::charts::Scheme;
 use self::coordinates::{Coordinates, Unknown};
 use self::groups::Group;
+use self::kinematics::kinematics;
+use self::layout::{Layout, loads};
 use self::memory::Memory;
 use self::motion::Motion;
-use super::function::{Function, Place, Section};
+pub(crate) use self::redundant::{Assembled, Known};
+use self::solution::measure;
+use super::function::{Function, Place, Section, stored};
 use super::sides;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -128,26 +134,6 @@ pub(crate) struct Chart {
     pub(crate) closing: Vec<String>,
 }
 
-/// The start with the defaults of the parameters, where structure alone cannot decide.
-#[derive(Debug)]
-pub(crate) struct Assembled {
-    /// Coordinates less the rank of `phi_q` at regular poses next to the start.
-    pub(crate) freedom: usize,
-    /// Values of all symbols, pose and velocity included.
-    pub(crate) values: Vec<(Expr, f64)>,
-}
-
-/// What is known of dimensions and the start.
-#[derive(Clone, Copy)]
-pub(crate) struct Known<'a> {
-    /// The size of the scene, m.
-    pub(crate) length: f64,
-    /// The start, if the joints close.
-    pub(crate) assembled: &'a dyn Fn() -> Option<Assembled>,
-    /// Coordinates less the rank of `phi_q` with other values of the parameters, if there are any and the joints close then.
-    pub(crate) freedom_elsewhere: &'a dyn Fn() -> Option<usize>,
-}
-
 /// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
@@ -172,7 +158,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
         _ => None,
     });
     let turning = turning.collect();
-    let owner = |unknown: usize| owner(&inertia::name(model, coordinates.unknowns[unknown])).to_owned();
+    let owner = |unknown: usize| owner(&coordinates.unknowns[unknown].name(model)).to_owned();
     Ok(Reduced {
         turning,
         charts,
@@ -230,23 +216,14 @@ fn owner(name: &str) -> &str {
     name.rsplit_once('.').map_or(name, |split| split.0)
 }
 
-/// What all charts share.
-struct Layout<'a> {
-    model: &'a Model,
-    equations: &'a Equations,
-    coordinates: &'a Coordinates,
-    memory: &'a Memory,
-    length: Expr,
-}
-
 impl Layout<'_> {
     fn chart(&mut self, scheme: &Scheme) -> Chart {
         let Layout { model, coordinates, equations, .. } = *self;
-        let motion = Motion::new(model, coordinates, scheme, self.memory, self.length);
+        let motion = kinematics(model, coordinates, scheme, self.memory, self.length);
         let loops = scheme.loops().next().is_some();
         let (method, rate) = self.rate(&motion, scheme);
         let tree = scheme.groups.is_empty();
-        let augmented = tree.then(|| augmented(model, equations, coordinates, &motion)).flatten();
+        let augmented = tree.then(|| augmented(model, equations, &motion)).flatten();
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -277,7 +254,7 @@ impl Layout<'_> {
             reactions,
             augmented,
             guards: sides::guards(model, &motion.substitution),
-            pose: pose(model, coordinates, &motion).optimise(),
+            pose: pose(model, &motion).optimise(),
             project: project(model, equations, coordinates, &motion.drivers)
                 .substitute(&model.released)
                 .optimise(),
@@ -298,11 +275,11 @@ impl Layout<'_> {
     fn forms(&mut self, motion: &Motion, scheme: &Scheme) -> Vec<(&'static str, Function)> {
         let tree = scheme.groups.is_empty();
         let loops = scheme.loops().next().is_some();
-        let Layout { model, coordinates, .. } = *self;
+        let Layout { model, .. } = *self;
         let force = loads(model, motion);
         let mut forms = Vec::new();
         if !tree || motion.drivers.len() <= MOST_DENSE {
-            let mut dense = inertia::dense(model, coordinates, motion, &force);
+            let mut dense = inertia::dense(model, motion, &force);
             if !tree {
                 dense = inertia::along_drivers(&dense, motion);
             }
@@ -310,7 +287,7 @@ impl Layout<'_> {
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }
         if tree {
-            let solution = articulated::accelerations(model, coordinates, motion, &force);
+            let solution = articulated::accelerations(model, motion, &force);
             forms.push(("elimination body by body", self.right_hand_side(motion, solution, loops)));
         }
         forms
@@ -332,40 +309,14 @@ impl Layout<'_> {
     }
 }
 
-/// The smallest square of the measures of some loops.
-fn measure(solutions: &[solution::Solution]) -> Expr {
-    let mut worst: Option<Expr> = None;
-    for solution in solutions {
-        let own = solution.square / solution.scale;
-        worst = Some(worst.map_or(own, |worst| worst.min(own)));
-    }
-    worst.unwrap_or(Expr::ONE)
-}
-
-fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Vec<(Place, Expr)> {
-    values.enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
-}
-
-/// Applied forces and torques at each G, without gravity, as functions of the coordinates.
-fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
-    let mut terms: Vec<[Vec<Expr>; 3]> = vec![Default::default(); model.bodies.len()];
-    for load in &model.loads {
-        for (sum, &component) in terms[load.body].iter_mut().zip(&load.force) {
-            sum.push(component);
-        }
-    }
-    let sums: Vec<Expr> = terms.iter().flatten().map(|sum| algebra::sum(sum)).collect();
-    let sums = algebra::substitute(&sums, &motion.substitution);
-    sums.chunks_exact(3).map(|sum| [sum[0], sum[1], sum[2]]).collect()
-}
-
 /// Pose and velocity of every body.
-fn pose(model: &Model, coordinates: &Coordinates, motion: &Motion) -> Function {
+fn pose(model: &Model, motion: &Motion) -> Function {
+    let coordinates = motion.coordinates;
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for body in 0..model.bodies.len() {
         let heading = coordinates.headings[body];
         q.extend(motion.position[body].components());
-        q.push(motion.angle(coordinates, heading));
+        q.push(motion.angle(heading));
         v.extend(motion.velocity[body].components());
         v.push(motion.omega[heading.class]);
     }

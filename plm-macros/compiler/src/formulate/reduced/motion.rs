@@ -2,17 +2,17 @@
 
 use plm_cas::{Expr, Rotation, Vec2};
 
-use super::bases::Bases;
+use super::bases::{Bases, Products};
 use super::chain::Chain;
-use super::charts::Scheme;
 use super::coordinates::{Coordinates, Heading, Hold, Unknown};
-use super::memory::Memory;
 use super::solution::Solution;
 use crate::model::{FrameRef, Model};
 
 /// Values of the unknowns and of all that follows from them, as expressions.
 #[derive(Debug)]
-pub(crate) struct Motion {
+pub(crate) struct Motion<'a> {
+    pub(crate) coordinates: &'a Coordinates,
+    pub(crate) time: Expr,
     /// The unknowns that are coordinates, in the order of the state.
     pub(crate) drivers: Vec<usize>,
     /// Name of each unknown, as a path of the model.
@@ -53,43 +53,9 @@ pub(crate) struct Motion {
     pub(crate) substitution: Vec<(Expr, Expr)>,
 }
 
-impl Motion {
-    /// Coordinates that are angles or centres keep the symbols of their bodies; slides get their own.
-    pub(crate) fn new(
-        model: &Model,
-        coordinates: &Coordinates,
-        scheme: &Scheme,
-        memory: &Memory,
-        length: Expr,
-    ) -> Motion {
-        let mut motion = Motion::still(model, coordinates, length);
-        let paced = scheme.drivers.len() == 1 && !coordinates.moves_with(model.time);
-        for (place, &unknown) in scheme.drivers.iter().enumerate() {
-            let (value, rate) = symbols(model, coordinates.unknowns[unknown]);
-            motion.pace = paced.then_some(rate);
-            (motion.value[unknown], motion.rate[unknown]) = (value, rate);
-            for gains in &mut motion.gain {
-                gains.push(Expr::ZERO);
-            }
-            motion.gain[unknown][place] = Expr::ONE;
-            motion.drivers.push(unknown);
-            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                motion.rotation[class] = Rotation::by(value);
-                motion.omega[class] = rate;
-                motion.turning[class] = if paced { Expr::ONE } else { rate };
-            }
-        }
-        for group in &scheme.groups {
-            let place = motion.solutions.len();
-            group.solve(coordinates, &mut motion, (memory, place), model.time);
-        }
-        motion.place(model, coordinates);
-        motion.substitute_headings(model, coordinates);
-        motion
-    }
-
+impl<'a> Motion<'a> {
     /// All unknowns as functions of the pose.
-    pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, length: Expr) -> Motion {
+    pub(crate) fn of_pose(model: &Model, coordinates: &'a Coordinates, length: Expr) -> Motion<'a> {
         let mut motion = Motion::still(model, coordinates, length);
         for (k, &unknown) in coordinates.unknowns.iter().enumerate() {
             let value = of_pose(model, coordinates, unknown);
@@ -101,12 +67,14 @@ impl Motion {
         motion
     }
 
-    fn still(model: &Model, coordinates: &Coordinates, length: Expr) -> Motion {
+    pub(super) fn still(model: &Model, coordinates: &'a Coordinates, length: Expr) -> Motion<'a> {
         let zeros = vec![Expr::ZERO; coordinates.unknowns.len()];
         let classes = coordinates.angle_of_class.len();
         Motion {
+            coordinates,
+            time: model.time,
             drivers: Vec::new(),
-            names: coordinates.unknowns.iter().map(|&unknown| super::inertia::name(model, unknown)).collect(),
+            names: coordinates.unknowns.iter().map(|&unknown| unknown.name(model)).collect(),
             length,
             agreement: model.agreement,
             value: zeros.clone(),
@@ -124,6 +92,44 @@ impl Motion {
             solutions: Vec::new(),
             substitution: Vec::new(),
         }
+    }
+
+    /// A vector in the axes of a class over the class's base.
+    pub(crate) fn over_base(&self, class: usize, vector: Vec2) -> Vec2 {
+        let Some(base) = self.bases.of_class(class) else { return vector };
+        Rotation::between(base.own, vector).axis() / base.square
+    }
+
+    /// A vector in the axes of a class, in absolute axes.
+    pub(crate) fn turned(&self, class: usize, vector: Vec2) -> Vec2 {
+        let vector = self.over_base(class, vector);
+        Rotation::to(self.base(class)) * vector
+    }
+
+    /// The products of two vectors that are given over the bases of their classes.
+    pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2)) -> Products {
+        let constant = Products::of(u, w);
+        let bases = self.products_of_bases(a, b);
+        constant.turned(Rotation { cos: bases.dot, sin: bases.cross })
+    }
+
+    /// The products of the bases of two classes.
+    pub(crate) fn products_of_bases(&self, a: usize, b: usize) -> Products {
+        if a == b {
+            let square = self.bases.of_class(a).map_or(Expr::ONE, |base| base.square);
+            return Products { dot: square, cross: Expr::ZERO };
+        }
+        self.bases.products(a, b).unwrap_or_else(|| Products::of(self.base(a), self.base(b)))
+    }
+
+    fn base(&self, class: usize) -> Vec2 {
+        self.bases.of_class(class).map_or(self.rotation[class].axis(), |base| base.vector)
+    }
+
+    /// Sum of the vectors of a loop that turn with none of some classes, without some slides.
+    pub(crate) fn known_sum(&self, chain: &Chain, turns: &[usize], slides: &[usize]) -> Vec2 {
+        let classes = chain.classes().into_iter().filter(|class| !turns.contains(class));
+        classes.map(|class| self.turned(class, self.arm(chain, class, slides))).sum()
     }
 
     /// The vector of a loop in the axes of a class, without some slides.
@@ -158,13 +164,13 @@ impl Motion {
     }
 
     /// Writes the rate of an unknown whose coefficients are known.
-    pub(crate) fn set_rate(&mut self, coordinates: &Coordinates, unknown: usize) {
+    pub(crate) fn set_rate(&mut self, unknown: usize) {
         let driven = self.drivers.iter().enumerate();
         let driven = driven.map(|(place, &driver)| self.gain[unknown][place] * self.rate[driver]);
         let rate: Expr = [self.drift[unknown]].into_iter().chain(driven).sum();
         let rate = rate.named(format!("{}.rate", self.names[unknown]));
         self.rate[unknown] = rate;
-        if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+        if let Unknown::Angle { class, .. } = self.coordinates.unknowns[unknown] {
             self.omega[class] = rate;
             self.turning[class] = self.sliding(unknown);
         }
@@ -179,7 +185,8 @@ impl Motion {
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.
-    fn place(&mut self, model: &Model, coordinates: &Coordinates) {
+    pub(super) fn place(&mut self, model: &Model) {
+        let coordinates = self.coordinates;
         self.position = vec![Vec2::ZERO; model.bodies.len()];
         self.velocity = vec![Vec2::ZERO; model.bodies.len()];
         for hold in &coordinates.order {
@@ -192,7 +199,7 @@ impl Motion {
                     Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| self.rate[k])));
                 continue;
             };
-            let (position, velocity) = self.beyond(model, coordinates, hold, joint);
+            let (position, velocity) = self.beyond(model, hold, joint);
             let name = &model.bodies[body].name.text;
             self.position[body] =
                 Vec2::new(position.x.named(format!("{name}.x")), position.y.named(format!("{name}.y")));
@@ -202,7 +209,8 @@ impl Motion {
     }
 
     /// Position and velocity of G of a body beyond a joint.
-    fn beyond(&self, model: &Model, coordinates: &Coordinates, hold: &Hold, joint: usize) -> (Vec2, Vec2) {
+    fn beyond(&self, model: &Model, hold: &Hold, joint: usize) -> (Vec2, Vec2) {
+        let coordinates = self.coordinates;
         let joint = coordinates.joints[joint];
         let outward = joint.b.body == Some(hold.body);
         let signed = |vector: Vec2, positive: bool| if positive { vector } else { -vector };
@@ -228,11 +236,11 @@ impl Motion {
         (position, velocity)
     }
 
-    fn substitute_headings(&mut self, model: &Model, coordinates: &Coordinates) {
+    pub(super) fn substitute_headings(&mut self, model: &Model) {
         let mut pairs = Vec::new();
         for (body, declared) in model.bodies.iter().enumerate() {
-            let heading = coordinates.headings[body];
-            let angle = self.angle(coordinates, heading);
+            let heading = self.coordinates.headings[body];
+            let angle = self.angle(heading);
             let omega = self.omega[heading.class];
             let axis = self.turned(heading.class, Rotation::by(heading.offset).axis());
             let [x, y, theta] = declared.q;
@@ -246,8 +254,8 @@ impl Motion {
     }
 
     /// The angle of a heading.
-    pub(crate) fn angle(&self, coordinates: &Coordinates, heading: Heading) -> Expr {
-        let unknown = coordinates.angle_of_class[heading.class];
+    pub(crate) fn angle(&self, heading: Heading) -> Expr {
+        let unknown = self.coordinates.angle_of_class[heading.class];
         let of_class = unknown.map_or(Expr::ZERO, |unknown| self.value[unknown]);
         of_class + heading.offset
     }
@@ -277,15 +285,4 @@ fn point(model: &Model, frame: FrameRef) -> Vec2 {
     let Some(body) = frame.body else { return at };
     let [x, y, theta] = model.bodies[body].q;
     Vec2::new(x, y) + Rotation::by(theta) * at
-}
-
-fn symbols(model: &Model, unknown: Unknown) -> (Expr, Expr) {
-    match unknown {
-        Unknown::Angle { body, .. } => (model.bodies[body].q[2], model.bodies[body].v[2]),
-        Unknown::Centre { body, axis } => (model.bodies[body].q[axis], model.bodies[body].v[axis]),
-        Unknown::Slide { part } => {
-            let name = &model.parts[part].name.text;
-            (Expr::symbol(format!("s_{name}")), Expr::symbol(format!("v_{name}")))
-        }
-    }
 }

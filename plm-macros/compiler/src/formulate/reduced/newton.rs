@@ -72,48 +72,43 @@ impl Newton {
     }
 
     /// Solves for the unknowns and writes them, their coefficients and rates into `motion`.
-    pub(crate) fn solve(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        memory: &Memory,
-        time: Expr,
-    ) -> Solution {
-        self.predict(coordinates, motion, memory, time);
-        let known = self.known(coordinates, motion);
+    pub(crate) fn solve(&self, motion: &mut Motion, memory: &Memory) -> Solution {
+        self.predict(motion, memory);
+        let known = self.known(motion);
         let mut step = 0;
         for corrections in CORRECTIONS {
-            let arms = self.arms(coordinates, motion, &format!("{step}"));
-            let jacobian = self.jacobian(coordinates, motion, (&arms, &format!("j{step}")));
+            let arms = self.arms(motion, &format!("{step}"));
+            let jacobian = self.jacobian(motion, (&arms, &format!("j{step}")));
             for _ in 0..corrections {
-                let arms = self.arms(coordinates, motion, &format!("{step}"));
+                let arms = self.arms(motion, &format!("{step}"));
                 let gap = self.gap(&known, &arms, &format!("{step}"));
                 let correction = jacobian.solve(gap, &format!("step_{step}"));
-                self.correct(coordinates, motion, &correction, step);
+                self.correct(motion, &correction, step);
                 step += 1;
             }
         }
-        self.name_axes(coordinates, motion);
-        let arms = self.arms(coordinates, motion, "");
-        let jacobian = self.jacobian(coordinates, motion, (&arms, "j"));
-        self.differentiate(coordinates, motion, (&arms, &jacobian), time);
+        self.name_axes(motion);
+        let arms = self.arms(motion, "");
+        let jacobian = self.jacobian(motion, (&arms, "j"));
+        self.differentiate(motion, (&arms, &jacobian));
         let gap = self.gap(&known, &arms, "");
         let closed = is_closed(&gap, memory, motion.length);
         Solution::of_measure(jacobian.measure, closed)
     }
 
     /// The measure where all unknowns are known.
-    pub(crate) fn at_pose(&self, coordinates: &Coordinates, motion: &Motion) -> Solution {
-        let arms = self.arms(coordinates, motion, "");
-        let measure = self.jacobian(coordinates, motion, (&arms, "j")).measure;
+    pub(crate) fn at_pose(&self, motion: &Motion) -> Solution {
+        let arms = self.arms(motion, "");
+        let measure = self.jacobian(motion, (&arms, "j")).measure;
         let closed = Expr::ONE;
         Solution::of_measure(measure, closed)
     }
 
     /// Writes the unknowns as they should be at `time`.
-    fn predict(&self, coordinates: &Coordinates, motion: &mut Motion, memory: &Memory, time: Expr) {
+    fn predict(&self, motion: &mut Motion, memory: &Memory) {
+        let coordinates = motion.coordinates;
         for &unknown in &self.unknowns {
-            let Some([value, moved]) = memory.moved(unknown, time) else { continue };
+            let Some([value, moved]) = memory.moved(unknown, motion.time) else { continue };
             let name = format!("{}_expected", motion.names[unknown]);
             let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] else {
                 motion.value[unknown] = ((value + moved) * motion.length).named(&name);
@@ -129,7 +124,8 @@ impl Newton {
     }
 
     /// Subtracts a correction from the unknowns.
-    fn correct(&self, coordinates: &Coordinates, motion: &mut Motion, correction: &[Expr], step: usize) {
+    fn correct(&self, motion: &mut Motion, correction: &[Expr], step: usize) {
+        let coordinates = motion.coordinates;
         for (&unknown, &by) in self.unknowns.iter().zip(correction) {
             let name = format!("{}_{step}", motion.names[unknown]);
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
@@ -142,7 +138,8 @@ impl Newton {
     }
 
     /// The solution by the names of the unknowns.
-    fn name_axes(&self, coordinates: &Coordinates, motion: &mut Motion) {
+    fn name_axes(&self, motion: &mut Motion) {
+        let coordinates = motion.coordinates;
         for &unknown in &self.unknowns {
             if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
                 motion.turn_class(unknown, class, motion.rotation[class]);
@@ -153,17 +150,12 @@ impl Newton {
     }
 
     /// Coefficients and rates of the unknowns.
-    fn differentiate(
-        &self,
-        coordinates: &Coordinates,
-        motion: &mut Motion,
-        (arms, jacobian): (&[Arms], &Elimination),
-        time: Expr,
-    ) {
-        let flows =
-            self.closures.iter().zip(arms).map(|(&closure, arms)| {
-                Flow::new(coordinates, motion, closure, (&self.unknowns, arms), time)
-            });
+    fn differentiate(&self, motion: &mut Motion, (arms, jacobian): (&[Arms], &Elimination)) {
+        let flows = self
+            .closures
+            .iter()
+            .zip(arms)
+            .map(|(&closure, arms)| Flow::new(motion, closure, (&self.unknowns, arms)));
         let flows: Vec<Flow> = flows.collect();
         let solve = |sums: Vec<Vec2>, what: &str| {
             let values = jacobian.solve(sums, what);
@@ -179,16 +171,17 @@ impl Newton {
         let sums = flows.iter().map(|flow| flow.drift(motion)).collect();
         for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "drift")) {
             motion.drift[unknown] = value;
-            motion.set_rate(coordinates, unknown);
+            motion.set_rate(unknown);
         }
-        let sums = flows.iter().map(|flow| flow.bias(motion, time)).collect();
+        let sums = flows.iter().map(|flow| flow.bias(motion)).collect();
         for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "bias")) {
             motion.bias[unknown] = value;
         }
     }
 
     /// The vectors of each loop that move with the unknowns, by class.
-    fn arms(&self, coordinates: &Coordinates, motion: &Motion, tag: &str) -> Vec<Arms> {
+    fn arms(&self, motion: &Motion, tag: &str) -> Vec<Arms> {
+        let coordinates = motion.coordinates;
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
             let moving = chain.classes().into_iter().filter(|&class| self.moves(coordinates, closure, class));
@@ -209,7 +202,8 @@ impl Newton {
     }
 
     /// The sum of all other vectors of each loop.
-    fn known(&self, coordinates: &Coordinates, motion: &Motion) -> Vec<Vec2> {
+    fn known(&self, motion: &Motion) -> Vec<Vec2> {
+        let coordinates = motion.coordinates;
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
             let still = chain.classes().into_iter().filter(|&class| !self.moves(coordinates, closure, class));
@@ -229,12 +223,8 @@ impl Newton {
     }
 
     /// The Jacobian by the unknowns.
-    fn jacobian(
-        &self,
-        coordinates: &Coordinates,
-        motion: &Motion,
-        (arms, name): (&[Arms], &str),
-    ) -> Elimination<'_> {
+    fn jacobian(&self, motion: &Motion, (arms, name): (&[Arms], &str)) -> Elimination<'_> {
+        let coordinates = motion.coordinates;
         let of_loop = |(&closure, arms): (&usize, &Arms)| {
             let chain = &coordinates.closures[closure];
             let column = |&unknown: &usize| {

@@ -6,11 +6,11 @@
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::super::function::{Function, Section};
+use super::super::function::{Function, Section, stored};
 use super::coordinates::Joint;
+use super::layout::Layout;
 use super::motion::Motion;
 use super::spatial::Spatial;
-use super::{Layout, stored};
 use crate::derive::SparseRow;
 
 impl Layout<'_> {

@@ -7,9 +7,10 @@ use plm_cas::{Expr, Vec2, algebra};
 
 use super::charts::{self, Scheme};
 use super::coordinates::{Coordinates, Unknown};
+use super::kinematics::kinematics;
+use super::layout::Layout;
 use super::memory::Memory;
-use super::motion::{self, Motion};
-use super::{Assembled, Layout};
+use super::motion;
 use crate::check;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -22,6 +23,26 @@ const AWAY: [f64; 3] = [0.05, -0.07, 0.11];
 const CLOSED: f64 = 1e-9;
 /// Below this square of the measure nothing follows from the coordinates.
 const LEAST: f64 = 1e-12;
+
+/// The start with the defaults of the parameters, where structure alone cannot decide.
+#[derive(Debug)]
+pub(crate) struct Assembled {
+    /// Coordinates less the rank of `phi_q` at regular poses next to the start.
+    pub(crate) freedom: usize,
+    /// Values of all symbols, pose and velocity included.
+    pub(crate) values: Vec<(Expr, f64)>,
+}
+
+/// What is known of dimensions and the start.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'a> {
+    /// The size of the scene, m.
+    pub(crate) length: f64,
+    /// The start, if the joints close.
+    pub(crate) assembled: &'a dyn Fn() -> Option<Assembled>,
+    /// Coordinates less the rank of `phi_q` with other values of the parameters, if there are any and the joints close then.
+    pub(crate) freedom_elsewhere: &'a dyn Fn() -> Option<usize>,
+}
 
 /// The charts of a mechanism that is redundant, if some loops say what others have said.
 pub(crate) fn schemes(
@@ -75,7 +96,7 @@ fn closes(
     let iterated: Vec<usize> = scheme.iterated().collect();
     let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated);
     let size = Expr::from(plm_cas::Number::from_f64(length));
-    let motion = Motion::new(model, coordinates, scheme, &memory, size);
+    let motion = kinematics(model, coordinates, scheme, &memory, size);
     let survey = {
         let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size };
         layout.survey(scheme)
@@ -92,7 +113,7 @@ fn closes(
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
             let Vec2 { x, y } = motion.position[body];
-            [x, y, motion.angle(coordinates, coordinates.headings[body])]
+            [x, y, motion.angle(coordinates.headings[body])]
         })
         .collect();
     let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));

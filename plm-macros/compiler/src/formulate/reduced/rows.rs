@@ -83,18 +83,13 @@ fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
 }
 
 /// Solves a row for one unknown and writes its value, coefficients and rate.
-pub(crate) fn solve(
-    coordinates: &Coordinates,
-    motion: &mut Motion,
-    row: &Explicit,
-    unknown: usize,
-    time: Expr,
-) {
+pub(crate) fn solve(motion: &mut Motion, row: &Explicit, unknown: usize) {
+    let coordinates = motion.coordinates;
     let Some(own) = row.coefficients.iter().find(|(of, _)| *of == unknown).map(|found| found.1) else {
         return;
     };
     let others: Vec<(usize, Expr)> = row.held.iter().copied().filter(|(of, _)| *of != unknown).collect();
-    let symbol = row.held.iter().find(|(of, _)| *of == unknown).map_or(time, |found| found.1);
+    let symbol = row.held.iter().find(|(of, _)| *of == unknown).map_or(motion.time, |found| found.1);
     let rest = algebra::substitute(&[row.phi], &[(symbol, Expr::ZERO)])[0];
     let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect();
     // Along the motion, but for the second derivatives of the other unknowns.
@@ -102,12 +97,12 @@ pub(crate) fn solve(
     let rates: Vec<Expr> = rates.collect();
     let mut flow: Vec<(Expr, Expr)> =
         others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect();
-    flow.push((time, Expr::ONE));
+    flow.push((motion.time, Expr::ONE));
     let rate = rest.directional(&flow);
     let curvature = rate.directional(&flow);
-    let by_time = rest.diff(time);
+    let by_time = rest.diff(motion.time);
 
-    let mut pairs = known(coordinates, motion, &others);
+    let mut pairs = known(motion, &others);
     pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
     let mut roots = vec![rest, by_time, curvature];
     roots.extend(&slopes);
@@ -131,11 +126,12 @@ pub(crate) fn solve(
     if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
         motion.rotation[class] = Rotation::by(value);
     }
-    motion.set_rate(coordinates, unknown);
+    motion.set_rate(unknown);
 }
 
 /// What stands for the symbols of unknowns that are known.
-fn known(coordinates: &Coordinates, motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
+fn known(motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
+    let coordinates = motion.coordinates;
     let mut pairs = Vec::new();
     for &(unknown, symbol) in others {
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {

@@ -7,7 +7,6 @@
 use plm_cas::{Expr, Rotation, Vec2};
 
 use super::coordinates::{Coordinates, Unknown};
-use super::dyad::known;
 use super::loops::{self, Found};
 use super::motion::Motion;
 use super::solution::Solution;
@@ -33,11 +32,12 @@ impl Single {
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.
-    pub(crate) fn solve(&self, coordinates: &Coordinates, motion: &mut Motion, time: Expr) -> Solution {
+    pub(crate) fn solve(&self, motion: &mut Motion) -> Solution {
+        let coordinates = motion.coordinates;
         let turns = matches!(coordinates.unknowns[self.unknown], Unknown::Angle { .. });
         let chain = &coordinates.closures[self.closure];
         let turning: &[usize] = if turns { &[self.class] } else { &[] };
-        let m = known(chain, turning, &[self.unknown], motion);
+        let m = motion.known_sum(chain, turning, &[self.unknown]);
         let (column, length, mismatch, arms) = if turns {
             let arm = motion.arm(chain, self.class, &[]);
             let square = arm.squared();
@@ -58,7 +58,7 @@ impl Single {
         let nearest = |sum: Vec2| vec![-sum.dot(column) / length];
         let found =
             Found { closure: self.closure, unknowns: &[self.unknown], solution: &solution, solve: &nearest };
-        loops::differentiate(coordinates, motion, &found, time);
+        loops::differentiate(motion, &found);
         solution
     }
 }

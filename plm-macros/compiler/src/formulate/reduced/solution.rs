@@ -2,8 +2,6 @@
 
 use plm_cas::{Expr, Vec2};
 
-use super::link::{Link, Own};
-
 /// What a dyad's solution leaves for velocities and for the choice of charts.
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
@@ -17,8 +15,6 @@ pub(crate) struct Solution {
     pub(crate) columns: [Vec2; 2],
     /// The vectors of the loop that turn with the unknown classes.
     pub(crate) arms: Vec<(usize, Vec2)>,
-    /// The one body that moves a dyad, and the dyad's own vectors.
-    pub(crate) link: Option<(Link, Own)>,
 }
 
 impl Solution {
@@ -37,7 +33,16 @@ impl Solution {
             scale: Expr::ONE,
             columns: [Vec2::ZERO; 2],
             arms: Vec::new(),
-            link: None,
         }
     }
+}
+
+/// The smallest square of the measures of some loops.
+pub(super) fn measure(solutions: &[Solution]) -> Expr {
+    let mut worst: Option<Expr> = None;
+    for solution in solutions {
+        let own = solution.square / solution.scale;
+        worst = Some(worst.map_or(own, |worst| worst.min(own)));
+    }
+    worst.unwrap_or(Expr::ONE)
 }

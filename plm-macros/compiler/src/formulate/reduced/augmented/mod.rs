@@ -23,11 +23,10 @@ use plm_cas::{Expr, Vec2, algebra};
 
 use self::rows::Way;
 use self::unknowns::Unknowns;
-use super::coordinates::Coordinates;
+use super::layout::loads;
 use super::motion::Motion;
-use super::{loads, stored};
 use crate::derive::Equations;
-use crate::formulate::function::{Function, Section};
+use crate::formulate::function::{Function, Section, stored};
 use crate::formulate::pattern::Pattern;
 use crate::model::Model;
 
@@ -68,28 +67,19 @@ pub(crate) struct Augmented {
 }
 
 /// Lays out the linearised equations of a tree; nothing where df/dx is small.
-pub(crate) fn augmented(
-    model: &Model,
-    equations: &Equations,
-    coordinates: &Coordinates,
-    motion: &Motion,
-) -> Option<Augmented> {
+pub(crate) fn augmented(model: &Model, equations: &Equations, motion: &Motion) -> Option<Augmented> {
     if 2 * motion.drivers.len() + equations.x.len() <= MOST_FULL {
         return None;
     }
-    Some(laid_out(model, equations, coordinates, motion))
+    Some(laid_out(model, equations, motion))
 }
 
 /// The same for any number of states.
-pub(super) fn laid_out(
-    model: &Model,
-    equations: &Equations,
-    coordinates: &Coordinates,
-    motion: &Motion,
-) -> Augmented {
-    let unknowns = Unknowns::new(model, equations, coordinates, motion);
-    let (ways, mut terms) = rows::terms(model, coordinates, motion, &unknowns);
-    let (pairs, sections) = known(model, coordinates, motion, &unknowns, &ways);
+pub(super) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) -> Augmented {
+    let coordinates = motion.coordinates;
+    let unknowns = Unknowns::new(model, equations, motion);
+    let (ways, mut terms) = rows::terms(model, motion, &unknowns);
+    let (pairs, sections) = known(model, motion, &unknowns, &ways);
     let values: Vec<Expr> = terms.values().copied().collect();
     let values = algebra::substitute(&values, &pairs);
     for (old, value) in terms.values_mut().zip(values) {
@@ -106,11 +96,11 @@ pub(super) fn laid_out(
 /// What stands for the symbols of accelerations of bodies, outwards, and forces in joints, inwards.
 fn known(
     model: &Model,
-    coordinates: &Coordinates,
     motion: &Motion,
     unknowns: &Unknowns,
     ways: &[Way],
 ) -> (Vec<(Expr, Expr)>, Vec<Section>) {
+    let coordinates = motion.coordinates;
     let applied = loads(model, motion);
     let mut pairs = motion.substitution.clone();
     let (mut outward, mut inward) = (Vec::new(), Vec::new());

@@ -23,13 +23,9 @@ pub(super) struct Way {
 type Terms = BTreeMap<(usize, usize, Part), Expr>;
 
 /// The derivatives of all equations, and the way to each body in the order of [`Coordinates::order`].
-pub(super) fn terms(
-    model: &Model,
-    coordinates: &Coordinates,
-    motion: &Motion,
-    unknowns: &Unknowns,
-) -> (Vec<Way>, Terms) {
-    let mut work = Rows { model, coordinates, motion, unknowns, terms: Terms::new() };
+pub(super) fn terms(model: &Model, motion: &Motion, unknowns: &Unknowns) -> (Vec<Way>, Terms) {
+    let coordinates = motion.coordinates;
+    let mut work = Rows { model, coordinates: motion.coordinates, motion, unknowns, terms: Terms::new() };
     let ways: Vec<Way> = coordinates.order.iter().map(|hold| work.way(hold)).collect();
     work.kinematics(&ways);
     work.forces();
@@ -42,7 +38,7 @@ pub(super) fn terms(
 struct Rows<'a> {
     model: &'a Model,
     coordinates: &'a Coordinates,
-    motion: &'a Motion,
+    motion: &'a Motion<'a>,
     unknowns: &'a Unknowns,
     terms: Terms,
 }

@@ -34,12 +34,8 @@ pub(super) enum Kind {
 }
 
 impl Unknowns {
-    pub(super) fn new(
-        model: &Model,
-        equations: &Equations,
-        coordinates: &Coordinates,
-        motion: &Motion,
-    ) -> Unknowns {
+    pub(super) fn new(model: &Model, equations: &Equations, motion: &Motion) -> Unknowns {
+        let coordinates = motion.coordinates;
         let n = coordinates.unknowns.len();
         let bodies = model.bodies.len();
         let mut unknowns = Unknowns {

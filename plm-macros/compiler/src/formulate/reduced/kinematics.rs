@@ -1,0 +1,55 @@
+//! How everything moves with the coordinates of a chart.
+
+use plm_cas::{Expr, Rotation};
+
+use super::charts::Scheme;
+use super::coordinates::{Coordinates, Unknown};
+use super::memory::Memory;
+use super::motion::Motion;
+use crate::model::Model;
+
+/// Solves the groups of a scheme, one after the other. Coordinates that are angles or centres keep the symbols of their
+/// bodies; slides get their own.
+pub(crate) fn kinematics<'a>(
+    model: &Model,
+    coordinates: &'a Coordinates,
+    scheme: &Scheme,
+    memory: &Memory,
+    length: Expr,
+) -> Motion<'a> {
+    let mut motion = Motion::still(model, coordinates, length);
+    let paced = scheme.drivers.len() == 1 && !coordinates.moves_with(model.time);
+    for (place, &unknown) in scheme.drivers.iter().enumerate() {
+        let (value, rate) = symbols(model, coordinates.unknowns[unknown]);
+        motion.pace = paced.then_some(rate);
+        (motion.value[unknown], motion.rate[unknown]) = (value, rate);
+        for gains in &mut motion.gain {
+            gains.push(Expr::ZERO);
+        }
+        motion.gain[unknown][place] = Expr::ONE;
+        motion.drivers.push(unknown);
+        if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+            motion.rotation[class] = Rotation::by(value);
+            motion.omega[class] = rate;
+            motion.turning[class] = if paced { Expr::ONE } else { rate };
+        }
+    }
+    for group in &scheme.groups {
+        let place = motion.solutions.len();
+        group.solve(&mut motion, (memory, place));
+    }
+    motion.place(model);
+    motion.substitute_headings(model);
+    motion
+}
+
+fn symbols(model: &Model, unknown: Unknown) -> (Expr, Expr) {
+    match unknown {
+        Unknown::Angle { body, .. } => (model.bodies[body].q[2], model.bodies[body].v[2]),
+        Unknown::Centre { body, axis } => (model.bodies[body].q[axis], model.bodies[body].v[axis]),
+        Unknown::Slide { part } => {
+            let name = &model.parts[part].name.text;
+            (Expr::symbol(format!("s_{name}")), Expr::symbol(format!("v_{name}")))
+        }
+    }
+}
