@@ -2,13 +2,13 @@
 
 use plm_cas::{Expr, Vec2};
 
-use super::inertia::Dense;
-use super::motion::Motion;
 use crate::formulate::function::Section;
 use crate::formulate::ldl::factorise;
+use crate::formulate::reduced::inertia::Dense;
+use crate::formulate::reduced::motion::Motion;
 
 /// Solves `M a = Q`, and how a person would write that down.
-pub(super) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<Section>) {
+pub(crate) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<Section>) {
     let names: Vec<String> =
         motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
     let mut mass = dense.mass.clone();

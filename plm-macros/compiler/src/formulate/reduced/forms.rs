@@ -3,16 +3,17 @@
 
 use plm_cas::{Expr, algebra};
 
-use super::charts::Scheme;
-use super::coordinates::Coordinates;
-use super::kinematics::kinematics;
-use super::layout::Layout;
-use super::memory::Memory;
-use super::motion::Motion;
-use super::{augmented, charts};
+use super::charts;
+use super::tree::augmented;
 use crate::check;
 use crate::derive::derive;
 use crate::diag::Diagnostics;
+use crate::formulate::reduced::charts::Scheme;
+use crate::formulate::reduced::charts::kinematics::kinematics;
+use crate::formulate::reduced::joints::coordinates::Coordinates;
+use crate::formulate::reduced::layout::Layout;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::memory::Memory;
 use crate::front;
 use crate::model::Model;
 use crate::token::Sources;

@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 use plm_cas::algebra::{self, dot};
 use plm_cas::{Expr, Vec2};
 
-use super::bases::Products;
-use super::chain::Chain;
-use super::motion::Motion;
+use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::bases::Products;
 use crate::model::Model;
 
 /// `M a = Q` for the second derivatives `a` of the coordinates.

@@ -2,23 +2,23 @@
 
 use plm_cas::{Expr, algebra};
 
-use super::coordinates::Coordinates;
-use super::memory::Memory;
-use super::motion::Motion;
 use crate::derive::Equations;
+use crate::formulate::reduced::joints::coordinates::Coordinates;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::memory::Memory;
 use crate::model::Model;
 
 /// What all charts share.
-pub(super) struct Layout<'a> {
-    pub(super) model: &'a Model,
-    pub(super) equations: &'a Equations,
-    pub(super) coordinates: &'a Coordinates,
-    pub(super) memory: &'a Memory,
-    pub(super) length: Expr,
+pub(crate) struct Layout<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) equations: &'a Equations,
+    pub(crate) coordinates: &'a Coordinates,
+    pub(crate) memory: &'a Memory,
+    pub(crate) length: Expr,
 }
 
 /// Applied forces and torques at each G, without gravity, as functions of the coordinates.
-pub(super) fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
+pub(crate) fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
     let mut terms: Vec<[Vec<Expr>; 3]> = vec![Default::default(); model.bodies.len()];
     for load in &model.loads {
         for (sum, &component) in terms[load.body].iter_mut().zip(&load.force) {

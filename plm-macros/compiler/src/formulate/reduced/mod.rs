@@ -1,47 +1,30 @@
 //! Rungs 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
-mod articulated;
-mod augmented;
-mod bases;
-mod chain;
 mod charts;
-mod coordinates;
 mod dense;
-mod dyad;
-mod elimination;
 #[cfg(test)]
 mod forms;
 mod groups;
 mod inertia;
-mod kinematics;
+mod joints;
 mod layout;
-mod link;
-mod looks;
-mod loops;
-mod memory;
 mod motion;
-mod newton;
-mod reactions;
-mod redundant;
-mod rows;
-mod single;
-mod solution;
-mod spatial;
+mod tree;
 
 use plm_cas::{Expr, algebra};
 
-use self::augmented::augmented;
-pub(crate) use self::augmented::{Augmented, Part, Term};
 use self::charts::Scheme;
-use self::coordinates::{Coordinates, Unknown};
+use self::charts::kinematics::kinematics;
+pub(crate) use self::charts::redundant::{Assembled, Known};
 use self::groups::Group;
-use self::kinematics::kinematics;
+use self::joints::coordinates::{Coordinates, Unknown};
 use self::layout::{Layout, loads};
-use self::memory::Memory;
 use self::motion::Motion;
-pub(crate) use self::redundant::{Assembled, Known};
-use self::solution::measure;
+use self::motion::memory::Memory;
+use self::motion::solution::measure;
+use self::tree::augmented::augmented;
+pub(crate) use self::tree::augmented::{Augmented, Part, Term};
 use super::function::{Function, Place, Section, stored};
 use super::sides;
 use crate::derive::Equations;
@@ -208,7 +191,7 @@ fn schemes(
     {
         return Ok(counted);
     }
-    redundant::schemes(model, equations, coordinates, (length, assembled)).ok_or(reason)
+    charts::redundant::schemes(model, equations, coordinates, (length, assembled)).ok_or(reason)
 }
 
 /// The body or part of a coordinate's name.
@@ -287,7 +270,7 @@ impl Layout<'_> {
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }
         if tree {
-            let solution = articulated::accelerations(model, motion, &force);
+            let solution = tree::articulated::accelerations(model, motion, &force);
             forms.push(("elimination body by body", self.right_hand_side(motion, solution, loops)));
         }
         forms

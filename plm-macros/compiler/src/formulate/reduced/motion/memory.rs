@@ -2,7 +2,7 @@
 
 use plm_cas::{Expr, Rotation};
 
-use super::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 
 /// Symbols of the numbers that are remembered.
 #[derive(Clone, Debug, Default)]

@@ -7,9 +7,9 @@
 
 use plm_cas::{Expr, Vec2};
 
-use super::chain::Chain;
-use super::motion::Motion;
-use super::solution::Solution;
+use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::solution::Solution;
 
 /// Unknowns of one closure that have been found.
 pub(crate) struct Found<'a> {

@@ -1,9 +1,13 @@
 //! From which coordinates the loops are solved: every choice that leaves dyads alone is a chart; where there is none,
 //! those that leave the smallest blocks.
 
-use super::coordinates::{Coordinates, Unknown};
-use super::groups::Group;
-use super::newton::MOST_UNKNOWNS;
+pub(crate) mod kinematics;
+pub(crate) mod looks;
+pub(crate) mod redundant;
+
+use crate::formulate::reduced::groups::Group;
+use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::model::{Model, Rung};
 use crate::topology::{Block, Choice, Equation, drivers};
 

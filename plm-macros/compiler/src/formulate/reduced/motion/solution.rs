@@ -38,7 +38,7 @@ impl Solution {
 }
 
 /// The smallest square of the measures of some loops.
-pub(super) fn measure(solutions: &[Solution]) -> Expr {
+pub(crate) fn measure(solutions: &[Solution]) -> Expr {
     let mut worst: Option<Expr> = None;
     for solution in solutions {
         let own = solution.square / solution.scale;

@@ -5,14 +5,14 @@
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::charts::{self, Scheme};
-use super::coordinates::{Coordinates, Unknown};
-use super::kinematics::kinematics;
-use super::layout::Layout;
-use super::memory::Memory;
-use super::motion;
 use crate::check;
 use crate::derive::Equations;
+use crate::formulate::reduced::charts::kinematics::kinematics;
+use crate::formulate::reduced::charts::{self, Scheme};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::layout::Layout;
+use crate::formulate::reduced::motion;
+use crate::formulate::reduced::motion::memory::Memory;
 use crate::model::Model;
 
 /// Sets of loops that are tried.

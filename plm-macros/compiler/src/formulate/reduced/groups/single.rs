@@ -6,10 +6,10 @@
 
 use plm_cas::{Expr, Rotation, Vec2};
 
-use super::coordinates::{Coordinates, Unknown};
-use super::loops::{self, Found};
-use super::motion::Motion;
-use super::solution::Solution;
+use crate::formulate::reduced::groups::loops::{self, Found};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::solution::Solution;
 
 /// The one unknown of a loop.
 #[derive(Clone, Copy, Debug)]

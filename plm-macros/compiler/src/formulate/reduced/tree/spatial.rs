@@ -7,36 +7,36 @@ use plm_cas::{Expr, Vec2, algebra};
 
 /// A motion (acceleration of a point, angular acceleration) or a wrench (force, moment about that point).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Spatial(pub(super) [Expr; 3]);
+pub(crate) struct Spatial(pub(super) [Expr; 3]);
 
 /// A symmetric map from motions to wrenches: what a body, with all that hangs on it, answers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Inertia([[Expr; 3]; 3]);
+pub(crate) struct Inertia([[Expr; 3]; 3]);
 
 impl Spatial {
-    pub(super) const ZERO: Spatial = Spatial([Expr::ZERO; 3]);
+    pub(crate) const ZERO: Spatial = Spatial([Expr::ZERO; 3]);
     /// About the axis across the plane.
-    pub(super) const ABOUT: Spatial = Spatial([Expr::ZERO, Expr::ZERO, Expr::ONE]);
+    pub(crate) const ABOUT: Spatial = Spatial([Expr::ZERO, Expr::ZERO, Expr::ONE]);
 
-    pub(super) fn new(plane: Vec2, about: Expr) -> Spatial {
+    pub(crate) fn new(plane: Vec2, about: Expr) -> Spatial {
         Spatial([plane.x, plane.y, about])
     }
 
-    pub(super) fn plane(self) -> Vec2 {
+    pub(crate) fn plane(self) -> Vec2 {
         Vec2::new(self.0[0], self.0[1])
     }
 
-    pub(super) fn about(self) -> Expr {
+    pub(crate) fn about(self) -> Expr {
         self.0[2]
     }
 
-    pub(super) fn dot(self, other: Spatial) -> Expr {
+    pub(crate) fn dot(self, other: Spatial) -> Expr {
         let products = [0, 1, 2].map(|i| self.0[i] * other.0[i]);
         algebra::sum(&products)
     }
 
     /// The axis that it lies along, if it does.
-    pub(super) fn axis(self) -> Option<usize> {
+    pub(crate) fn axis(self) -> Option<usize> {
         let mut along = (0..3).filter(|&i| !self.0[i].is_zero());
         let first = along.next()?;
         along.next().is_none().then_some(first)
@@ -77,20 +77,20 @@ impl Mul<Spatial> for Expr {
 
 impl Inertia {
     /// By its block of the plane, the column that couples it with the third component, and the entry there.
-    pub(super) fn new([xx, xy, yy]: [Expr; 3], coupling: Vec2, about: Expr) -> Inertia {
+    pub(crate) fn new([xx, xy, yy]: [Expr; 3], coupling: Vec2, about: Expr) -> Inertia {
         let Vec2 { x, y } = coupling;
         Inertia([[xx, xy, x], [xy, yy, y], [x, y, about]])
     }
 
     /// `xx`, `xy` and `yy`.
-    pub(super) fn plane(self) -> [Expr; 3] {
+    pub(crate) fn plane(self) -> [Expr; 3] {
         let [[xx, xy, _], [_, yy, _], _] = self.0;
         [xx, xy, yy]
     }
 
     /// Less `a b^T`, which is symmetric.
     #[must_use]
-    pub(super) fn less_outer(self, a: Spatial, b: Spatial) -> Inertia {
+    pub(crate) fn less_outer(self, a: Spatial, b: Spatial) -> Inertia {
         let mut left = self;
         for i in 0..3 {
             for j in 0..=i {
@@ -103,7 +103,7 @@ impl Inertia {
 
     /// Without the row and the column of an axis.
     #[must_use]
-    pub(super) fn without(mut self, axis: usize) -> Inertia {
+    pub(crate) fn without(mut self, axis: usize) -> Inertia {
         for j in 0..3 {
             (self.0[axis][j], self.0[j][axis]) = (Expr::ZERO, Expr::ZERO);
         }

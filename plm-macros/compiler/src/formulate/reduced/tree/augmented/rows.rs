@@ -4,26 +4,26 @@ use std::collections::BTreeMap;
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::super::coordinates::{Coordinates, Hold};
-use super::super::motion::Motion;
 use super::Part;
 use super::unknowns::{Kind, Unknowns};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Hold};
+use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
 
 /// `D_b` and what follows from it.
-pub(super) struct Way {
+pub(crate) struct Way {
     /// The coordinates that it depends on.
     touched: Vec<usize>,
     place: Vec2,
     speed: Vec2,
-    pub(super) acceleration: Vec2,
+    pub(crate) acceleration: Vec2,
 }
 
 /// Coefficients by row, column and part.
 type Terms = BTreeMap<(usize, usize, Part), Expr>;
 
 /// The derivatives of all equations, and the way to each body in the order of [`Coordinates::order`].
-pub(super) fn terms(model: &Model, motion: &Motion, unknowns: &Unknowns) -> (Vec<Way>, Terms) {
+pub(crate) fn terms(model: &Model, motion: &Motion, unknowns: &Unknowns) -> (Vec<Way>, Terms) {
     let coordinates = motion.coordinates;
     let mut work = Rows { model, coordinates: motion.coordinates, motion, unknowns, terms: Terms::new() };
     let ways: Vec<Way> = coordinates.order.iter().map(|hold| work.way(hold)).collect();

@@ -8,12 +8,12 @@
 
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
-use super::coordinates::{Coordinates, Unknown};
-use super::elimination::{Column, Elimination, Plan};
-use super::loops::Flow;
-use super::memory::Memory;
-use super::motion::Motion;
-use super::solution::Solution;
+use crate::formulate::reduced::groups::elimination::{Column, Elimination, Plan};
+use crate::formulate::reduced::groups::loops::Flow;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::memory::Memory;
+use crate::formulate::reduced::motion::solution::Solution;
 use crate::topology::Block;
 
 /// Unknowns that are solved at once; the effort grows with the third power.

@@ -2,10 +2,10 @@
 
 use plm_cas::{Expr, Rotation};
 
-use super::charts::Scheme;
-use super::coordinates::{Coordinates, Unknown};
-use super::memory::Memory;
-use super::motion::Motion;
+use crate::formulate::reduced::charts::Scheme;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::memory::Memory;
 use crate::model::Model;
 
 /// Solves the groups of a scheme, one after the other. Coordinates that are angles or centres keep the symbols of their

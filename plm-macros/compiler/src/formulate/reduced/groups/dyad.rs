@@ -15,13 +15,13 @@
 
 use plm_cas::{Expr, Rotation, Vec2};
 
-use super::bases::Base;
-use super::chain::Chain;
-use super::coordinates::{Coordinates, Unknown};
-use super::link::{Link, Own};
-use super::loops::{self, Found};
-use super::motion::Motion;
-use super::solution::Solution;
+use crate::formulate::reduced::groups::link::{Link, Own};
+use crate::formulate::reduced::groups::loops::{self, Found};
+use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::bases::Base;
+use crate::formulate::reduced::motion::solution::Solution;
 
 /// A block of two unknowns that has a closed form.
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,15 @@
 //! How the unknowns and the bodies move when the coordinates do.
 
+pub(crate) mod bases;
+pub(crate) mod memory;
+pub(crate) mod solution;
+
 use plm_cas::{Expr, Rotation, Vec2};
 
-use super::bases::{Bases, Products};
-use super::chain::Chain;
-use super::coordinates::{Coordinates, Heading, Hold, Unknown};
-use super::solution::Solution;
+use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Heading, Hold, Unknown};
+use crate::formulate::reduced::motion::bases::{Bases, Products};
+use crate::formulate::reduced::motion::solution::Solution;
 use crate::model::{FrameRef, Model};
 
 /// Values of the unknowns and of all that follows from them, as expressions.
@@ -67,7 +71,7 @@ impl<'a> Motion<'a> {
         motion
     }
 
-    pub(super) fn still(model: &Model, coordinates: &'a Coordinates, length: Expr) -> Motion<'a> {
+    pub(crate) fn still(model: &Model, coordinates: &'a Coordinates, length: Expr) -> Motion<'a> {
         let zeros = vec![Expr::ZERO; coordinates.unknowns.len()];
         let classes = coordinates.angle_of_class.len();
         Motion {
@@ -185,7 +189,7 @@ impl<'a> Motion<'a> {
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.
-    pub(super) fn place(&mut self, model: &Model) {
+    pub(crate) fn place(&mut self, model: &Model) {
         let coordinates = self.coordinates;
         self.position = vec![Vec2::ZERO; model.bodies.len()];
         self.velocity = vec![Vec2::ZERO; model.bodies.len()];
@@ -236,7 +240,7 @@ impl<'a> Motion<'a> {
         (position, velocity)
     }
 
-    pub(super) fn substitute_headings(&mut self, model: &Model) {
+    pub(crate) fn substitute_headings(&mut self, model: &Model) {
         let mut pairs = Vec::new();
         for (body, declared) in model.bodies.iter().enumerate() {
             let heading = self.coordinates.headings[body];
@@ -273,7 +277,7 @@ pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown
             let between = end - start;
             let heading = coordinates.heading(a);
             let own = a.body.map_or(heading.offset, |body| model.bodies[body].q[2]);
-            let angle = own + super::coordinates::port(model, a).angle;
+            let angle = own + crate::formulate::reduced::joints::coordinates::port(model, a).angle;
             between.dot(Rotation::by(angle).axis())
         }
     }
@@ -281,7 +285,7 @@ pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown
 
 /// Absolute position of a port as a function of the pose.
 fn point(model: &Model, frame: FrameRef) -> Vec2 {
-    let at = Vec2::from(super::coordinates::port(model, frame).at);
+    let at = Vec2::from(crate::formulate::reduced::joints::coordinates::port(model, frame).at);
     let Some(body) = frame.body else { return at };
     let [x, y, theta] = model.bodies[body].q;
     Vec2::new(x, y) + Rotation::by(theta) * at

@@ -1,23 +1,31 @@
 //! What determines the unknowns that are no coordinates, group by group (L. V. Assur's groups: as many rows as unknowns,
 //! and none smaller inside).
 
+pub(crate) mod dyad;
+pub(crate) mod elimination;
+pub(crate) mod given;
+pub(crate) mod link;
+pub(crate) mod loops;
+pub(crate) mod newton;
+pub(crate) mod single;
+
 use plm_cas::Expr;
 
-use super::coordinates::{Coordinates, Unknown};
-use super::dyad::{Dyad, Kind};
-use super::memory::Memory;
-use super::motion::Motion;
-use super::newton::Newton;
-use super::rows;
-use super::single::Single;
-use super::solution::Solution;
+use crate::formulate::reduced::groups::dyad::{Dyad, Kind};
+use crate::formulate::reduced::groups::given::Given;
+use crate::formulate::reduced::groups::newton::Newton;
+use crate::formulate::reduced::groups::single::Single;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::memory::Memory;
+use crate::formulate::reduced::motion::solution::Solution;
 use crate::topology::Block;
 
 /// Unknowns that follow from those before.
 #[derive(Clone, Debug)]
 pub(crate) enum Group {
-    /// One unknown of an explicit row: the place of the row in [`Coordinates::rows`].
-    Row { row: usize, unknown: usize },
+    /// One unknown that a row gives.
+    Given(Given),
     /// Two unknowns of a loop.
     Dyad(Dyad),
     /// The one unknown of a loop that says the rest for the second time.
@@ -32,8 +40,7 @@ impl Group {
         let loops = coordinates.closures.len();
         match (block.equations.as_slice(), block.unknowns.as_slice()) {
             (&[row], &[unknown]) if row >= loops => {
-                let row = row - loops;
-                coordinates.rows[row].gives(unknown).then_some(Group::Row { row, unknown })
+                Given::of(coordinates, row - loops, unknown).map(Group::Given)
             }
             (&[closure], &[first, second]) if closure < loops => {
                 Dyad::of(coordinates, closure, [first, second]).map(Group::Dyad)
@@ -48,7 +55,7 @@ impl Group {
     /// Effort of its solution, for the choice of coordinates; none without a closed form.
     pub(crate) fn cost(&self) -> Option<u32> {
         match self {
-            Group::Row { .. } => Some(0),
+            Group::Given(_) => Some(0),
             Group::Dyad(dyad) => Some(dyad.cost()),
             Group::Single(_) => Some(2),
             Group::Newton(_) => None,
@@ -58,7 +65,7 @@ impl Group {
     /// The unknowns that it determines.
     pub(crate) fn unknowns(&self) -> Vec<usize> {
         match self {
-            Group::Row { unknown, .. } => vec![*unknown],
+            Group::Given(given) => vec![given.unknown],
             Group::Dyad(dyad) => dyad.unknowns.to_vec(),
             Group::Single(single) => vec![single.unknown],
             Group::Newton(newton) => newton.unknowns.clone(),
@@ -67,13 +74,13 @@ impl Group {
 
     /// Is it a loop, which may be flat, and of which something is remembered?
     pub(crate) fn is_loop(&self) -> bool {
-        !matches!(self, Group::Row { .. })
+        !matches!(self, Group::Given(_))
     }
 
     /// Its name in the literature.
     pub(crate) fn name(&self) -> String {
         match self {
-            Group::Row { .. } => "given".to_owned(),
+            Group::Given(_) => "given".to_owned(),
             Group::Dyad(dyad) => dyad.name().to_owned(),
             Group::Single(_) => "redundant".to_owned(),
             Group::Newton(newton) => newton.name(),
@@ -83,7 +90,7 @@ impl Group {
     /// The joint that closes its loop, by its place in [`Coordinates::joints`].
     pub(crate) fn closing(&self, coordinates: &Coordinates) -> Option<usize> {
         match self {
-            Group::Row { .. } => None,
+            Group::Given(_) => None,
             Group::Dyad(dyad) => Some(coordinates.closing(dyad.closure, &dyad.unknowns)),
             Group::Single(single) => Some(coordinates.closing(single.closure, &[single.unknown])),
             Group::Newton(newton) => {
@@ -96,9 +103,7 @@ impl Group {
     pub(crate) fn solve(&self, motion: &mut Motion, (memory, place): (&Memory, usize)) {
         let coordinates = motion.coordinates;
         let solution = match self {
-            Group::Row { row, unknown } => {
-                return rows::solve(motion, &coordinates.rows[*row], *unknown);
-            }
+            Group::Given(given) => return given.solve(motion),
             Group::Dyad(dyad) => {
                 let side = if dyad.is_signed() { memory.area(place) } else { None };
                 dyad.solve(motion, side)
@@ -118,7 +123,7 @@ impl Group {
     /// What is known of a loop where all unknowns are.
     pub(crate) fn at_pose(&self, motion: &Motion) -> Option<Solution> {
         match self {
-            Group::Row { .. } => None,
+            Group::Given(_) => None,
             Group::Dyad(dyad) => Some(dyad.at_pose(motion)),
             Group::Single(_) => Some(Solution::certain()),
             Group::Newton(newton) => Some(newton.at_pose(motion)),
@@ -134,7 +139,7 @@ impl Group {
     ) -> Vec<Expr> {
         let slides = |unknown: usize| !matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         match self {
-            Group::Row { .. } | Group::Single(_) => Vec::new(),
+            Group::Given(_) | Group::Single(_) => Vec::new(),
             Group::Dyad(dyad) => {
                 let turning = |class: usize| coordinates.angle_of_class[class].map_or(Expr::ZERO, rate);
                 match dyad.kind {

@@ -16,10 +16,10 @@
 
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
-use super::bases::Products;
-use super::chain::Chain;
-use super::dyad::{Dyad, Kind};
-use super::motion::Motion;
+use crate::formulate::reduced::groups::dyad::{Dyad, Kind};
+use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::bases::Products;
 
 /// The body that moves a dyad.
 #[derive(Clone, Debug)]

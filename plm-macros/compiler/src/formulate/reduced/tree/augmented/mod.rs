@@ -23,11 +23,11 @@ use plm_cas::{Expr, Vec2, algebra};
 
 use self::rows::Way;
 use self::unknowns::Unknowns;
-use super::layout::loads;
-use super::motion::Motion;
 use crate::derive::Equations;
 use crate::formulate::function::{Function, Section, stored};
 use crate::formulate::pattern::Pattern;
+use crate::formulate::reduced::layout::loads;
+use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
 
 /// States up to which implicit methods take the full matrix of derivatives.
@@ -75,7 +75,7 @@ pub(crate) fn augmented(model: &Model, equations: &Equations, motion: &Motion) -
 }
 
 /// The same for any number of states.
-pub(super) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) -> Augmented {
+pub(crate) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) -> Augmented {
     let coordinates = motion.coordinates;
     let unknowns = Unknowns::new(model, equations, motion);
     let (ways, mut terms) = rows::terms(model, motion, &unknowns);

@@ -10,7 +10,7 @@ use std::ops::{Add, Neg};
 
 use plm_cas::{Expr, Rotation, Vec2};
 
-use super::chain::Chain;
+use crate::formulate::reduced::joints::chain::Chain;
 
 /// A vector that turns with a class.
 #[derive(Clone, Copy, Debug)]

@@ -15,10 +15,10 @@
 
 use plm_cas::{Expr, Vec2};
 
-use super::super::function::Section;
-use super::coordinates::{Coordinates, Hold, Joint, Unknown};
-use super::motion::Motion;
-use super::spatial::{Inertia, Spatial};
+use crate::formulate::function::Section;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Hold, Joint, Unknown};
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::tree::spatial::{Inertia, Spatial};
 use crate::model::Model;
 
 /// `I x + p`.

@@ -2,8 +2,7 @@
 
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
-use super::coordinates::{Coordinates, Unknown};
-use super::motion::Motion;
+use crate::formulate::reduced::joints::coordinates::Coordinates;
 use crate::model::Model;
 
 /// `c u + rest(t, other unknowns) = 0` for one unknown u at least, with a constant c.
@@ -18,9 +17,9 @@ pub(crate) struct Explicit {
 }
 
 impl Explicit {
-    /// Can it be solved for this unknown?
-    pub(crate) fn gives(&self, unknown: usize) -> bool {
-        self.coefficients.iter().any(|(of, _)| *of == unknown)
+    /// The coefficient of an unknown that it can be solved for.
+    pub(crate) fn coefficient(&self, unknown: usize) -> Option<Expr> {
+        self.coefficients.iter().find(|(of, _)| *of == unknown).map(|found| found.1)
     }
 }
 
@@ -80,65 +79,4 @@ fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
         coordinates.angle_of_class[class].map_or(vector, |angle| Rotation::by(symbols[angle]) * vector)
     });
     terms.sum()
-}
-
-/// Solves a row for one unknown and writes its value, coefficients and rate.
-pub(crate) fn solve(motion: &mut Motion, row: &Explicit, unknown: usize) {
-    let coordinates = motion.coordinates;
-    let Some(own) = row.coefficients.iter().find(|(of, _)| *of == unknown).map(|found| found.1) else {
-        return;
-    };
-    let others: Vec<(usize, Expr)> = row.held.iter().copied().filter(|(of, _)| *of != unknown).collect();
-    let symbol = row.held.iter().find(|(of, _)| *of == unknown).map_or(motion.time, |found| found.1);
-    let rest = algebra::substitute(&[row.phi], &[(symbol, Expr::ZERO)])[0];
-    let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect();
-    // Along the motion, but for the second derivatives of the other unknowns.
-    let rates = others.iter().map(|&(of, _)| Expr::symbol(format!("u_rate_{of}")));
-    let rates: Vec<Expr> = rates.collect();
-    let mut flow: Vec<(Expr, Expr)> =
-        others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect();
-    flow.push((motion.time, Expr::ONE));
-    let rate = rest.directional(&flow);
-    let curvature = rate.directional(&flow);
-    let by_time = rest.diff(motion.time);
-
-    let mut pairs = known(motion, &others);
-    pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
-    let mut roots = vec![rest, by_time, curvature];
-    roots.extend(&slopes);
-    let roots = algebra::substitute(&roots, &pairs);
-    let (&[rest, by_time, curvature], slopes) = roots.split_at(3) else { return };
-    // `c u + rest = 0`, and its derivatives.
-    let solved = |start: Expr, of: &dyn Fn(usize) -> Expr| {
-        let carried = others.iter().zip(slopes).map(|(&(other, _), &slope)| slope * of(other));
-        let sum: Expr = [start].into_iter().chain(carried).sum();
-        -sum / own
-    };
-    let value = -rest / own;
-    let drift = solved(by_time, &|other| motion.drift[other]);
-    let bias = solved(curvature, &|other| motion.bias[other]);
-    for driver in 0..motion.drivers.len() {
-        let gain = solved(Expr::ZERO, &|other| motion.gain[other][driver]);
-        motion.gain[unknown][driver] = gain;
-    }
-    let value = motion.set_slide(unknown, value);
-    (motion.drift[unknown], motion.bias[unknown]) = (drift, bias);
-    if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-        motion.rotation[class] = Rotation::by(value);
-    }
-    motion.set_rate(unknown);
-}
-
-/// What stands for the symbols of unknowns that are known.
-fn known(motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
-    let coordinates = motion.coordinates;
-    let mut pairs = Vec::new();
-    for &(unknown, symbol) in others {
-        if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-            let axis = motion.turned(class, Vec2::X);
-            pairs.extend([(symbol.cos(), axis.x), (symbol.sin(), axis.y)]);
-        }
-        pairs.push((symbol, motion.value[unknown]));
-    }
-    pairs
 }

@@ -6,17 +6,17 @@
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::super::function::{Function, Section, stored};
-use super::coordinates::Joint;
-use super::layout::Layout;
-use super::motion::Motion;
-use super::spatial::Spatial;
 use crate::derive::SparseRow;
+use crate::formulate::function::{Function, Section, stored};
+use crate::formulate::reduced::joints::coordinates::Joint;
+use crate::formulate::reduced::layout::Layout;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::tree::spatial::Spatial;
 
 impl Layout<'_> {
     /// `a` of all bodies and `lambda` of all rows, where `rate` gives the accelerations of the coordinates; nothing if some
     /// body is held by more than its own equations can tell apart.
-    pub(super) fn reactions(&mut self, motion: &Motion, rate: &Function) -> Option<Function> {
+    pub(crate) fn reactions(&mut self, motion: &Motion, rate: &Function) -> Option<Function> {
         let (n, bodies) = (motion.drivers.len(), self.model.bodies.len());
         let of_drivers: Vec<Expr> = rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect();
         let second = second_derivatives(motion, &of_drivers);

@@ -2,14 +2,14 @@
 
 use plm_cas::{Expr, Number, algebra};
 
-use super::charts::Scheme;
-use super::coordinates::Unknown;
-use super::layout::Layout;
-use super::memory::Memorable;
-use super::motion::Motion;
-use super::solution::Solution;
-use super::solution::measure;
 use crate::formulate::function::{Function, Place, stored};
+use crate::formulate::reduced::charts::Scheme;
+use crate::formulate::reduced::joints::coordinates::Unknown;
+use crate::formulate::reduced::layout::Layout;
+use crate::formulate::reduced::motion::Motion;
+use crate::formulate::reduced::motion::memory::Memorable;
+use crate::formulate::reduced::motion::solution::Solution;
+use crate::formulate::reduced::motion::solution::measure;
 
 /// By this part of its distance to a flat pose a loop may move until the next look, and bodies by as many radians.
 const CALM: (i64, i64) = (1, 10);
@@ -18,7 +18,7 @@ const ANYWHERE: f64 = 1e30;
 
 impl Layout<'_> {
     /// `memory` of a state, returning the square of the measure.
-    pub(super) fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
+    pub(crate) fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
         let drivers = 0..motion.drivers.len();
         let mut boxes: Vec<[Expr; 2]> = Vec::new();
         for driver in drivers {
@@ -72,7 +72,7 @@ impl Layout<'_> {
     }
 
     /// The same of a pose and velocity, but for how far the coordinates may move.
-    pub(super) fn survey(&mut self, scheme: &Scheme) -> Function {
+    pub(crate) fn survey(&mut self, scheme: &Scheme) -> Function {
         let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
         let solutions = scheme.loops().filter_map(|group| group.at_pose(&motion));
         let solutions: Vec<Solution> = solutions.collect();

@@ -4,29 +4,29 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::super::coordinates::{Coordinates, Unknown};
-use super::super::motion::Motion;
 use super::Part;
 use crate::derive::Equations;
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
 
 /// Everything that is solved for, and the symbols that stand for it.
-pub(super) struct Unknowns {
+pub(crate) struct Unknowns {
     /// Second derivatives of the coordinates.
-    pub(super) accelerations: Vec<Expr>,
+    pub(crate) accelerations: Vec<Expr>,
     /// Force through the joint of each body.
-    pub(super) forces: Vec<Vec2>,
+    pub(crate) forces: Vec<Vec2>,
     /// What a symbol stands for: unknown and part of it.
-    pub(super) column: BTreeMap<Expr, (usize, Part)>,
+    pub(crate) column: BTreeMap<Expr, (usize, Part)>,
     /// By body: acceleration and force, then place and velocity where they are wanted.
-    pub(super) of_body: Vec<BTreeMap<Kind, [usize; 2]>>,
+    pub(crate) of_body: Vec<BTreeMap<Kind, [usize; 2]>>,
     states: usize,
     count: usize,
 }
 
 /// What is unknown of a body, in the order of elimination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Force,
     Acceleration,
     Velocity,
@@ -34,7 +34,7 @@ pub(super) enum Kind {
 }
 
 impl Unknowns {
-    pub(super) fn new(model: &Model, equations: &Equations, motion: &Motion) -> Unknowns {
+    pub(crate) fn new(model: &Model, equations: &Equations, motion: &Motion) -> Unknowns {
         let coordinates = motion.coordinates;
         let n = coordinates.unknowns.len();
         let bodies = model.bodies.len();
@@ -107,7 +107,7 @@ impl Unknowns {
 
     /// First-order states, then from the tips to the ground what belongs to each body: pivots are sums of positive masses
     /// and of what h makes of stiffness and damping.
-    pub(super) fn order(&self, coordinates: &Coordinates) -> Vec<usize> {
+    pub(crate) fn order(&self, coordinates: &Coordinates) -> Vec<usize> {
         let n = coordinates.unknowns.len();
         let mut order: Vec<usize> = (n..n + self.states).collect();
         for hold in coordinates.order.iter().rev() {

@@ -7,8 +7,8 @@
 
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
-use super::chain::Chain;
-use super::rows::{self, Explicit};
+use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::joints::explicit::{Explicit, explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
@@ -145,7 +145,7 @@ impl Coordinates {
         coordinates.shorten_closures();
         for row in &model.rows {
             if model.parts[row.part].pair.is_none() {
-                let explicit = rows::explicit(model, &coordinates, row.phi);
+                let explicit = explicit(model, &coordinates, row.phi);
                 let own = || format!("`{}` constrains in a way of its own", model.parts[row.part].name.text);
                 coordinates.rows.push(explicit.ok_or_else(own)?);
             }

@@ -1,0 +1,81 @@
+//! One unknown that a row gives as a function of others.
+
+use plm_cas::{Expr, Rotation, Vec2, algebra};
+
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
+use crate::formulate::reduced::motion::Motion;
+
+/// The unknown of an explicit row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given {
+    /// Place of the row in [`Coordinates::rows`].
+    row: usize,
+    pub(crate) unknown: usize,
+}
+
+impl Given {
+    /// If the row can be solved for the unknown.
+    pub(crate) fn of(coordinates: &Coordinates, row: usize, unknown: usize) -> Option<Given> {
+        coordinates.rows[row].coefficient(unknown).map(|_| Given { row, unknown })
+    }
+
+    /// Writes the unknown, its coefficients and rate into `motion`.
+    pub(crate) fn solve(&self, motion: &mut Motion) {
+        let row = &motion.coordinates.rows[self.row];
+        let Some(own) = row.coefficient(self.unknown) else { return };
+        let others = row.held.iter().copied().filter(|(of, _)| *of != self.unknown);
+        let others: Vec<(usize, Expr)> = others.collect();
+        let symbol = row.held.iter().find(|(of, _)| *of == self.unknown);
+        let symbol = symbol.map_or(motion.time, |found| found.1);
+        let rest = algebra::substitute(&[row.phi], &[(symbol, Expr::ZERO)])[0];
+        let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect();
+        // Along the motion, but for the second derivatives of the other unknowns.
+        let rates = others.iter().map(|&(of, _)| Expr::symbol(format!("u_rate_{of}")));
+        let rates: Vec<Expr> = rates.collect();
+        let mut flow: Vec<(Expr, Expr)> =
+            others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect();
+        flow.push((motion.time, Expr::ONE));
+        let rate = rest.directional(&flow);
+        let curvature = rate.directional(&flow);
+        let by_time = rest.diff(motion.time);
+
+        let mut pairs = known(motion, &others);
+        pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
+        let mut roots = vec![rest, by_time, curvature];
+        roots.extend(&slopes);
+        let roots = algebra::substitute(&roots, &pairs);
+        let (&[rest, by_time, curvature], slopes) = roots.split_at(3) else { return };
+        // `c u + rest = 0`, and its derivatives.
+        let solved = |start: Expr, of: &dyn Fn(usize) -> Expr| {
+            let carried = others.iter().zip(slopes).map(|(&(other, _), &slope)| slope * of(other));
+            let sum: Expr = [start].into_iter().chain(carried).sum();
+            -sum / own
+        };
+        let value = -rest / own;
+        let drift = solved(by_time, &|other| motion.drift[other]);
+        let bias = solved(curvature, &|other| motion.bias[other]);
+        for driver in 0..motion.drivers.len() {
+            let gain = solved(Expr::ZERO, &|other| motion.gain[other][driver]);
+            motion.gain[self.unknown][driver] = gain;
+        }
+        let value = motion.set_slide(self.unknown, value);
+        (motion.drift[self.unknown], motion.bias[self.unknown]) = (drift, bias);
+        if let Unknown::Angle { class, .. } = motion.coordinates.unknowns[self.unknown] {
+            motion.rotation[class] = Rotation::by(value);
+        }
+        motion.set_rate(self.unknown);
+    }
+}
+
+/// What stands for the symbols of unknowns that are known.
+fn known(motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
+    let mut pairs = Vec::new();
+    for &(unknown, symbol) in others {
+        if let Unknown::Angle { class, .. } = motion.coordinates.unknowns[unknown] {
+            let axis = motion.turned(class, Vec2::X);
+            pairs.extend([(symbol.cos(), axis.x), (symbol.sin(), axis.y)]);
+        }
+        pairs.push((symbol, motion.value[unknown]));
+    }
+    pairs
+}
