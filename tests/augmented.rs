@@ -1,4 +1,4 @@
-//! Implicit methods on large trees: the augmented system against the full matrix of derivatives.
+//! Implicit methods on trees: the linearised equations against the full matrix of derivatives, by dual numbers.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 use plm::runtime::linalg::{Complex, Dense, Derivatives};
@@ -66,8 +66,17 @@ macro_rules! chain {
         }
     };
 }
+chain!(chain4, 4);
 chain!(chain16, 16);
 chain!(chain32, 32);
+
+/// An arm on a hydraulic jack with a servo-valve: first-order states, stops, roots.
+#[allow(
+    unused_qualifications,
+    reason = "emitted code qualifies where a name of the user's could stand in the way"
+)]
+#[path = "snapshots/arm_on_jack.rs"]
+mod arm_on_jack;
 
 /// The largest difference of (lambda I - J)^-1 r between the full matrix and the augmented system, over the largest k.
 fn difference<M>(mechanism: M, time: f64, lambda: Complex<f64>) -> f64
@@ -79,7 +88,7 @@ where
     let state = sim.state();
     let (t, held, x) = (state.time(), state.held(), *state.x());
     let (mut full, mut sparse) = (M::X::zeros(), M::Derivatives::zeros());
-    assert!(sparse.full().is_none(), "a mechanism of this size has an augmented system");
+    assert!(sparse.full().is_none(), "the linearised equations of this mechanism are sparse");
     assert!(mechanism.jacobian(t, &held, &x, &mut full, None).is_good());
     assert!(mechanism.differentiate(t, &held, &x, &mut sparse, None).is_good());
     let r = |i: usize| Complex { re: f64::from(i as u32 % 7) - 2.5, im: f64::from(i as u32 % 5) - 1.5 };
@@ -98,7 +107,7 @@ where
 }
 
 #[test]
-fn the_augmented_system_solves_what_the_full_matrix_does() {
+fn the_linearised_equations_solve_what_the_full_matrix_does() {
     for lambda in [
         Complex { re: 1e4, im: 0.0 },
         Complex { re: 300.0, im: 350.0 },
@@ -107,6 +116,8 @@ fn the_augmented_system_solves_what_the_full_matrix_does() {
     ] {
         let found = [
             difference(zoo::Zoo::new(), 0.1, lambda),
+            difference(arm_on_jack::ArmOnJack::new(), 0.01, lambda),
+            difference(chain4::Chain::new(), 0.3, lambda),
             difference(chain16::Chain::new(), 0.3, lambda),
             difference(chain32::Chain::new(), 0.3, lambda),
         ];

@@ -597,7 +597,7 @@ mod plm_bouncer_ {
 
         impl<S: Real> rt::Linear for Bouncer<S> {
             type Lifted<const K: usize> = Bouncer<rt::Dual<S, K>>;
-            type Derivatives = [[S; 4]; 4];
+            type Derivatives = rt::linalg::Sparse<S, Augmented, 3, 2, 2>;
 
             fn lift<const K: usize>(
                 &self,
@@ -606,6 +606,23 @@ mod plm_bouncer_ {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
+            }
+
+            fn differentiate(
+                &self,
+                t: S,
+                u: &Self::U,
+                x: &[S; 4],
+                by_x: &mut Self::Derivatives,
+                by_t: Option<&mut [S; 4]>,
+            ) -> rt::Health<S> {
+                let mut dx = [S::lit(0.0); 4];
+                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                self.linearised(t, u, x, &dx, &mut by_x.coefficients);
+                match by_t {
+                    Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 4]), by_t),
+                    None => health,
+                }
             }
         }
 
@@ -896,6 +913,51 @@ mod plm_bouncer_ {
                 let s_other = x[1];
                 g[2] = s_other - lit(100.0);
             }
+        }
+        impl<S: Scalar> Bouncer<S> {
+            /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
+            ///
+            /// 1 neg, 2 select.
+            fn linearised(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 3]) {
+                let lit = S::lit;
+                // Derivatives of M a - Q and of the rates of the states
+                let s_other = x[1];
+                // Results
+                c[0] = lit(2.0);
+                c[1] = -S::select(s_other.lt(lit(100.0)), lit(0.0), lit(-10.0));
+                c[2] = lit(1.0);
+            }
+        }
+
+        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Augmented;
+
+        impl rt::linalg::Patterned for Augmented {
+            const PATTERN: rt::linalg::Pattern = {
+                use rt::linalg::Part::{
+                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
+                };
+                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
+                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
+                    Term { coefficient, row, column, entry, part }
+                }
+                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
+                    Pivot { row, entry, below, right, targets }
+                }
+                const fn b(row: u32, entry: u32, across: u32) -> Below {
+                    Below { row, entry, across }
+                }
+                Pattern {
+                    coordinates: 2,
+                    states: 0,
+                    terms: const { &[t(0, 0, 0, 0, A), t(1, 1, 1, 1, P), t(2, 1, 1, 1, A)] },
+                    pivots: const { &[p(0, 0, [0, 0], [0, 0], 0), p(1, 1, [0, 0], [0, 0], 0)] },
+                    below: const { &[] },
+                    right: &[],
+                    targets: &[],
+                }
+            };
         }
 
         impl<S: Scalar> Bouncer<S> {

@@ -706,7 +706,7 @@ mod plm_chain_ {
 
         impl<S: Real> rt::Linear for Chain<S> {
             type Lifted<const K: usize> = Chain<rt::Dual<S, K>>;
-            type Derivatives = [[S; 10]; 10];
+            type Derivatives = rt::linalg::Sparse<S, Augmented, 61, 25, 5>;
 
             fn lift<const K: usize>(
                 &self,
@@ -715,6 +715,23 @@ mod plm_chain_ {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
+            }
+
+            fn differentiate(
+                &self,
+                t: S,
+                u: &Self::U,
+                x: &[S; 10],
+                by_x: &mut Self::Derivatives,
+                by_t: Option<&mut [S; 10]>,
+            ) -> rt::Health<S> {
+                let mut dx = [S::lit(0.0); 10];
+                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                self.linearised(t, u, x, &dx, &mut by_x.coefficients);
+                match by_t {
+                    Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 10]), by_t),
+                    None => health,
+                }
             }
         }
 
@@ -1557,6 +1574,303 @@ mod plm_chain_ {
                 x[8] = v[11];
                 x[9] = v[14];
             }
+        }
+        impl<S: Scalar> Chain<S> {
+            /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
+            ///
+            /// 60 add, 163 mul, 4 neg, 5 sin_cos.
+            fn linearised(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 61]) {
+                let lit = S::lit;
+                // Derivatives of M a - Q and of the rates of the states
+                let theta_bar_0 = x[0];
+                let theta_bar_1 = x[1];
+                let theta_bar_2 = x[2];
+                let theta_bar_3 = x[3];
+                let (
+                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
+                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
+                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
+                let t1 = (-cos_theta_bar_0).mul_add(sin_theta_bar_1, sin_theta_bar_0 * cos_theta_bar_1);
+                let acceleration = dx[6];
+                let omega_bar_1 = x[6];
+                let t2 = omega_bar_1 * omega_bar_1;
+                let t3 = sin_theta_bar_0.mul_add(sin_theta_bar_1, cos_theta_bar_0 * cos_theta_bar_1);
+                let t4 = (-t1).mul_add(acceleration, t2 * t3);
+                let t5 = (-cos_theta_bar_0).mul_add(sin_theta_bar_2, sin_theta_bar_0 * cos_theta_bar_2);
+                let acceleration_2 = dx[7];
+                let omega_bar_2 = x[7];
+                let t6 = omega_bar_2 * omega_bar_2;
+                let t7 = sin_theta_bar_0.mul_add(sin_theta_bar_2, cos_theta_bar_0 * cos_theta_bar_2);
+                let t8 = (-t5).mul_add(acceleration_2, t6 * t7);
+                let t9 = (-cos_theta_bar_0).mul_add(sin_theta_bar_3, sin_theta_bar_0 * cos_theta_bar_3);
+                let acceleration_3 = dx[8];
+                let omega_bar_3 = x[8];
+                let t10 = omega_bar_3 * omega_bar_3;
+                let t11 = sin_theta_bar_0.mul_add(sin_theta_bar_3, cos_theta_bar_0 * cos_theta_bar_3);
+                let t12 = (-t9).mul_add(acceleration_3, t10 * t11);
+                let theta_bar_4 = x[4];
+                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
+                let t13 = (-cos_theta_bar_0).mul_add(sin_theta_bar_4, sin_theta_bar_0 * cos_theta_bar_4);
+                let acceleration_4 = dx[9];
+                let omega_bar_4 = x[9];
+                let t14 = omega_bar_4 * omega_bar_4;
+                let t15 = sin_theta_bar_0.mul_add(sin_theta_bar_4, cos_theta_bar_0 * cos_theta_bar_4);
+                let t16 = (-t13).mul_add(acceleration_4, t14 * t15);
+                let t17 = lit(0.5).mul_add(
+                    t16,
+                    lit(1.5).mul_add(
+                        t12,
+                        lit(2.5).mul_add(t8, lit(-44.145).mul_add(sin_theta_bar_0, lit(3.5) * t4)),
+                    ),
+                );
+                let t18 = lit(5.0) * omega_bar_2;
+                let t19 = lit(3.0) * omega_bar_3;
+                let acceleration_5 = dx[5];
+                let omega_bar_0 = x[5];
+                let t20 = omega_bar_0 * omega_bar_0;
+                let t21 = t20.mul_add(t3, t1 * acceleration_5);
+                let t22 = (-cos_theta_bar_1).mul_add(sin_theta_bar_2, sin_theta_bar_1 * cos_theta_bar_2);
+                let t23 = sin_theta_bar_1.mul_add(sin_theta_bar_2, cos_theta_bar_1 * cos_theta_bar_2);
+                let t24 = (-t22).mul_add(acceleration_2, t6 * t23);
+                let t25 = (-cos_theta_bar_1).mul_add(sin_theta_bar_3, sin_theta_bar_1 * cos_theta_bar_3);
+                let t26 = sin_theta_bar_1.mul_add(sin_theta_bar_3, cos_theta_bar_1 * cos_theta_bar_3);
+                let t27 = (-t25).mul_add(acceleration_3, t10 * t26);
+                let t28 = (-cos_theta_bar_1).mul_add(sin_theta_bar_4, sin_theta_bar_1 * cos_theta_bar_4);
+                let t29 = sin_theta_bar_1.mul_add(sin_theta_bar_4, cos_theta_bar_1 * cos_theta_bar_4);
+                let t30 = (-t28).mul_add(acceleration_4, t14 * t29);
+                let t31 = lit(0.5).mul_add(
+                    t30,
+                    lit(1.5).mul_add(
+                        t27,
+                        lit(2.5).mul_add(t24, lit(-34.335).mul_add(sin_theta_bar_1, lit(3.5) * t21)),
+                    ),
+                );
+                let t32 = t20.mul_add(t7, t5 * acceleration_5);
+                let t33 = t2.mul_add(t23, t22 * acceleration);
+                let t34 = (-cos_theta_bar_2).mul_add(sin_theta_bar_3, sin_theta_bar_2 * cos_theta_bar_3);
+                let t35 = sin_theta_bar_2.mul_add(sin_theta_bar_3, cos_theta_bar_2 * cos_theta_bar_3);
+                let t36 = (-t34).mul_add(acceleration_3, t10 * t35);
+                let t37 = (-cos_theta_bar_2).mul_add(sin_theta_bar_4, sin_theta_bar_2 * cos_theta_bar_4);
+                let t38 = sin_theta_bar_2.mul_add(sin_theta_bar_4, cos_theta_bar_2 * cos_theta_bar_4);
+                let t39 = (-t37).mul_add(acceleration_4, t14 * t38);
+                let t40 = lit(2.5).mul_add(
+                    t32 + t33,
+                    lit(0.5).mul_add(t39, lit(-24.525).mul_add(sin_theta_bar_2, lit(1.5) * t36)),
+                );
+                let t41 = t20.mul_add(t11, t9 * acceleration_5);
+                let t42 = t2.mul_add(t26, t25 * acceleration);
+                let t43 = t6.mul_add(t35, t34 * acceleration_2);
+                let t44 = (-cos_theta_bar_3).mul_add(sin_theta_bar_4, sin_theta_bar_3 * cos_theta_bar_4);
+                let t45 = sin_theta_bar_3.mul_add(sin_theta_bar_4, cos_theta_bar_3 * cos_theta_bar_4);
+                let t46 = (-t44).mul_add(acceleration_4, t14 * t45);
+                let t47 = t20.mul_add(t15, t13 * acceleration_5);
+                let t48 = t2.mul_add(t29, t28 * acceleration);
+                let t49 = t6.mul_add(t38, t37 * acceleration_2);
+                let t50 = t10.mul_add(t45, t44 * acceleration_3);
+                // Results
+                c[0] = t17;
+                c[1] = lit(0.1);
+                c[2] = lit(4.333333333333333);
+                c[3] = lit(-3.5) * t4;
+                c[4] = lit(7.0) * omega_bar_1 * t1;
+                c[5] = lit(3.5) * t3;
+                c[6] = lit(-2.5) * t8;
+                c[7] = t18 * t5;
+                c[8] = lit(2.5) * t7;
+                c[9] = lit(-1.5) * t12;
+                c[10] = t19 * t9;
+                c[11] = lit(1.5) * t11;
+                c[12] = lit(-0.5) * t16;
+                c[13] = omega_bar_4 * t13;
+                c[14] = lit(0.5) * t15;
+                c[15] = lit(-3.5) * t21;
+                c[16] = lit(-7.0) * omega_bar_0 * t1;
+                c[17] = t31;
+                c[18] = lit(3.3333333333333335);
+                c[19] = lit(-2.5) * t24;
+                c[20] = t18 * t22;
+                c[21] = lit(2.5) * t23;
+                c[22] = lit(-1.5) * t27;
+                c[23] = t19 * t25;
+                c[24] = lit(1.5) * t26;
+                c[25] = lit(-0.5) * t30;
+                c[26] = omega_bar_4 * t28;
+                c[27] = lit(0.5) * t29;
+                c[28] = lit(-2.5) * t32;
+                c[29] = lit(-5.0) * omega_bar_0 * t5;
+                c[30] = lit(-2.5) * t33;
+                c[31] = lit(-5.0) * omega_bar_1 * t22;
+                c[32] = t40;
+                c[33] = lit(2.3333333333333335);
+                c[34] = lit(-1.5) * t36;
+                c[35] = t19 * t34;
+                c[36] = lit(1.5) * t35;
+                c[37] = lit(-0.5) * t39;
+                c[38] = omega_bar_4 * t37;
+                c[39] = lit(0.5) * t38;
+                c[40] = lit(-1.5) * t41;
+                c[41] = lit(-3.0) * omega_bar_0 * t9;
+                c[42] = lit(-1.5) * t42;
+                c[43] = lit(-3.0) * omega_bar_1 * t25;
+                c[44] = lit(-1.5) * t43;
+                c[45] = lit(-3.0) * omega_bar_2 * t34;
+                c[46] =
+                    lit(1.5).mul_add(t41 + t42 + t43, lit(-14.715).mul_add(sin_theta_bar_3, lit(0.5) * t46));
+                c[47] = lit(1.3333333333333333);
+                c[48] = lit(-0.5) * t46;
+                c[49] = omega_bar_4 * t44;
+                c[50] = lit(0.5) * t45;
+                c[51] = lit(-0.5) * t47;
+                c[52] = -(omega_bar_0 * t13);
+                c[53] = lit(-0.5) * t48;
+                c[54] = -(omega_bar_1 * t28);
+                c[55] = lit(-0.5) * t49;
+                c[56] = -(omega_bar_2 * t37);
+                c[57] = lit(-0.5) * t50;
+                c[58] = -(omega_bar_3 * t44);
+                c[59] = lit(-4.905).mul_add(sin_theta_bar_4, lit(0.5) * (t47 + t48 + t49 + t50));
+                c[60] = lit(0.3333333333333333);
+            }
+        }
+
+        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Augmented;
+
+        impl rt::linalg::Patterned for Augmented {
+            const PATTERN: rt::linalg::Pattern = {
+                use rt::linalg::Part::{
+                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
+                };
+                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
+                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
+                    Term { coefficient, row, column, entry, part }
+                }
+                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
+                    Pivot { row, entry, below, right, targets }
+                }
+                const fn b(row: u32, entry: u32, across: u32) -> Below {
+                    Below { row, entry, across }
+                }
+                Pattern {
+                    coordinates: 5,
+                    states: 0,
+                    terms: const {
+                        &[
+                            t(0, 0, 0, 0, P),
+                            t(1, 0, 0, 0, V),
+                            t(2, 0, 0, 0, A),
+                            t(3, 0, 1, 5, P),
+                            t(4, 0, 1, 5, V),
+                            t(5, 0, 1, 5, A),
+                            t(6, 0, 2, 6, P),
+                            t(7, 0, 2, 6, V),
+                            t(8, 0, 2, 6, A),
+                            t(9, 0, 3, 7, P),
+                            t(10, 0, 3, 7, V),
+                            t(11, 0, 3, 7, A),
+                            t(12, 0, 4, 8, P),
+                            t(13, 0, 4, 8, V),
+                            t(14, 0, 4, 8, A),
+                            t(15, 1, 0, 1, P),
+                            t(16, 1, 0, 1, V),
+                            t(5, 1, 0, 1, A),
+                            t(17, 1, 1, 9, P),
+                            t(18, 1, 1, 9, A),
+                            t(19, 1, 2, 13, P),
+                            t(20, 1, 2, 13, V),
+                            t(21, 1, 2, 13, A),
+                            t(22, 1, 3, 14, P),
+                            t(23, 1, 3, 14, V),
+                            t(24, 1, 3, 14, A),
+                            t(25, 1, 4, 15, P),
+                            t(26, 1, 4, 15, V),
+                            t(27, 1, 4, 15, A),
+                            t(28, 2, 0, 2, P),
+                            t(29, 2, 0, 2, V),
+                            t(8, 2, 0, 2, A),
+                            t(30, 2, 1, 10, P),
+                            t(31, 2, 1, 10, V),
+                            t(21, 2, 1, 10, A),
+                            t(32, 2, 2, 16, P),
+                            t(33, 2, 2, 16, A),
+                            t(34, 2, 3, 19, P),
+                            t(35, 2, 3, 19, V),
+                            t(36, 2, 3, 19, A),
+                            t(37, 2, 4, 20, P),
+                            t(38, 2, 4, 20, V),
+                            t(39, 2, 4, 20, A),
+                            t(40, 3, 0, 3, P),
+                            t(41, 3, 0, 3, V),
+                            t(11, 3, 0, 3, A),
+                            t(42, 3, 1, 11, P),
+                            t(43, 3, 1, 11, V),
+                            t(24, 3, 1, 11, A),
+                            t(44, 3, 2, 17, P),
+                            t(45, 3, 2, 17, V),
+                            t(36, 3, 2, 17, A),
+                            t(46, 3, 3, 21, P),
+                            t(47, 3, 3, 21, A),
+                            t(48, 3, 4, 23, P),
+                            t(49, 3, 4, 23, V),
+                            t(50, 3, 4, 23, A),
+                            t(51, 4, 0, 4, P),
+                            t(52, 4, 0, 4, V),
+                            t(14, 4, 0, 4, A),
+                            t(53, 4, 1, 12, P),
+                            t(54, 4, 1, 12, V),
+                            t(27, 4, 1, 12, A),
+                            t(55, 4, 2, 18, P),
+                            t(56, 4, 2, 18, V),
+                            t(39, 4, 2, 18, A),
+                            t(57, 4, 3, 22, P),
+                            t(58, 4, 3, 22, V),
+                            t(50, 4, 3, 22, A),
+                            t(59, 4, 4, 24, P),
+                            t(60, 4, 4, 24, A),
+                        ]
+                    },
+                    pivots: const {
+                        &[
+                            p(0, 0, [0, 4], [0, 4], 0),
+                            p(1, 9, [4, 7], [4, 7], 16),
+                            p(2, 16, [7, 9], [7, 9], 25),
+                            p(3, 21, [9, 10], [9, 10], 29),
+                            p(4, 24, [10, 10], [10, 10], 30),
+                        ]
+                    },
+                    below: const {
+                        &[
+                            b(1, 1, 5),
+                            b(2, 2, 6),
+                            b(3, 3, 7),
+                            b(4, 4, 8),
+                            b(2, 10, 13),
+                            b(3, 11, 14),
+                            b(4, 12, 15),
+                            b(3, 17, 19),
+                            b(4, 18, 20),
+                            b(4, 22, 23),
+                        ]
+                    },
+                    right: &[
+                        [1, 5],
+                        [2, 6],
+                        [3, 7],
+                        [4, 8],
+                        [2, 13],
+                        [3, 14],
+                        [4, 15],
+                        [3, 19],
+                        [4, 20],
+                        [4, 23],
+                    ],
+                    targets: &[
+                        9, 13, 14, 15, 10, 16, 19, 20, 11, 17, 21, 23, 12, 18, 22, 24, 16, 19, 20, 17, 21,
+                        23, 18, 22, 24, 21, 23, 22, 24, 24,
+                    ],
+                }
+            };
         }
     }
 }

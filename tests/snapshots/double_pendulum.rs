@@ -544,7 +544,7 @@ mod plm_double_pendulum_ {
 
         impl<S: Real> rt::Linear for DoublePendulum<S> {
             type Lifted<const K: usize> = DoublePendulum<rt::Dual<S, K>>;
-            type Derivatives = [[S; 4]; 4];
+            type Derivatives = rt::linalg::Sparse<S, Augmented, 11, 4, 2>;
 
             fn lift<const K: usize>(
                 &self,
@@ -553,6 +553,23 @@ mod plm_double_pendulum_ {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
+            }
+
+            fn differentiate(
+                &self,
+                t: S,
+                u: &Self::U,
+                x: &[S; 4],
+                by_x: &mut Self::Derivatives,
+                by_t: Option<&mut [S; 4]>,
+            ) -> rt::Health<S> {
+                let mut dx = [S::lit(0.0); 4];
+                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                self.linearised(t, u, x, &dx, &mut by_x.coefficients);
+                match by_t {
+                    Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 4]), by_t),
+                    None => health,
+                }
             }
         }
 
@@ -995,6 +1012,85 @@ mod plm_double_pendulum_ {
                 x[2] = v[2];
                 x[3] = v[5];
             }
+        }
+        impl<S: Scalar> DoublePendulum<S> {
+            /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
+            ///
+            /// 8 add, 21 mul, 2 sin_cos.
+            fn linearised(&self, t: S, u: &Input<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 11]) {
+                let lit = S::lit;
+                // Derivatives of M a - Q and of the rates of the states
+                let theta_arm = x[0];
+                let theta_forearm = x[1];
+                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
+                    S::sin_cos_all([theta_arm, theta_forearm]);
+                let omega_forearm = x[3];
+                let t1 = sin_theta_arm.mul_add(sin_theta_forearm, cos_theta_arm * cos_theta_forearm);
+                let t2 = (-cos_theta_arm).mul_add(sin_theta_forearm, sin_theta_arm * cos_theta_forearm);
+                let acceleration = dx[3];
+                let t3 = (-t2).mul_add(acceleration, omega_forearm * omega_forearm * t1);
+                let omega_arm = x[2];
+                let acceleration_2 = dx[2];
+                let t4 = t2.mul_add(acceleration_2, omega_arm * omega_arm * t1);
+                // Results
+                c[0] = lit(-147.15).mul_add(sin_theta_arm, lit(10.0) * t3);
+                c[1] = lit(19.09859317102744);
+                c[2] = lit(12.51);
+                c[3] = lit(-10.0) * t3;
+                c[4] = (lit(20.0) * omega_forearm).mul_add(t2, lit(-9.54929658551372));
+                c[5] = lit(10.0) * t1;
+                c[6] = lit(-10.0) * t4;
+                c[7] = (-(lit(20.0) * omega_arm)).mul_add(t2, lit(-9.54929658551372));
+                c[8] = lit(-98.1).mul_add(sin_theta_forearm, lit(10.0) * t4);
+                c[9] = lit(9.54929658551372);
+                c[10] = lit(10.01);
+            }
+        }
+
+        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Augmented;
+
+        impl rt::linalg::Patterned for Augmented {
+            const PATTERN: rt::linalg::Pattern = {
+                use rt::linalg::Part::{
+                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
+                };
+                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
+                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
+                    Term { coefficient, row, column, entry, part }
+                }
+                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
+                    Pivot { row, entry, below, right, targets }
+                }
+                const fn b(row: u32, entry: u32, across: u32) -> Below {
+                    Below { row, entry, across }
+                }
+                Pattern {
+                    coordinates: 2,
+                    states: 0,
+                    terms: const {
+                        &[
+                            t(0, 0, 0, 0, P),
+                            t(1, 0, 0, 0, V),
+                            t(2, 0, 0, 0, A),
+                            t(3, 0, 1, 2, P),
+                            t(4, 0, 1, 2, V),
+                            t(5, 0, 1, 2, A),
+                            t(6, 1, 0, 1, P),
+                            t(7, 1, 0, 1, V),
+                            t(5, 1, 0, 1, A),
+                            t(8, 1, 1, 3, P),
+                            t(9, 1, 1, 3, V),
+                            t(10, 1, 1, 3, A),
+                        ]
+                    },
+                    pivots: const { &[p(0, 0, [0, 1], [0, 1], 0), p(1, 3, [1, 1], [1, 1], 1)] },
+                    below: const { &[b(1, 1, 2)] },
+                    right: &[[1, 2]],
+                    targets: &[3],
+                }
+            };
         }
     }
 }

@@ -18,6 +18,7 @@ use self::charts::Scheme;
 use self::charts::kinematics::kinematics;
 pub(crate) use self::charts::redundant::{Assembled, Known};
 use self::groups::Group;
+use self::inertia::Dense;
 use self::joints::coordinates::{Coordinates, Unknown};
 use self::layout::{Layout, loads};
 use self::motion::Motion;
@@ -206,7 +207,7 @@ impl Layout<'_> {
         let loops = scheme.loops().next().is_some();
         let (method, rate) = self.rate(&motion, scheme);
         let tree = scheme.groups.is_empty();
-        let augmented = tree.then(|| augmented(model, equations, &motion)).flatten();
+        let large = tree.then(|| augmented(model, equations, &motion)).flatten();
         let of_drivers =
             |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
@@ -226,6 +227,12 @@ impl Layout<'_> {
             let part = coordinates.joints[group.closing(coordinates)?].part;
             Some(model.parts[part].name.text.clone())
         };
+        let guards = sides::guards(model, &motion.substitution);
+        let pose = pose(model, &motion).optimise();
+        let project =
+            project(model, equations, coordinates, &motion.drivers).substitute(&model.released).optimise();
+        // Where loops may come to a singular pose, implicit methods take the full matrix: it can be had by rank.
+        let augmented = large.or_else(|| if loops { None } else { self.linearised(&motion, &rate) });
         Chart {
             parts: parts.collect(),
             names,
@@ -236,11 +243,9 @@ impl Layout<'_> {
             rate,
             reactions,
             augmented,
-            guards: sides::guards(model, &motion.substitution),
-            pose: pose(model, &motion).optimise(),
-            project: project(model, equations, coordinates, &motion.drivers)
-                .substitute(&model.released)
-                .optimise(),
+            guards,
+            pose,
+            project,
             look,
             survey,
             groups: scheme.groups.iter().map(described).collect(),
@@ -254,6 +259,24 @@ impl Layout<'_> {
         forms.min_by_key(|(_, form)| form.tape().count().total()).unwrap_or_default()
     }
 
+    /// The linearised equations of a mechanism whose mass matrix is set up, if they are worth it.
+    fn linearised(&self, motion: &Motion, rate: &Function) -> Option<Augmented> {
+        if motion.drivers.len() > MOST_DENSE {
+            return None;
+        }
+        let dense = self.dense(motion, &loads(self.model, motion));
+        let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
+        let operations = rate.tape().count().total() as usize;
+        tree::linearised::linearised(motion, &dense, (&self.equations.x, &x_dot), operations)
+    }
+
+    /// `M a = Q` along the coordinates.
+    fn dense(&self, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
+        let dense = inertia::dense(self.model, motion, force);
+        let explicit = motion.drivers.len() == motion.value.len();
+        if explicit { dense } else { inertia::along_drivers(&dense, motion) }
+    }
+
     /// The dense form of a mechanism, and elimination body by body of a tree.
     fn forms(&mut self, motion: &Motion, scheme: &Scheme) -> Vec<(&'static str, Function)> {
         let tree = scheme.groups.is_empty();
@@ -262,10 +285,7 @@ impl Layout<'_> {
         let force = loads(model, motion);
         let mut forms = Vec::new();
         if !tree || motion.drivers.len() <= MOST_DENSE {
-            let mut dense = inertia::dense(model, motion, &force);
-            if !tree {
-                dense = inertia::along_drivers(&dense, motion);
-            }
+            let dense = self.dense(motion, &force);
             let solution = dense::accelerations(motion, &dense);
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
         }

@@ -127,7 +127,7 @@ fn known(
 }
 
 /// Equal coefficients are computed once.
-fn placed(terms: BTreeMap<(usize, usize, Part), Expr>) -> (Vec<Expr>, Vec<Term>) {
+pub(crate) fn placed(terms: BTreeMap<(usize, usize, Part), Expr>) -> (Vec<Expr>, Vec<Term>) {
     let (mut different, mut places, mut placed) = (Vec::new(), BTreeMap::new(), Vec::new());
     for ((row, column, part), value) in terms {
         if value.is_zero() {
