@@ -266,7 +266,7 @@ impl Layout<'_> {
         }
         let dense = self.dense(motion, &loads(self.model, motion));
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let operations = rate.tape().count().total() as usize;
+        let operations = rate.tape().count().total();
         tree::linearised::linearised(motion, &dense, (&self.equations.x, &x_dot), operations)
     }
 

@@ -27,7 +27,7 @@ pub(crate) fn linearised(
     let found = laid_out(motion, dense, x, x_dot);
     let pivots = &found.pattern.pivots;
     let products: usize = pivots.iter().map(|pivot| pivot.below.len() * (1 + pivot.right.len())).sum();
-    let sparse = found.coefficients.tape().count().total() as usize + products;
+    let sparse = found.coefficients.tape().count().total() + products;
     let (n, k) = (motion.drivers.len(), x.len());
     // A direction of dual numbers costs about what the rate does (measured: 9.2 rates for 10 states, 14 for 20).
     let full = rate * (2 * n + k) * 7 / 10 + (n + k).pow(3) / 3;
