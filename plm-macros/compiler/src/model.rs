@@ -320,8 +320,11 @@ impl Model {
 
     /// Does an expression read a parameter without a default?
     pub fn reads_required(&self, graph: &Graph, expr: Expr) -> bool {
-        let read = graph.symbols(&[expr]);
-        self.params.iter().any(|param| param.required && read.contains(&param.symbol))
+        let mut required = self.params.iter().filter(|param| param.required).peekable();
+        required.peek().is_some() && {
+            let read = graph.symbols(&[expr]);
+            required.any(|param| read.contains(&param.symbol))
+        }
     }
 
     /// Number of sides that depend on the state.
