@@ -18,10 +18,10 @@ use steps::steps;
 mod absolute {
     use super::declared::{andrews, double_pendulum, four_bar, slider_crank};
 
-    double_pendulum!(s1, rung: absolute);
-    four_bar!(s2, rung: absolute);
-    slider_crank!(s6, rung: absolute);
-    andrews!(s5, rung: absolute);
+    double_pendulum!(s1: rung: absolute; output shoulder.force, elbow.force;);
+    four_bar!(s2: rung: absolute; output drive.force;);
+    slider_crank!(s6: rung: absolute; output drive.force;);
+    andrews!(s5: rung: absolute; output r1.force, r2.force, r4.force;);
 }
 
 pub(crate) use steps::{Level, Steps};

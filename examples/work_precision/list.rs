@@ -3,14 +3,13 @@
 use plm::System;
 use plm::runtime::{Ports, Vector};
 
-use crate::andrews::{s5_absolute, s5_loops};
 use crate::arms::{arms_absolute, arms_tree};
 use crate::measure::{Line, Rung, Scene};
 use crate::methods::every;
 use crate::references;
 use crate::scenes::{
     a01_absolute, a01_tree, car_axis_absolute, s1_absolute, s1_tree, s2_absolute, s2_loops, s3_absolute,
-    s3_tree, s4_absolute, s4_loops, s6_absolute, s6_loops,
+    s3_tree, s4_absolute, s4_loops, s5_absolute, s5_loops, s6_absolute, s6_loops,
 };
 
 /// All methods on the rungs of a scene, the least one first: the name of the rung, and the mechanism that was declared for it.

@@ -16,7 +16,6 @@
 #![allow(missing_docs, reason = "the macros of the scenes declare public modules")]
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 
-mod andrews;
 #[path = "../arguments/mod.rs"]
 mod arguments;
 mod arms;

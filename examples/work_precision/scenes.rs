@@ -3,84 +3,17 @@
 //!
 //! SI units; uniform bars have J = m L^2 / 12. The outputs are what is measured, in the order of the references.
 
-/// S1: two bars, released at 45 and 0 deg.
-macro_rules! double_pendulum {
-    ($module:ident: $($rung:tt)*) => {
-        pub mod $module {
-            plm::mechanism! {
-                /// Double pendulum without damping.
-                pub DoublePendulum {
-                    $($rung)*
-                    gravity: 9.81 m/s^2;
-                    ground { port o: (0, 0) m; }
-                    body arm {
-                        mass: 10 kg;
-                        inertia: 0.01 kg*m^2;
-                        port o: (-0.5, 0) m;
-                        port p: (0.5, 0) m;
-                        start angle: 45 deg, locked;
-                    }
-                    body forearm {
-                        mass: 10 kg;
-                        inertia: 0.01 kg*m^2;
-                        port p: (-1, 0) m;
-                        start angle: 0 deg, locked;
-                    }
-                    revolute shoulder(ground.o, arm.o);
-                    revolute elbow(arm.p, forearm.p);
-                    output arm.position, forearm.position;
-                }
-            }
-        }
-    };
-}
-double_pendulum!(s1_tree: rung: tree;);
-double_pendulum!(s1_absolute: rung: absolute;);
+#[path = "../../tests/support/scenes.rs"]
+#[macro_use]
+mod declared;
 
-/// S2: crank at 60 deg, elbow up, at rest.
-macro_rules! four_bar {
-    ($module:ident: $($rung:tt)*) => {
-        pub mod $module {
-            plm::mechanism! {
-                /// Four-bar linkage: ground 1 m, crank 0.3 m, coupler 0.9 m, rocker 0.7 m; 1 kg/m.
-                pub FourBar {
-                    $($rung)*
-                    gravity: 9.81 m/s^2;
-                    ground { port a: (0, 0) m; port d: (1, 0) m; }
-                    body crank {
-                        mass: 0.3 kg;
-                        inertia: 0.00225 kg*m^2;
-                        port a: (-0.15, 0) m;
-                        port b: (0.15, 0) m;
-                        start angle: 60 deg, locked;
-                    }
-                    body coupler {
-                        mass: 0.9 kg;
-                        inertia: 0.06075 kg*m^2;
-                        port b: (-0.45, 0) m;
-                        port c: (0.45, 0) m;
-                        start angle: 30 deg;
-                    }
-                    body rocker {
-                        mass: 0.7 kg;
-                        inertia: 0.7 kg * (0.7 m)^2 / 12;
-                        port d: (-0.35, 0) m;
-                        port c: (0.35, 0) m;
-                        start x: 1 m;
-                        start angle: 95 deg;
-                    }
-                    revolute drive(ground.a, crank.a);
-                    revolute crank_coupler(crank.b, coupler.b);
-                    revolute coupler_rocker(coupler.c, rocker.c);
-                    revolute pivot(ground.d, rocker.d);
-                    output crank.position, coupler.position, rocker.position;
-                }
-            }
-        }
-    };
-}
-four_bar!(s2_loops: rung: loops;);
-four_bar!(s2_absolute: rung: absolute;);
+// S1: two bars, released at 45 and 0 deg.
+double_pendulum!(s1_tree: rung: tree; output arm.position, forearm.position;);
+double_pendulum!(s1_absolute: rung: absolute; output arm.position, forearm.position;);
+
+// S2: crank at 60 deg, elbow up, at rest.
+four_bar!(s2_loops: rung: loops; output crank.position, coupler.position, rocker.position;);
+four_bar!(s2_absolute: rung: absolute; output crank.position, coupler.position, rocker.position;);
 
 /// S3: sixteen bars of 1/16 m and 1/16 kg in a row, horizontal at rest.
 macro_rules! chain {
@@ -162,48 +95,9 @@ macro_rules! ladder {
 ladder!(s4_loops: rung: loops;);
 ladder!(s4_absolute: rung: absolute;);
 
-/// S6: crank at 60 deg at rest, 1 N m on it.
-macro_rules! slider_crank {
-    ($module:ident: $($rung:tt)*) => {
-        pub mod $module {
-            plm::mechanism! {
-                /// Slider-crank: crank 0.2 m, rod 0.6 m, slider on y = 0.
-                pub SliderCrank {
-                    $($rung)*
-                    gravity: 9.81 m/s^2;
-                    ground { port o: (0, 0) m; }
-                    body crank {
-                        mass: 0.2 kg;
-                        inertia: 0.2 kg * (0.2 m)^2 / 12;
-                        port o: (-0.1, 0) m;
-                        port pin: (0.1, 0) m;
-                        start angle: 60 deg, locked;
-                    }
-                    body rod {
-                        mass: 0.6 kg;
-                        inertia: 0.018 kg*m^2;
-                        port pin: (-0.3, 0) m;
-                        port wrist: (0.3, 0) m;
-                        start angle: -17 deg;
-                    }
-                    body slider {
-                        mass: 0.5 kg;
-                        inertia: 0.001 kg*m^2;
-                        port wrist: (0, 0) m;
-                        start x: 0.67 m;
-                    }
-                    revolute drive(ground.o, crank.o) { drive: 1 N*m; }
-                    revolute crank_pin(crank.pin, rod.pin);
-                    revolute wrist_pin(rod.wrist, slider.wrist);
-                    prismatic guide(ground.o, slider.wrist);
-                    output crank.position, rod.position, slider.position;
-                }
-            }
-        }
-    };
-}
-slider_crank!(s6_loops: rung: loops;);
-slider_crank!(s6_absolute: rung: absolute;);
+// S6: crank at 60 deg at rest, 1 N m on it.
+slider_crank!(s6_loops: rung: loops; output crank.position, rod.position, slider.position;);
+slider_crank!(s6_absolute: rung: absolute; output crank.position, rod.position, slider.position;);
 
 /// A01 of the IFToMM benchmarks: 1 kg at 1 m, released horizontally on the left. An equal mass at the pivot, which does not
 /// move, makes it a body with an inertia.
@@ -233,6 +127,24 @@ macro_rules! pendulum {
 pendulum!(a01_tree: rung: tree;);
 pendulum!(a01_absolute: rung: absolute;);
 
+/// S5: Andrews' squeezing mechanism (W. Schiehlen, Multibody Systems Handbook, Springer 1990; F. Mazzia, C. Magherini, Test
+/// Set for Initial Value Problem Solvers).
+macro_rules! squeezing {
+    ($module:ident: $($rung:tt)*) => {
+        andrews! {
+            $module: $($rung)*
+            output beta = k1.angle;
+            output Theta = k2.angle - k1.angle;
+            output gamma = k3.angle;
+            output Phi = k4.angle - k5.angle;
+            output delta = k5.angle;
+            output Omega = k6.angle - k7.angle;
+            output epsilon = k7.angle;
+        }
+    };
+}
+squeezing!(s5_loops: rung: loops;);
+squeezing!(s5_absolute: rung: absolute;);
 /// The car axis of the IVP test set, with K = M eps^2 / 2 = 5e-4 kg at both ends of a rod of 1 m, springs of 1 N/m and
 /// gravity 1 m/s^2. The left wheel stands at the origin, the right one moves on a circle of 1 m about it, and the left end
 /// of the rod keeps to the normal of the line through the wheels.

@@ -15,7 +15,7 @@ plm::mechanism! {
         shaft_spring coupling(motor.shaft, hinge.shaft) {
             stiffness: 4 N*m/rad; damping: 0.1 N*m/(rad/s); rest: 0.1 rad; preload: 2 N*m;
         }
-        sliding_mass cart() { mass: 3 kg; x: 0.5 m; y: -0.2 m; angle: 30 deg; drive: 5 N; start: 0.6 m; }
+        sliding_mass cart() { mass: 3 kg; x: 0.5 m; y: -0.2 m; angle: 30 deg; drive: 5 N; start: 0.6 m; start_speed: -0.4 m/s; }
         body lever { mass: 1 kg; inertia: 0.04 kg*m^2; port pin: (0, 0) m; start x: 2 m; start y: 0.5 m; }
         pin_slot slot(ground.slot, lever.pin) { rotary_stiffness: 6 N*m/rad; rotary_damping: 0.5 N*m/(rad/s); rest: 0.3 rad; }
         output door.alpha, geared.torque, motor.angle, motor.speed, motor.torque, motor_alpha = rate(motor.speed);
@@ -60,6 +60,8 @@ fn shafts_slopes_and_slots_follow_their_laws() {
         assert_near(sim.cart_position(), place, 1.0, "where the cart starts");
         assert_near(sim.cart_carriage().x, 0.5 + place * cos, 1.0, "x of the cart");
         assert_near(sim.cart_carriage().y, -0.2 + place * sin, 1.0, "y of the cart");
+        assert_near(sim.cart_speed(), -0.4, 1.0, "how fast the cart starts");
+        assert_near(sim.cart_carriage().vy, -0.4 * sin, 1.0, "its speed upwards");
         assert_near(sim.cart_force(), 5.0, 1.0, "force on the cart");
         assert_near(sim.cart_acceleration(), 5.0 / 3.0 - 9.81 * sin, 1.0, "acceleration of the cart");
 

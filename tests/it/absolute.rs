@@ -7,10 +7,10 @@ use plm::{Dop853, Dopri5, Mechanism, Moment, Sim};
 use crate::references::{S1_1, S2_1, S2_10, S5_003, S6_1, difference, run};
 use crate::scenes::{andrews, double_pendulum, four_bar, slider_crank};
 
-double_pendulum!(s1, rung: absolute);
-four_bar!(s2, rung: absolute);
-slider_crank!(s6, rung: absolute);
-andrews!(s5, rung: absolute);
+double_pendulum!(s1: rung: absolute; output shoulder.force, elbow.force;);
+four_bar!(s2: rung: absolute; output drive.force;);
+slider_crank!(s6: rung: absolute; output drive.force;);
+andrews!(s5: rung: absolute; output r1.force, r2.force, r4.force;);
 
 #[test]
 fn scenes_meet_their_references() {

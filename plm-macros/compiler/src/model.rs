@@ -7,7 +7,13 @@
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
+mod joint;
+mod switch;
+
 use plm_cas::{Expr, Graph, algebra};
+
+pub use joint::{FrameRef, Pair, Part, Turn};
+pub use switch::{Jump, Side, Steady};
 
 use crate::diag::Use;
 use crate::span::Span;
@@ -235,70 +241,6 @@ pub struct Start {
     pub span: Span,
 }
 
-/// An instance of a part at the top level of the declaration.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// Name of the instance, e.g. `shoulder`.
-    pub name: Name,
-    /// Name of its definition, e.g. `revolute`.
-    pub kind: String,
-    /// Its kinematic pair, if the definition states one.
-    pub pair: Option<Pair>,
-    /// Where its definition states the pair.
-    pub declared: Option<Declared>,
-    /// The frames that it joins, in the order of its arguments.
-    pub frames: Vec<FrameRef>,
-    /// The mirror image that its use asks for, and where.
-    pub branch: Option<(Turn, Span)>,
-}
-
-/// Which way the second body of a revolute turns from the first. The mirror images of a loop differ in it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turn {
-    /// Positive.
-    Left,
-    /// Negative.
-    Right,
-}
-
-impl Turn {
-    /// Both, as the language names them.
-    pub const NAMES: [(&'static str, Turn); 2] = [("left", Turn::Left), ("right", Turn::Right)];
-
-    /// Its name in the language.
-    pub fn name(self) -> &'static str {
-        Turn::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
-    }
-
-    /// That of the other mirror image.
-    #[must_use]
-    pub fn other(self) -> Turn {
-        if self == Turn::Left { Turn::Right } else { Turn::Left }
-    }
-}
-
-/// Kinematic pairs that upper rungs know how to walk through.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pair {
-    /// Points coincide.
-    Revolute,
-    /// One translation along the first frame's x axis.
-    Prismatic,
-    /// A point slides along the first frame's x axis and turns freely.
-    PinSlot,
-    /// No relative motion.
-    Weld,
-}
-
-/// A frame of a body or of the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FrameRef {
-    /// Index of the body; `None` for the ground.
-    pub body: Option<usize>,
-    /// Index of the port in the body's (or the ground's) list.
-    pub port: usize,
-}
-
 /// One scalar constraint `phi = 0`.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -370,46 +312,6 @@ pub struct State {
     pub unit: DisplayUnit,
 }
 
-/// A condition `difference < 0` whose side is held over a step.
-#[derive(Clone, Debug)]
-pub struct Side {
-    /// Stands for the side: -1 where the condition holds, else 1.
-    pub symbol: Expr,
-    /// What changes its sign.
-    pub difference: Expr,
-    /// The time at which it does, s, and the slope of the difference there, if it depends on the time alone.
-    pub instant: Option<[Expr; 2]>,
-    /// The part or state that jumps; the requirement.
-    pub name: String,
-    /// It must not change: a requirement, positive as long as it holds.
-    pub must_hold: bool,
-}
-
-/// A row whose place or speed may jump where a condition changes its side.
-#[derive(Clone, Debug)]
-pub struct Jump {
-    /// Index into [`Model::sides`].
-    pub side: usize,
-    /// Index into [`Model::rows`].
-    pub row: usize,
-    /// The row's residual on one side less that on the other, its first and second derivative along the motion; what
-    /// changes its sign at the boundary, and its derivative.
-    pub terms: [Expr; 5],
-    /// What is known of it already.
-    pub steady: Option<Steady>,
-}
-
-/// A jump that happens in every run that comes so far.
-#[derive(Clone, Copy, Debug)]
-pub struct Steady {
-    /// When, s.
-    pub at: f64,
-    /// By how much, in the row's unit, or that over s.
-    pub by: f64,
-    /// The speed jumps, not the place.
-    pub of_speed: bool,
-}
-
 impl Model {
     /// Number of sides that depend on the state, and of kinks: what is looked at in every step.
     pub fn watched(&self) -> usize {
@@ -418,8 +320,11 @@ impl Model {
 
     /// Does an expression read a parameter without a default?
     pub fn reads_required(&self, expr: Expr) -> bool {
-        let read = algebra::symbols(&[expr]);
-        self.params.iter().any(|param| param.required && read.contains(&param.symbol))
+        let mut required = self.params.iter().filter(|param| param.required).peekable();
+        required.peek().is_some() && {
+            let read = algebra::symbols(&[expr]);
+            required.any(|param| read.contains(&param.symbol))
+        }
     }
 
     /// Number of sides that depend on the state.

@@ -16,44 +16,70 @@ pub(super) fn factor_sums(rows: &mut Rows) {
     let uses = rows.uses();
     let mut row = 0;
     while row < rows.len() {
-        while rows.kind(row) == Kind::Sum && rows.items(row).len() > 1 {
-            match best_factor(rows, row, &uses) {
-                Some(factor) => take_out(rows, row, factor, &uses),
-                None => break,
+        if rows.kind(row) == Kind::Sum && rows.items(row).len() > 1 {
+            let mut savings = Savings::of(rows, row, &uses);
+            while let Some(factor) = savings.best().filter(|_| rows.items(row).len() > 1) {
+                take_out(rows, row, factor, &uses, &mut savings);
             }
         }
         row += 1;
     }
 }
 
+/// How many operations each factor of the terms of a sum would save, in the order of the factors. It is kept while terms
+/// leave: to list all of them for every factor that is taken out would take the square of their number.
+struct Savings(Vec<(Factor, u32)>);
+
+impl Savings {
+    fn of(rows: &mut Rows, row: usize, uses: &[u32]) -> Savings {
+        let mut found = Vec::new();
+        for i in 0..rows.items(row).len() {
+            let item = rows.items(row)[i];
+            list_factors(rows, item, uses, &mut found);
+        }
+        found.sort_unstable();
+        found.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            kept.1 += if same { next.1 } else { 0 };
+            same
+        });
+        Savings(found)
+    }
+
+    /// The factor with the largest saving, the first of equals; it must save more than it costs afterwards.
+    fn best(&self) -> Option<Factor> {
+        let (mut best, mut most) = (None, 1);
+        for &(factor, saving) in &self.0 {
+            if saving > most {
+                (best, most) = (Some(factor), saving);
+            }
+        }
+        best
+    }
+
+    /// Terms with these factors have left.
+    fn take(&mut self, factors: &[(Factor, u32)]) {
+        for (factor, saving) in factors {
+            if let Ok(at) = self.0.binary_search_by_key(factor, |known| known.0) {
+                self.0[at].1 -= saving;
+            }
+        }
+    }
+
+    /// Terms with these factors have come.
+    fn add(&mut self, factors: &[(Factor, u32)]) {
+        for &(factor, saving) in factors {
+            match self.0.binary_search_by_key(&factor, |known| known.0) {
+                Ok(at) => self.0[at].1 += saving,
+                Err(at) => self.0.insert(at, (factor, saving)),
+            }
+        }
+    }
+}
+
 /// May the product be changed? Only if it is nobody else's and carries no name. What this pass makes is.
 fn is_free_product(rows: &Rows, row: usize, uses: &[u32]) -> bool {
     rows.kind(row) == Kind::Product && !rows.named(row) && uses.get(row).is_none_or(|&uses| uses == 1)
-}
-
-/// The factor with the largest saving, the first of equals.
-fn best_factor(rows: &mut Rows, row: usize, uses: &[u32]) -> Option<Factor> {
-    let mut found: Vec<(Factor, u32)> = Vec::new();
-    for i in 0..rows.items(row).len() {
-        let item = rows.items(row)[i];
-        list_factors(rows, item, uses, &mut found);
-    }
-    found.sort_unstable();
-    let mut best = None;
-    let mut most = 1; // what the factor itself costs afterwards
-    let mut i = 0;
-    while i < found.len() {
-        let factor = found[i].0;
-        let mut saving = 0;
-        while i < found.len() && found[i].0 == factor {
-            saving += found[i].1;
-            i += 1;
-        }
-        if saving > most {
-            (best, most) = (Some(factor), saving);
-        }
-    }
-    best
 }
 
 /// Appends the factors of one term, each with the operations that the term saves without it.
@@ -85,19 +111,22 @@ fn magnitude(numbers: &mut Numbers, coefficient: u32) -> u32 {
 }
 
 /// Replaces the terms with the factor by one: factor times the sum of what they leave.
-fn take_out(rows: &mut Rows, row: usize, factor: Factor, uses: &[u32]) {
-    let mut inner = Vec::new();
+fn take_out(rows: &mut Rows, row: usize, factor: Factor, uses: &[u32], savings: &mut Savings) {
+    let (mut inner, mut factors) = (Vec::new(), Vec::new());
     let mut i = 0;
     while i < rows.items(row).len() {
         let item = rows.items(row)[i];
-        match without(rows, item, factor, uses) {
-            Some(rest) => {
-                inner.push(rest);
-                rows.remove(row, i);
-            }
-            None => i += 1,
+        let of_others = factors.len();
+        list_factors(rows, item, uses, &mut factors);
+        if let Some(rest) = without(rows, item, factor, uses) {
+            inner.push(rest);
+            rows.remove(row, i);
+        } else {
+            factors.truncate(of_others);
+            i += 1;
         }
     }
+    savings.take(&factors);
     let sign =
         if rows.numbers.get(inner[0].coefficient).is_negative() { Numbers::MINUS_ONE } else { Numbers::ONE };
     for item in &mut inner {
@@ -109,12 +138,15 @@ fn take_out(rows: &mut Rows, row: usize, factor: Factor, uses: &[u32]) {
         Factor::Magnitude(number) => Item { id: sum, coefficient: rows.numbers.product(sign, number) },
         Factor::Literal(id) => {
             let sum = literal(sum, false);
-            let mut factors = [Item { id, coefficient: 0 }, Item { id: sum, coefficient: 0 }];
-            factors.sort_unstable();
-            Item { id: rows.push(Kind::Product, &factors) as u32, coefficient: sign }
+            let mut product = [Item { id, coefficient: 0 }, Item { id: sum, coefficient: 0 }];
+            product.sort_unstable();
+            Item { id: rows.push(Kind::Product, &product) as u32, coefficient: sign }
         }
     };
     rows.put_back(row, term);
+    factors.clear();
+    list_factors(rows, term, uses, &mut factors);
+    savings.add(&factors);
 }
 
 /// The term without the factor, or `None` if it does not have it.

@@ -280,6 +280,13 @@ pub(crate) fn value(expr: Expr, values: &[(Expr, f64)]) -> f64 {
     }
 }
 
+/// Values of many expressions by one tape: to bind the symbols for each would take time that grows with the square of their
+/// number. Each by itself if one of them reads a symbol without value.
+pub(crate) fn values(exprs: &[Expr], known: &[(Expr, f64)]) -> Vec<f64> {
+    let together = algebra::tape(exprs).eval(known);
+    together.unwrap_or_else(|_| exprs.iter().map(|&expr| value(expr, known)).collect())
+}
+
 /// Values of a tape; NaN where it reads a symbol without value.
 pub(crate) fn run(tape: &Tape, values: &[(Expr, f64)]) -> Vec<f64> {
     tape.eval(values).unwrap_or_else(|_| vec![f64::NAN; tape.outputs.len()])

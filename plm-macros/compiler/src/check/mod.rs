@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 
 use plm_cas::{Expr, algebra};
 
-pub(crate) use assembly::{Assembly, assemble, run, value};
+pub(crate) use assembly::{Assembly, assemble, run, value, values};
 pub(crate) use branch::check_branches;
 pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;

@@ -9,12 +9,26 @@ use crate::model::Model;
 /// a minute. A chain takes some tens a joint; this is what 84 rows take that all meet each other.
 const MOST_PRODUCTS: usize = 100_000;
 
-/// Refuses what would keep the compiler busy without end: rows that all meet each other.
+/// The most coordinates and constraint rows. A chain of so many, a thousand bars, takes some seconds and half a gigabyte; what
+/// is written out for it grows with them, and the memory faster.
+const MOST_UNKNOWNS: usize = 5000;
+
+/// Refuses what would keep the compiler busy without end: too many bodies and joints, or rows that all meet each other.
 pub(crate) fn check_size(model: &Model, equations: &Equations, diagnostics: &mut Diagnostics) {
+    let (name, rows, columns) = (&model.name, equations.phi.len(), equations.q.len());
+    if rows + columns > MOST_UNKNOWNS {
+        let message = format!(
+            "`{}` is too large: {columns} coordinates and {rows} constraint rows, more than {MOST_UNKNOWNS} in all",
+            name.text
+        );
+        diagnostics
+            .error(Code::TooMany, name.span, message)
+            .help("divide it into mechanisms that meet in inputs and outputs");
+        return;
+    }
     if !eliminates_beyond(MOST_PRODUCTS, equations) {
         return;
     }
-    let (name, rows, columns) = (&model.name, equations.phi.len(), equations.q.len());
     let message = format!(
         "`{}` is too closely joined: to eliminate its {rows} constraint rows takes more than {MOST_PRODUCTS} products",
         name.text

@@ -33,8 +33,9 @@ fn add_unknowns(equations: &Equations, program: &Absolute, values: &mut Vec<(Exp
         Place::Element("lambda", k) => Some((equations.lambda[k], *result)),
         _ => None,
     });
-    let known = values.clone();
-    values.extend(results.map(|(symbol, result)| (symbol, super::value(result, &known))));
+    let (symbols, results): (Vec<Expr>, Vec<Expr>) = results.unzip();
+    let found = super::values(&results, values);
+    values.extend(symbols.into_iter().zip(found));
 }
 
 /// Evaluates loads and rates at the start; what is not finite is reported where it was declared.
@@ -55,10 +56,12 @@ pub(crate) fn check_start(
         load.force.map(|force| (name.text.as_str(), name.span, force))
     });
     let rates = model.states.iter().map(|state| (state.name.text.as_str(), state.name.span, state.rate));
-    for (name, span, expr) in loads.chain(rates) {
-        if !model.reads_required(expr) && !super::value(expr, &values).is_finite() {
-            report(&values, name, span, expr, diagnostics);
-        }
+    let known = |(.., expr): &(&str, Span, Expr)| !model.reads_required(*expr);
+    let asked: Vec<(&str, Span, Expr)> = loads.chain(rates).filter(known).collect();
+    let exprs: Vec<Expr> = asked.iter().map(|(.., expr)| *expr).collect();
+    let found = super::values(&exprs, &values);
+    for ((name, span, expr), _) in asked.into_iter().zip(found).filter(|(_, found)| !found.is_finite()) {
+        report(&values, name, span, expr, diagnostics);
     }
 }
 

@@ -11,6 +11,7 @@ mod parts;
 mod pictures;
 #[path = "../../../../tests/support/random.rs"]
 mod random;
+mod requirements;
 mod soup;
 mod states;
 mod support;

@@ -1,0 +1,43 @@
+//! Conditions whose sides are held over a step, and what jumps where they change.
+
+use plm_cas::Expr;
+
+/// A condition `difference < 0` whose side is held over a step.
+#[derive(Clone, Debug)]
+pub struct Side {
+    /// Stands for the side: -1 where the condition holds, else 1.
+    pub symbol: Expr,
+    /// What changes its sign.
+    pub difference: Expr,
+    /// The time at which it does, s, and the slope of the difference there, if it depends on the time alone.
+    pub instant: Option<[Expr; 2]>,
+    /// The part or state that jumps; the requirement.
+    pub name: String,
+    /// It must not change: a requirement, positive as long as it holds.
+    pub must_hold: bool,
+}
+
+/// A row whose place or speed may jump where a condition changes its side.
+#[derive(Clone, Debug)]
+pub struct Jump {
+    /// Index into [`Model::sides`](super::Model::sides).
+    pub side: usize,
+    /// Index into [`Model::rows`](super::Model::rows).
+    pub row: usize,
+    /// The row's residual on one side less that on the other, its first and second derivative along the motion; what
+    /// changes its sign at the boundary, and its derivative.
+    pub terms: [Expr; 5],
+    /// What is known of it already.
+    pub steady: Option<Steady>,
+}
+
+/// A jump that happens in every run that comes so far.
+#[derive(Clone, Copy, Debug)]
+pub struct Steady {
+    /// When, s.
+    pub at: f64,
+    /// By how much, in the row's unit, or that over s.
+    pub by: f64,
+    /// The speed jumps, not the place.
+    pub of_speed: bool,
+}
