@@ -27,7 +27,7 @@ pub(super) struct Asked {
 pub(super) fn asked(model: &Model, equations: &Equations, values: &[(Expr, f64)]) -> Vec<Asked> {
     let branches = equations.branches.iter().filter_map(|branch| {
         let (turn, _) = model.parts[branch.part].branch?;
-        let ends = branch.ends.map(|ends| ends.map(|end| end.map(|of| value(of, values))));
+        let ends = branch.ends.map(|ends| ends.map(|end| end.components().map(|of| value(of, values))));
         Some(Asked { part: branch.part, bodies: branch.bodies, ends, turn })
     });
     branches.collect()

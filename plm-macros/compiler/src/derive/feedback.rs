@@ -18,24 +18,20 @@ pub(crate) struct Signal {
     pub(crate) gain: SparseRow,
 }
 
-/// Takes the signals out of the applied forces.
+/// Takes the signals out of the applied forces: `G_j = dQ/ds_j`, and `force` becomes `Q_0`, which is `Q` at `s = 0`.
 pub(super) fn signals(model: &Model, force: &mut [Expr]) -> Vec<Signal> {
     let unknowns = unknowns(model);
     let held = algebra::symbols(force);
     let symbols = held.into_iter().filter(|symbol| unknowns.iter().any(|(of, _)| of == symbol));
     let symbols: Vec<Expr> = symbols.collect();
-    let gains = symbols.iter().map(|&symbol| {
-        let entries = force.iter().enumerate().map(|(k, &of)| (k, of.diff(symbol)));
-        let entries: Vec<(usize, Expr)> = entries.collect();
-        let gain = entries.into_iter().filter(|&(_, entry)| !entry.is_zero()).collect();
-        Signal { symbol, gain }
-    });
-    let signals = gains.collect();
-    let zero = Expr::ZERO;
-    let pairs: Vec<(Expr, Expr)> = symbols.into_iter().map(|symbol| (symbol, zero)).collect();
-    if !pairs.is_empty() {
-        let free = algebra::substitute(force, &pairs);
-        force.copy_from_slice(&free);
+    let gain = |symbol: Expr| -> SparseRow {
+        let entries: Vec<Expr> = force.iter().map(|of| of.diff(symbol)).collect();
+        entries.into_iter().enumerate().filter(|(_, entry)| !entry.is_zero()).collect()
+    };
+    let signals = symbols.iter().map(|&symbol| Signal { symbol, gain: gain(symbol) }).collect();
+    let without: Vec<(Expr, Expr)> = symbols.into_iter().map(|symbol| (symbol, Expr::ZERO)).collect();
+    if !without.is_empty() {
+        force.copy_from_slice(&algebra::substitute(force, &without));
     }
     signals
 }

@@ -7,7 +7,6 @@
 //! redundancies, so it is also the independent check of the rungs above it.
 
 mod absolute;
-mod feedback;
 mod function;
 mod ldl;
 mod order;
