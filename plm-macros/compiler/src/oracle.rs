@@ -5,8 +5,9 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Chart, Function, Reduced};
+use crate::formulate::{Chart, Function, Program, Reduced};
 use crate::model::Model;
+use crate::numeric::{add_sides, defaults, run};
 
 /// A state in a chart.
 #[derive(Clone, Debug)]
@@ -27,8 +28,7 @@ pub struct Oracle {
     pub(crate) model: Model,
     pub(crate) graph: RefCell<Graph>,
     pub(crate) equations: Equations,
-    pub(crate) program: Absolute,
-    pub(crate) reduced: Option<Reduced>,
+    pub(crate) program: Program,
 }
 
 impl Oracle {
@@ -39,13 +39,13 @@ impl Oracle {
 
     /// Length of the state on the rung that was taken, `[y, y', first-order states]`.
     pub fn reduced_states(&self) -> Option<usize> {
-        self.reduced.as_ref().map(|reduced| 2 * reduced.freedom() + self.equations.x.len())
+        self.program.reduced().map(|reduced| 2 * reduced.freedom() + self.equations.x.len())
     }
 
     /// `dx`, and with loops Health, in the first chart of the rung that was taken, if that is above 5; `x` has
     /// [`Oracle::reduced_states`] values, followed by what is remembered.
     pub fn rate(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
-        let reduced = self.reduced.as_ref()?;
+        let reduced = self.program.reduced()?;
         let chart = reduced.first()?;
         let state = chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x);
         let symbols: Vec<Expr> = state.chain(&reduced.memory).copied().collect();
@@ -55,13 +55,13 @@ impl Oracle {
     /// What each chart of the rung that was taken makes of a state in absolute coordinates, `x` as in
     /// [`Oracle::dynamics`]; nothing on rung 5.
     pub fn charts(&self, time: f64, x: &[f64]) -> Vec<InChart> {
-        let Some(reduced) = &self.reduced else { return Vec::new() };
+        let Some(reduced) = self.program.reduced() else { return Vec::new() };
         reduced.charts.iter().filter_map(|chart| self.in_chart(reduced, chart, time, x)).collect()
     }
 
     /// Accelerations of all bodies at a state in absolute coordinates, by the joint coordinates of a mechanism without loops.
     pub fn accelerations(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
-        let chart = self.reduced.as_ref()?.first()?;
+        let chart = self.program.reduced()?.first()?;
         let reactions = chart.reactions.as_ref()?;
         let mut state = self.run(&chart.project, time, x);
         state.extend_from_slice(x.get(2 * self.equations.q.len()..)?);
@@ -107,17 +107,17 @@ impl Oracle {
 
     /// `dx`, then `lambda`, then Health, with parameters and inputs as declared. `x` has [`Oracle::states`] values.
     pub fn dynamics(&self, time: f64, x: &[f64]) -> Vec<f64> {
-        self.run(&self.program.dynamics, time, x)
+        self.run(&self.program.absolute.dynamics, time, x)
     }
 
     /// Residuals of the constraints.
     pub fn phi(&self, time: f64, x: &[f64]) -> Vec<f64> {
-        self.run(&self.program.phi, time, x)
+        self.run(&self.program.absolute.phi, time, x)
     }
 
     /// Rates of the residuals.
     pub fn phi_dot(&self, time: f64, x: &[f64]) -> Vec<f64> {
-        self.run(&self.program.phi_dot, time, x)
+        self.run(&self.program.absolute.phi_dot, time, x)
     }
 
     fn run(&self, function: &Function, time: f64, x: &[f64]) -> Vec<f64> {
@@ -131,14 +131,14 @@ impl Oracle {
     }
 
     fn entered(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
-        let mut values: Vec<(Expr, f64)> = crate::check::defaults(&self.model);
+        let mut values: Vec<(Expr, f64)> = defaults(&self.model);
         values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
         values.push((self.model.time, time));
         values.extend(symbols.iter().copied().zip(x.iter().copied()));
-        crate::check::add_sides(&self.model, &mut values);
+        add_sides(&self.model, &mut values);
         let results: Vec<Expr> = function.roots();
         let tape = algebra::tape(&results);
-        let mut all = crate::check::run(&tape, &values);
+        let mut all = run(&tape, &values);
         all.split_off(all.len() - function.results.len())
     }
 }

@@ -1,8 +1,8 @@
 //! What assembly found, in words: which locks are too many, which joint stays open, which says nothing new.
 
-use super::Assembly;
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Part, Row};
+use crate::numeric::Assembly;
 use crate::units::Dimension;
 
 /// Gaps below this, as a fraction of the size of the scene, may be lengths that repeat each other and disagree.

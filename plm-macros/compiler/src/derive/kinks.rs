@@ -9,8 +9,8 @@ mod boundary;
 
 use plm_cas::{Expr, Function, Node, algebra};
 
-use crate::check::value;
 use crate::model::{Jump, Model};
+use crate::numeric::value;
 
 use self::boundary::{Boundary, Order};
 

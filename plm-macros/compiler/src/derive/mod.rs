@@ -14,6 +14,7 @@
 //! derivative of `phi`, and the bracket of (3) is the second.
 
 mod branch;
+mod causes;
 mod feedback;
 mod kinks;
 mod sides;
@@ -21,7 +22,8 @@ mod sides;
 use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
-pub(crate) use feedback::{Signal, check as check_feedback, feeds_back};
+pub(crate) use causes::causes;
+pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use sides::hold;
 
 use crate::model::Model;

@@ -7,6 +7,7 @@
 
 use plm_cas::{Expr, Function, Node, algebra};
 
+use super::causes;
 use super::kinks::{self, Kink};
 use crate::model::{Jump, Model, Side};
 
@@ -15,10 +16,9 @@ use crate::model::{Jump, Model, Side};
 pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
     let kinks = kinks::kinks(model);
-    let causes = causes(model);
-    let roots: Vec<Expr> = causes.iter().map(|&(_, root)| root).collect();
+    let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect();
     let mut pairs = Vec::new();
-    for (condition, name) in conditions(causes) {
+    for (condition, name) in conditions(model) {
         let Node::Less(a, b) = condition.node() else { continue };
         let difference = a - b;
         if instant(model, difference).is_none() && !jumps(&roots, condition, difference) {
@@ -42,13 +42,13 @@ pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
 }
 
 /// The conditions that forces and rates hold, each once, and whose they are.
-fn conditions(causes: Vec<(String, Expr)>) -> Vec<(Expr, String)> {
+fn conditions(model: &Model) -> Vec<(Expr, String)> {
     let mut conditions: Vec<(Expr, String)> = Vec::new();
-    for (name, root) in causes {
-        for expr in algebra::reachable(&[root]) {
+    for cause in causes(model) {
+        for expr in algebra::reachable(&[cause.value]) {
             let seen = conditions.iter().any(|(condition, _)| *condition == expr);
             if matches!(expr.node(), Node::Less(..)) && !seen {
-                conditions.push((expr, name.clone()));
+                conditions.push((expr, cause.name.text.clone()));
             }
         }
     }
@@ -132,16 +132,6 @@ fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>)
         }
     }
     jumps
-}
-
-/// What may jump, and whose it is.
-fn causes(model: &Model) -> Vec<(String, Expr)> {
-    let loads = model.loads.iter().flat_map(|load| {
-        let name = &model.parts[load.part].name.text;
-        load.force.map(|force| (name.clone(), force))
-    });
-    let rates = model.states.iter().map(|state| (state.name.text.clone(), state.rate));
-    loads.chain(rates).collect()
 }
 
 /// The one time at which a difference vanishes that is linear in the time and reads nothing but parameters and inputs,

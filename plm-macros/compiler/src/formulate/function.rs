@@ -86,6 +86,11 @@ impl Function {
         of_sections.chain(self.results.iter().map(|&(_, value)| value)).collect()
     }
 
+    /// The results without their places.
+    pub(crate) fn values(&self) -> Vec<Expr> {
+        self.results.iter().map(|&(_, value)| value).collect()
+    }
+
     /// The function as a list of instructions.
     pub(crate) fn tape(&self) -> Tape {
         algebra::tape(&self.roots())

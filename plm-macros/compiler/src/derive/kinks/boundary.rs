@@ -7,9 +7,9 @@
 use plm_cas::{Expr, algebra};
 
 use super::number;
-use crate::check::{Random, defaults, value};
 use crate::derive::sides::root;
 use crate::model::{Model, Steady};
+use crate::numeric::{Random, defaults, value};
 
 /// Places that are looked at.
 const PLACES: u64 = 6;

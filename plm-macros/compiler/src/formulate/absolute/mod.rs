@@ -84,7 +84,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     let free = free.chain(stored("gamma", &stabilised(model, equations))).collect();
     // Assembly and projection hold no sides.
     let released = |function: Function| function.substitute(&model.released);
-    let functions = Absolute {
+    Absolute {
         dynamics: motion.dynamics(equations, &x_dot),
         phi: released(Function::of_array("phi", &equations.phi)),
         phi_dot: released(Function::of_array("phi_dot", &equations.phi_dot)),
@@ -100,8 +100,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         outputs: outputs::formulate(model, equations, &read),
         weights,
         residual,
-    };
-    functions.optimise()
+    }
 }
 
 /// Does the elimination of `phi_q W phi_q^T` take more products than `most`? Two rows meet where both hold a coordinate.
@@ -126,7 +125,8 @@ pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
 }
 
 impl Absolute {
-    fn optimise(self) -> Absolute {
+    /// Shares what each function computes more than once. Guards and outputs are small, and share when they are laid out.
+    pub(crate) fn optimise(self) -> Absolute {
         Absolute {
             dynamics: self.dynamics.optimise(),
             phi: self.phi.optimise(),

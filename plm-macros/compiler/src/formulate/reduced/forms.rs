@@ -8,11 +8,11 @@ use super::coordinates::Coordinates;
 use super::memory::Memory;
 use super::motion::Motion;
 use super::{Layout, augmented, charts};
-use crate::check;
 use crate::derive::derive;
 use crate::diag::Diagnostics;
 use crate::front;
 use crate::model::Model;
+use crate::numeric;
 use crate::token::Sources;
 
 /// Reads the declaration of a tree and hands on its layout.
@@ -44,7 +44,7 @@ fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u
     let forms = layout.forms(motion, scheme);
     assert_eq!(forms.len(), 2);
     let Layout { model, .. } = layout;
-    let defaults = check::defaults(model);
+    let defaults = numeric::defaults(model);
     let mut random = 1_u64;
     let mut worst = 0.0_f64;
     for _ in 0..states {

@@ -10,9 +10,9 @@ use super::coordinates::{Coordinates, Unknown};
 use super::memory::Memory;
 use super::motion::{self, Motion};
 use super::{Assembled, Layout};
-use crate::check;
 use crate::derive::Equations;
 use crate::model::Model;
+use crate::numeric;
 
 /// Sets of loops that are tried.
 const MOST_SETS: usize = 200;
@@ -80,7 +80,7 @@ fn closes(
         let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size };
         layout.survey(scheme)
     };
-    let values_of = |roots: &[Expr], values: &[(Expr, f64)]| check::run(&algebra::tape(roots), values);
+    let values_of = |roots: &[Expr], values: &[(Expr, f64)]| numeric::run(&algebra::tape(roots), values);
     let remembered: Vec<Expr> = survey.results.iter().map(|&(_, value)| value).collect();
     let remembered = values_of(&remembered, &assembled.values);
     let drivers: Vec<Expr> = scheme
