@@ -5,14 +5,14 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::check;
-use crate::derive::{Equations, derive, hold};
+use crate::derive::{derive, hold};
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code};
 use crate::fallback;
 use crate::formulate::{Program, formulate, reduce};
 use crate::front::{self, Reading};
 use crate::model::{Model, Output};
-use crate::numeric::{Assembly, Scene, assemble, defaults};
+use crate::numeric::{Scene, assemble};
 use crate::oracle::Oracle;
 use crate::report::Report;
 use crate::token::Sources;
@@ -85,27 +85,39 @@ fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Opt
 }
 
 /// The passes behind the model; nothing where there are errors that leave nothing to go on with.
-fn passes(model: Model, observed: Observed, sink: &mut Diagnostics) -> Option<Expansion> {
+fn passes(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Option<Expansion> {
     check::check_reach(&model, sink);
     sound(sink)?;
-    let derived = Derived::new(model);
-    check::check_size(&derived.model, &derived.equations, sink);
+
+    let held = hold(&mut model);
+    let equations = derive(&model);
+    check::check_size(&model, &equations, sink);
     sound(sink)?;
-    let formulated = Formulated::new(derived, observed);
-    let Formulated { model, equations, program, start } = &formulated;
-    check::check_feedback(model, sink);
-    check::check_branches(model, equations, sink);
-    check::check_jumps(model, sink);
+
+    let absolute = formulate(&model, &equations).optimise();
+    let scene = Scene::declared(&model, &equations, &absolute);
+    let start = assemble(&scene);
+    let reduced = reduce(&scene, Some(&start));
+    let mut program = Program { absolute, reduced };
+    if let Some((outputs, from)) = observed {
+        let outputs = fetched(outputs, &from, &held);
+        program.observe(&outputs, &equations);
+        model.outputs.extend(outputs);
+    }
+    check::check_feedback(&model, sink);
+    check::check_branches(&model, &equations, sink);
+    check::check_jumps(&model, sink);
     sound(sink)?;
-    let scene = formulated.scene();
+
+    let scene = Scene::declared(&model, &equations, &program.absolute);
     check::check_pairs(&scene, sink);
-    check::check_rung(model, program, sink);
-    check::check_start(&scene, start, sink);
-    let mut report = formulated.report();
-    report.add_start(&scene, start, program.reduced());
+    check::check_rung(&model, &program, sink);
+    check::check_start(&scene, &start, sink);
     sink.allow(&model.allowed);
-    let code = formulated.emit(&report);
-    let Formulated { model, equations, program, .. } = formulated;
+    let mut report = Report::new(&scene, &program);
+    report.add_start(&scene, &start, program.reduced());
+
+    let code = emit::emit(&model, &equations, &program.absolute, program.reduced(), &report);
     let oracle = Oracle { graph: RefCell::default(), model, equations, program };
     Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
 }
@@ -115,76 +127,25 @@ fn sound(sink: &Diagnostics) -> Option<()> {
     (!sink.has_errors()).then_some(())
 }
 
-/// The source of a model that stands for one with errors; nothing about it is checked.
-fn stand_in(reading: &Reading) -> Option<Code> {
-    let unchecked = || {
-        let formulated = Formulated::new(Derived::new(fallback::model(reading)?), None);
-        Some(formulated.emit(&formulated.report()))
-    };
-    Graph::new().enter(unchecked)
-}
-
-/// A model and its equations.
-struct Derived {
-    model: Model,
-    /// What conditions that are held over a step stand for.
-    held: Vec<(Expr, Expr)>,
-    equations: Equations,
-}
-
-impl Derived {
-    fn new(mut model: Model) -> Self {
-        let held = hold(&mut model);
-        let equations = derive(&model);
-        Self { model, held, equations }
-    }
-}
-
-/// A model and its program.
-struct Formulated {
-    model: Model,
-    equations: Equations,
-    program: Program,
-    /// The declared start as it can be assembled.
-    start: Assembly,
-}
-
-impl Formulated {
-    /// Absolute coordinates, by which the start is assembled; then joint coordinates, for which the start can count.
-    fn new(derived: Derived, observed: Observed) -> Self {
-        let Derived { mut model, held, equations } = derived;
-        let absolute = formulate(&model, &equations).optimise();
-        let scene = Scene::new(&model, &equations, &absolute, defaults(&model));
-        let start = assemble(&scene);
-        let reduced = reduce(&scene, &start);
-        let mut program = Program { absolute, reduced };
-        if let Some((mut outputs, from)) = observed {
-            fetch(&mut outputs, &from, &held);
-            program.observe(&outputs, &equations);
-            model.outputs.extend(outputs);
-        }
-        Self { model, equations, program, start }
-    }
-
-    /// The mechanism with its declared values.
-    fn scene(&self) -> Scene<'_> {
-        Scene::new(&self.model, &self.equations, &self.program.absolute, defaults(&self.model))
-    }
-
-    fn report(&self) -> Report {
-        Report::new(&self.scene(), &self.program)
-    }
-
-    fn emit(&self, report: &Report) -> Code {
-        let Self { model, equations, program, .. } = self;
-        emit::emit(model, equations, &program.absolute, program.reduced(), report)
-    }
-}
-
-/// Fetches outputs from a graph of their own into the present one, and puts there what conditions stand for.
-fn fetch(outputs: &mut [Output], from: &Graph, held: &[(Expr, Expr)]) {
+/// Outputs from a graph of their own in the present one; `held` are conditions, and what stands for them.
+fn fetched(mut outputs: Vec<Output>, from: &Graph, held: &[(Expr, Expr)]) -> Vec<Output> {
     let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
     let components = algebra::substitute(&algebra::import(from, &roots), held);
     let places = outputs.iter_mut().flat_map(|output| &mut output.components);
     places.zip(components).for_each(|(place, component)| *place = component);
+    outputs
+}
+
+/// The source of a model that stands for one with errors; nothing about it is checked, and its start is not assembled.
+fn stand_in(reading: &Reading) -> Option<Code> {
+    let unchecked = || {
+        let model = fallback::model(reading)?;
+        let equations = derive(&model);
+        let absolute = formulate(&model, &equations).optimise();
+        let reduced = reduce(&Scene::declared(&model, &equations, &absolute), None);
+        let program = Program { absolute, reduced };
+        let report = Report::new(&Scene::declared(&model, &equations, &program.absolute), &program);
+        Some(emit::emit(&model, &equations, &program.absolute, program.reduced(), &report))
+    };
+    Graph::new().enter(unchecked)
 }

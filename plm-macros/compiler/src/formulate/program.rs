@@ -38,11 +38,11 @@ impl Program {
     }
 }
 
-/// Joint coordinates of a scene whose start is assembled, if they are to be taken.
+/// Joint coordinates of a scene, if they are to be taken; `start` is needed only where rows close loops.
 ///
 /// # Errors
 /// Why absolute coordinates are taken instead.
-pub(crate) fn reduce(scene: &Scene, start: &Assembly) -> Result<Reduced, String> {
+pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced, String> {
     let &Scene { model, equations, absolute, length, .. } = scene;
     if let Some((Rung::Absolute, _)) = model.rung {
         return Err("it is ordered".to_owned());
@@ -54,9 +54,10 @@ pub(crate) fn reduce(scene: &Scene, start: &Assembly) -> Result<Reduced, String>
         return Err("forces or rates read accelerations or reactions".to_owned());
     }
     let assembled = || {
+        let start = start.filter(|start| start.is_closed())?;
         let mut values = scene.moving(&start.q, &start.v);
         add_sides(model, &mut values);
-        start.is_closed().then(|| Assembled { freedom: freedom(scene, start), values })
+        Some(Assembled { freedom: freedom(scene, start), values })
     };
     // With other values of the parameters, dimensions do not make rows say what others say.
     let freedom_elsewhere = || {

@@ -2,7 +2,7 @@
 
 use plm_cas::Expr;
 
-use super::values::value;
+use super::values::{defaults, value};
 use crate::derive::Equations;
 use crate::formulate::Absolute;
 use crate::model::Model;
@@ -28,6 +28,11 @@ impl<'a> Scene<'a> {
     ) -> Scene<'a> {
         let length = length(model, &values);
         Scene { model, equations, absolute, values, length }
+    }
+
+    /// The scene of a mechanism with its declared values, at time zero.
+    pub(crate) fn declared(model: &'a Model, equations: &'a Equations, absolute: &'a Absolute) -> Scene<'a> {
+        Scene::new(model, equations, absolute, defaults(model))
     }
 
     /// Values of all symbols but velocities at a pose `q`, m and rad.
