@@ -30,7 +30,7 @@ pub struct Report {
     pub freedom: isize,
     /// Rank of `phi_q` with the position locks, and the number of locks, where they are known at compile time.
     pub rank: Option<(usize, usize)>,
-    /// The rung that was taken, and why.
+    /// The formulation that was taken, and why.
     pub formulation: Vec<String>,
     /// Numbers in the state.
     pub state: usize,
@@ -182,7 +182,7 @@ impl std::fmt::Display for Report {
     }
 }
 
-/// The rung, and why it was taken.
+/// The formulation, why it was taken, and which joints are compliant.
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     let mut lines = rung(model, reduced);
     let mut giving: Vec<&str> =
@@ -209,7 +209,7 @@ fn rung(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     }
 }
 
-/// The charts of the rungs above 5.
+/// What joint coordinates there are, chart by chart.
 fn joint_coordinates(reduced: &Reduced) -> Vec<String> {
     let title = match (reduced.has_loops(), reduced.freedom()) {
         (_, 0) => "Rung 1: no freedom is left; the motion follows from the time alone.",

@@ -8,7 +8,8 @@ use crate::units::Dimension;
 /// Gaps below this, as a fraction of the size of the scene, may be lengths that repeat each other and disagree.
 const DISAGREEMENT: f64 = 1e-3;
 
-/// A joint with a compliance that is open by more than this, in the same measure or rad, is hardly meant to be.
+/// A joint with a compliance that is open by more than this fraction of the size of the scene, or by so many rad, is hardly
+/// meant to be.
 const STRAIN: f64 = 1e-4;
 
 /// Names that one message lists.

@@ -11,9 +11,9 @@ use crate::model::Model;
 /// An unknown that forces read.
 #[derive(Clone, Debug)]
 pub(crate) struct Signal {
-    /// Its symbol.
+    /// The symbol of the unknown.
     pub(crate) symbol: Expr,
-    /// What one of it adds to `Q`: (coordinate, gain).
+    /// What a unit of the unknown adds to `Q`: (coordinate, gain).
     pub(crate) gain: SparseRow,
 }
 

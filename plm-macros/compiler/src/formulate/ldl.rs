@@ -122,3 +122,42 @@ impl Factor {
         (x, trace)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use plm_cas::{Expr, Number};
+
+    use super::{Symmetric, factorise};
+    use crate::numeric::value;
+
+    /// The solution of a symmetric system by its lower entries, and Health.
+    fn solved(lower: &[(usize, usize, i64)], rhs: &[i64], most: Option<f64>) -> (Vec<f64>, f64) {
+        let matrix: Symmetric = lower.iter().map(|&(i, j, entry)| ((i, j), Expr::from(entry))).collect();
+        let factor = factorise(rhs.len(), &matrix, most.map(|most| Number::from_f64(most).into()));
+        let rhs: Vec<Expr> = rhs.iter().map(|&of| Expr::from(of)).collect();
+        let names: Vec<String> = (0..rhs.len()).map(|k| format!("x_{k}")).collect();
+        let (x, _) = factor.solve(&rhs, &names);
+        (x.iter().map(|&x| value(x, &[])).collect(), value(factor.health, &[]))
+    }
+
+    /// A ring of four, so that there is fill: the right-hand side is the matrix times (1, 2, 3, 4).
+    #[test]
+    fn a_ring_is_solved() {
+        let ring =
+            [(0, 0, 4), (1, 1, 4), (2, 2, 4), (3, 3, 4), (1, 0, -1), (2, 1, -1), (3, 2, -1), (3, 0, -1)];
+        let (x, health) = solved(&ring, &[-2, 4, 6, 12], None);
+        for (x, expected) in x.iter().zip([1.0, 2.0, 3.0, 4.0]) {
+            assert!((x - expected).abs() < 1e-14, "{x} for {expected}");
+        }
+        // The pivots are 4, 15/4, 56/15 and 24/7: their product is the determinant of this circulant, 192.
+        assert!((health - 24.0 / 7.0 / 4.0).abs() < 1e-15, "{health}");
+    }
+
+    /// Both rows say `x_0 + x_1 = 3`: the later one is left out, its unknown is zero.
+    #[test]
+    fn a_row_that_repeats_another_is_left_out() {
+        let (x, health) = solved(&[(0, 0, 1), (1, 0, 1), (1, 1, 1)], &[3, 3], Some(1e12));
+        assert_eq!(x, [3.0, 0.0]);
+        assert!(health > 0.0, "{health}");
+    }
+}

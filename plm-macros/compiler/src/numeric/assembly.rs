@@ -12,31 +12,31 @@ use super::scene::Scene;
 use super::values::value;
 use crate::model::{Body, Model};
 
-/// Largest residual of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
+/// Largest `phi` of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
 const CLOSED: f64 = 1e-10;
 
 /// What assembly found.
 #[derive(Debug)]
 pub(crate) struct Assembly {
-    /// The start of the user, at G.
+    /// The pose that the user declared, at G: m, m, rad per body.
     pub(crate) start: Vec<f64>,
-    /// The assembled pose.
+    /// The assembled pose, m, m, rad per body.
     pub(crate) q: Vec<f64>,
-    /// The velocities that go with it.
+    /// Velocities at the assembled pose that obey the constraints: m/s, m/s, rad/s per body.
     pub(crate) v: Vec<f64>,
     /// Which coordinates are locked.
     pub(crate) locked: Vec<bool>,
     /// Which velocities are locked.
     pub(crate) velocity_locked: Vec<bool>,
-    /// Rank of `[phi_q; E]` and its dependent rows; locks come behind the constraints.
+    /// Rank of `[phi_q; E]` and its dependent rows; `E` has a row for each locked coordinate.
     pub(crate) rank: Rank,
-    /// Rank with the velocity locks.
+    /// Rank of `[phi_q; E]` where `E` has a row for each locked velocity.
     pub(crate) velocity_rank: Rank,
-    /// `phi` at the end.
+    /// `phi` at the assembled pose, m or rad by row.
     pub(crate) phi: Vec<f64>,
-    /// `phi_q v - nu` at the end.
+    /// `phi_q v - nu` at the assembled pose, m/s or rad/s by row.
     pub(crate) phi_dot: Vec<f64>,
-    /// Largest residual of each row that counts as closed, m or rad.
+    /// Largest `phi` of each row that counts as closed, m or rad.
     pub(crate) closed: Vec<f64>,
     /// Newton steps taken.
     pub(crate) steps: usize,
@@ -51,7 +51,7 @@ impl Assembly {
     /// Do the velocities obey the constraints?
     pub(crate) fn moves_consistently(&self) -> bool {
         let speed = self.v.iter().fold(1.0_f64, |largest, v| largest.max(v.abs()));
-        self.phi_dot.iter().all(|residual| residual.abs() <= 1e-9 * speed)
+        self.phi_dot.iter().all(|phi_dot| phi_dot.abs() <= 1e-9 * speed)
     }
 }
 
@@ -72,8 +72,8 @@ pub(crate) fn assemble(scene: &Scene) -> Assembly {
         Some(close(q)).filter(|closed| are_closed(&closed.phi, &limits(&closed.q)))
     });
     let Start { values: mut v, locked: velocity_locked } = start_velocity(scene, &q);
-    let residual = constraints.phi_dot(&q, &v);
-    for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &residual)) {
+    let phi_dot = constraints.phi_dot(&q, &v);
+    for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &phi_dot)) {
         *velocity -= dv;
     }
     let at_start = constraints.rank(&start.values, &start.locked);
@@ -94,7 +94,7 @@ pub(crate) fn assemble(scene: &Scene) -> Assembly {
     }
 }
 
-/// What the residual of each row may be in a scene of a size that reaches as far as the bodies stand.
+/// What `phi` of each row may be in a scene of a size that reaches as far as the bodies stand.
 fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
     let places = q.iter().enumerate().filter(|(k, _)| k % 3 != 2);
     let reach = places.fold(length, |reach, (_, place)| reach.max(place.abs()));

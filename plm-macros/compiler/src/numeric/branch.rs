@@ -17,7 +17,7 @@ pub(crate) struct Asked {
     pub(crate) part: usize,
     /// Indices of the bodies.
     pub(crate) bodies: [usize; 2],
-    /// As in [`crate::derive::Branch`].
+    /// The values of [`crate::derive::Branch::ends`], m.
     ends: [[[f64; 2]; 2]; 2],
     turn: Turn,
 }

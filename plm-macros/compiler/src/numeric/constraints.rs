@@ -92,21 +92,22 @@ impl<'a> Constraints<'a> {
         if largest(&best.phi) < largest(&now.phi) { Closed { steps: now.steps, ..best } } else { now }
     }
 
-    /// The minimum-norm step that closes a residual and leaves what is locked alone.
-    pub(super) fn step(&self, q: &[f64], locked: &[bool], residual: &[f64]) -> Vec<f64> {
+    /// The minimum-norm `dq` with `phi_q dq = r` at a pose that leaves what is locked alone.
+    pub(super) fn step(&self, q: &[f64], locked: &[bool], r: &[f64]) -> Vec<f64> {
         let mut values = self.scene.at(q);
         let weights = locked.iter().map(|&lock| if lock { 0.0 } else { 1.0 });
         let absolute = self.scene.absolute;
         values.extend(absolute.weights.iter().copied().zip(weights));
-        values.extend(absolute.residual.iter().copied().zip(residual.iter().copied()));
+        values.extend(absolute.residual.iter().copied().zip(r.iter().copied()));
         let mut step = run(&self.min_norm, &values);
         match step.pop() {
             Some(health) if health > HEALTHY && step.iter().all(|dq| dq.is_finite()) => step,
-            _ => self.step_by_rank(q, locked, residual),
+            _ => self.step_by_rank(q, locked, r),
         }
     }
 
-    fn step_by_rank(&self, q: &[f64], locked: &[bool], residual: &[f64]) -> Vec<f64> {
+    /// The minimum-norm `dq` where rows depend on each other: by singular values.
+    fn step_by_rank(&self, q: &[f64], locked: &[bool], r: &[f64]) -> Vec<f64> {
         let dense = self.phi_q(q).into_iter().map(|row| {
             let mut full = vec![0.0; q.len()];
             for (j, entry) in row {
@@ -114,7 +115,7 @@ impl<'a> Constraints<'a> {
             }
             full
         });
-        let mut step = pseudo_inverse::solve(dense.collect(), residual.to_vec());
+        let mut step = pseudo_inverse::solve(dense.collect(), r.to_vec());
         step.resize(q.len(), 0.0);
         step
     }
@@ -122,7 +123,7 @@ impl<'a> Constraints<'a> {
 
 /// Is every row within its limit?
 pub(super) fn are_closed(phi: &[f64], limits: &[f64]) -> bool {
-    phi.iter().zip(limits).all(|(residual, limit)| residual.abs() <= *limit)
+    phi.iter().zip(limits).all(|(phi, limit)| phi.abs() <= *limit)
 }
 
 /// Largest magnitude; infinite if a value is not a number.

@@ -14,7 +14,7 @@ pub(crate) struct Scene<'a> {
     pub(crate) absolute: &'a Absolute,
     /// Each symbol and its value, SI.
     pub(crate) values: Vec<(Expr, f64)>,
-    /// Its size, m: the unit in which residuals and tolerances are judged.
+    /// Its size, m: the unit in which gaps and tolerances are judged.
     pub(crate) length: f64,
 }
 

@@ -53,3 +53,31 @@ pub(super) fn solve(s_0: Vec<Expr>, units: &[Vec<Expr>]) -> Solved {
     }
     Solved { signals: s, health, trace }
 }
+
+#[cfg(test)]
+mod tests {
+    use plm_cas::{Expr, Number};
+
+    use super::solve;
+    use crate::numeric::value;
+
+    fn numbers(values: &[f64]) -> Vec<Expr> {
+        values.iter().map(|&value| Number::from_f64(value).into()).collect()
+    }
+
+    /// With `S = (0.5, 0.25; -1, 0.25)` and `s = (2, 4)`, `s_0 = (I - S) s = (0, 5)`.
+    #[test]
+    fn two_signals_that_feed_each_other_are_solved() {
+        let units = [numbers(&[0.5, -1.0]), numbers(&[0.25, 0.25])];
+        let solved = solve(numbers(&[0.0, 5.0]), &units);
+        let s: Vec<f64> = solved.signals.iter().map(|&s| value(s, &[])).collect();
+        assert_eq!(s, [2.0, 4.0]);
+    }
+
+    /// `s = s_0 + s` has no solution.
+    #[test]
+    fn a_signal_that_feeds_itself_fully_has_no_health() {
+        let solved = solve(numbers(&[1.0]), &[numbers(&[1.0])]);
+        assert_eq!(value(solved.health, &[]), 0.0);
+    }
+}

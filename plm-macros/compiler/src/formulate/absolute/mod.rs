@@ -1,4 +1,4 @@
-//! Rung 5: absolute coordinates and multipliers.
+//! Absolute coordinates and multipliers, the formulation that holds every mechanism.
 //!
 //! ```text
 //! (1)  Y = phi_q M^-1
@@ -32,24 +32,24 @@ use super::sides;
 use crate::derive::Equations;
 use crate::model::{Model, Stabilisation};
 
-/// Everything that rung 5 computes.
+/// Everything that absolute coordinates compute.
 #[derive(Debug)]
 pub(crate) struct Absolute {
     /// `dx` and `lambda`, returning Health: the right-hand side.
     pub(crate) dynamics: Function,
-    /// `phi`.
+    /// `phi`, m or rad by row.
     pub(crate) phi: Function,
-    /// `phi_dot`.
+    /// `phi_dot = phi_q v - nu`, m/s or rad/s by row.
     pub(crate) phi_dot: Function,
     /// Non-zero entries of `phi_q`, row by row.
     pub(crate) phi_q: Function,
-    /// `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`, returning Health.
+    /// `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`, returning Health: the least step, weighted, by which `phi` changes by `r`.
     pub(crate) min_norm: Function,
-    /// `inverse_mass`.
+    /// `inverse_mass`: the diagonal of `M^-1`, 1/kg or 1/(kg m^2) by coordinate.
     pub(crate) inverse_mass: Function,
-    /// `force` and `gamma`, for the rank-revealing fallback.
+    /// `force` and `gamma`: `Q` and the right-hand side of `phi_q a = gamma`, for the solution by rank.
     pub(crate) free: Function,
-    /// Rates of the first-order states alone, for the fallback.
+    /// `x_dot`: rates of the first-order states alone, for the solution by rank.
     pub(crate) x_dot: Function,
     /// `force` and `x_dot` without accelerations, in which multipliers are unknowns: for equilibria.
     pub(crate) at_rest: Function,
@@ -63,11 +63,11 @@ pub(crate) struct Absolute {
     pub(crate) outputs: Outputs,
     /// Symbols of the weights of [`Absolute::min_norm`].
     pub(crate) weights: Vec<Expr>,
-    /// Symbols of its residual.
+    /// Symbols of `r` in [`Absolute::min_norm`].
     pub(crate) residual: Vec<Expr>,
 }
 
-/// Lays out rung 5.
+/// Lays out absolute coordinates.
 pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     let symbols = |name: &str, count: usize| -> Vec<Expr> {
         (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect()
