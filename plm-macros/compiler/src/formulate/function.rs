@@ -26,11 +26,6 @@ impl Section {
     }
 }
 
-/// Results that fill an array from its beginning.
-pub(crate) fn stored(array: &'static str, values: &[Expr]) -> impl Iterator<Item = (Place, Expr)> {
-    values.iter().enumerate().map(move |(k, &value)| (Place::Element(array, k), value))
-}
-
 /// A straight-line function.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Function {
@@ -53,7 +48,7 @@ impl Function {
 
     /// A function that fills one array.
     pub(crate) fn of_array(array: &'static str, values: &[Expr]) -> Function {
-        Function::of_results(stored(array, values).collect())
+        Function::of_results(stored(array, values.iter()))
     }
 
     /// Shares common sub-expressions within the function.
@@ -95,4 +90,9 @@ impl Function {
     pub(crate) fn tape(&self) -> Tape {
         algebra::tape(&self.roots())
     }
+}
+
+/// Results that fill an array from its beginning.
+pub(crate) fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Vec<(Place, Expr)> {
+    values.enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
 }

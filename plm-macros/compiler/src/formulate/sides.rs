@@ -21,7 +21,9 @@ pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)]) -> Function {
 pub(crate) fn instants(model: &Model) -> Function {
     let instants = model.sides.iter().filter_map(|side| side.instant);
     let (at, slope): (Vec<Expr>, Vec<Expr>) = instants.map(|[at, slope]| (at, slope)).unzip();
-    Function::of_results(stored("at", &at).chain(stored("slope", &slope)).collect()).optimise()
+    let mut results = stored("at", at.iter());
+    results.extend(stored("slope", slope.iter()));
+    Function::of_results(results).optimise()
 }
 
 /// The terms of the rows that may jump, one after the other.

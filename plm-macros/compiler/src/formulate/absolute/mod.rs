@@ -80,8 +80,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     // What the unknowns do to forces and rates elsewhere.
     let read = motion.read.clone();
     let x_dot = algebra::substitute(&equations.x_dot, &read);
-    let free = stored("force", &equations.force);
-    let free = free.chain(stored("gamma", &stabilised(model, equations))).collect();
+    let mut free = stored("force", equations.force.iter());
+    free.extend(stored("gamma", stabilised(model, equations).iter()));
     // Assembly and projection hold no sides.
     let released = |function: Function| function.substitute(&model.released);
     Absolute {
@@ -151,8 +151,9 @@ fn at_rest(equations: &Equations) -> Function {
         }
     }
     let still: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, Expr::ZERO)).collect();
-    let results = stored("force", &force).chain(stored("x_dot", &equations.x_dot));
-    Function::of_results(results.collect()).substitute(&still)
+    let mut results = stored("force", force.iter());
+    results.extend(stored("x_dot", equations.x_dot.iter()));
+    Function::of_results(results).substitute(&still)
 }
 
 /// `gamma`, with Baumgarte's feedback (4) where the model asks for it: `alpha = beta = 1 / tau`.

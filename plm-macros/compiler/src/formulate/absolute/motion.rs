@@ -58,9 +58,8 @@ pub(super) fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]
 impl Motion {
     /// The right-hand side: `dx = [v, a, x_dot]` and `lambda`, returning Health.
     pub(super) fn dynamics(self, equations: &Equations, x_dot: &[Expr]) -> Function {
-        let dx: Vec<Expr> = [&equations.v[..], &self.acceleration, x_dot].concat();
-        let mut results: Vec<(Place, Expr)> = stored("dx", &dx).collect();
-        results.extend(stored("lambda", &self.lambda));
+        let mut results = stored("dx", equations.v.iter().chain(&self.acceleration).chain(x_dot));
+        results.extend(stored("lambda", self.lambda.iter()));
         results.push((Place::Value, self.health));
         Function { sections: self.sections, results }
     }

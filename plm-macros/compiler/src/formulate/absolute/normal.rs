@@ -79,7 +79,7 @@ pub(super) fn min_norm(
     let names: Vec<String> = (0..residual.len()).map(|k| format!("mu_{k}")).collect();
     let (mu, solution) = factor.solve(residual, &names); // (1)
     let dq = normal.transposed(&mu, weights.len()); // (2)
-    let mut results: Vec<(Place, Expr)> = stored("dq", &dq).collect();
+    let mut results = stored("dq", dq.iter());
     results.push((Place::Value, factor.health));
     let sections = vec![
         Section::new("phi_q W phi_q^T = L D L^T", factor.trace),
