@@ -1,19 +1,20 @@
 //! The passes, in order.
 
-use std::cell::{OnceCell, RefCell};
+use std::cell::RefCell;
 
 use plm_cas::{Expr, Graph, algebra};
 
-use crate::check::{self, Assembly};
-use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
-use crate::diag::{Code as Problem, Diagnostics};
+use crate::check;
+use crate::derive::{derive, hold};
+use crate::diag::Diagnostics;
 use crate::emit::{self, Code};
 use crate::fallback;
-use crate::formulate::{Absolute, Assembled, Known, Reduced, formulate, lay_out, reduce};
+use crate::formulate::{Program, formulate, reduce};
 use crate::front::{self, Reading};
-use crate::model::{Model, Output, Rung, Stabilisation};
+use crate::model::{Model, Output};
+use crate::numeric::{Scene, assemble};
 use crate::oracle::Oracle;
-use crate::report::{self, Report};
+use crate::report::Report;
 use crate::token::Sources;
 
 /// What the compiler makes of a declaration.
@@ -36,14 +37,13 @@ pub struct Expansion {
 pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
     let reading = front::read(sources, &mut sink);
-    let mut expansion = match reading.model(&mut sink) {
-        Some(model) => {
-            check::check_names(&model, &mut sink);
-            let (model, observed) = apart(&reading, model);
-            back_end(model, observed, &mut sink)
-        }
-        None => Expansion::default(),
-    };
+    let model = reading.model(&mut sink);
+    let expansion = model.and_then(|model| {
+        check::check_names(&model, &mut sink);
+        let (model, observed) = apart(&reading, model);
+        back_end(model, observed, &mut sink)
+    });
+    let mut expansion = expansion.unwrap_or_default();
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
@@ -74,172 +74,78 @@ fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
     (unobserved, Some((observed, model.graph)))
 }
 
-/// From the model to source text.
-fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
+/// From the model to source text, in the model's graph, which the oracle keeps.
+fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Option<Expansion> {
     let mut graph = std::mem::take(&mut model.graph);
-    let mut expansion = graph.enter(|| passes(model, observed, sink));
+    let mut expansion = graph.enter(|| passes(model, observed, sink))?;
     if let Some(oracle) = &mut expansion.oracle {
         oracle.graph = RefCell::new(graph);
     }
-    expansion
+    Some(expansion)
 }
 
-/// The passes behind the model, in its graph.
-fn passes(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
+/// The passes behind the model; nothing where there are errors that leave nothing to go on with.
+fn passes(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Option<Expansion> {
     check::check_reach(&model, sink);
-    if sink.has_errors() {
-        return Expansion::default();
-    }
-    let derived = Derived::of(model);
-    check::check_size(&derived.model, &derived.equations, sink);
-    if sink.has_errors() {
-        return Expansion::default();
-    }
-    let lowered = lower(derived, observed);
-    check_feedback(&lowered.model, sink);
-    check::check_branches(&lowered.model, &lowered.equations, sink);
-    check::check_jumps(&lowered.model, sink);
-    if sink.has_errors() {
-        return Expansion::default();
-    }
-    let length = report::length(&lowered.model, &check::defaults(&lowered.model));
-    check::check_pairs(&lowered.model, &lowered.equations, length, sink);
-    if let (Some((rung @ (Rung::Tree | Rung::Loops), span)), Err(reason)) =
-        (lowered.model.rung, &lowered.reduced)
-    {
-        let name = rung.name();
-        sink.error(Problem::NoRung, span, format!("there is no rung `{name}` of this mechanism: {reason}"))
-            .help("leave `rung` out: the least formulation is taken, and the report says which and why");
-    }
-    let mut report = lowered.report();
-    let Lowered { model, equations, program, reduced, .. } = &lowered;
-    let forms = (program, reduced.as_ref().ok());
-    check::check_assembly(model, equations, forms, lowered.assembly(), &mut report, sink);
-    sink.allow(&model.allowed);
-    let code = lowered.emit(&report);
-    let Lowered { model, equations, program, reduced, .. } = lowered;
-    let oracle = Oracle { graph: RefCell::default(), model, equations, program, reduced: reduced.ok() };
-    Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() }
-}
+    sound(sink)?;
 
-/// The source of a model that stands for one with errors; nothing about it is checked.
-fn stand_in(reading: &Reading) -> Option<Code> {
-    let unchecked = || {
-        let lowered = lower(Derived::of(fallback::model(reading)?), None);
-        Some(lowered.emit(&lowered.report()))
-    };
-    Graph::new().enter(unchecked)
-}
+    let held = hold(&mut model);
+    let equations = derive(&model);
+    check::check_size(&model, &equations, sink);
+    sound(sink)?;
 
-/// A model and its equations.
-struct Derived {
-    model: Model,
-    /// What conditions that are held over a step stand for.
-    held: Vec<(Expr, Expr)>,
-    equations: Equations,
-}
-
-impl Derived {
-    fn of(mut model: Model) -> Self {
-        let held = hold(&mut model);
-        let equations = derive(&model);
-        Self { model, held, equations }
-    }
-}
-
-/// A model on the way to source text.
-struct Lowered {
-    model: Model,
-    equations: Equations,
-    /// Rung 5, which assembly, reactions and the fallback need on every rung.
-    program: Absolute,
-    /// The rung above it that is taken, or why there is none.
-    reduced: Result<Reduced, String>,
-    /// The declared start, once somebody asks for it.
-    assembly: OnceCell<Assembly>,
-}
-
-/// Values of parameters that are tried until the joints close.
-const VARIATIONS: u64 = 8;
-
-fn lower(derived: Derived, observed: Observed) -> Lowered {
-    let Derived { mut model, held, equations } = derived;
-    let mut program = formulate(&model, &equations);
-    let assembly = OnceCell::new();
-    let reduced = match (model.rung, model.stabilisation) {
-        (Some((Rung::Absolute, _)), _) => Err("it is ordered".to_owned()),
-        (_, Stabilisation::Baumgarte(_)) => Err("Baumgarte's method is ordered".to_owned()),
-        _ if feeds_back(&model) => Err("forces or rates read accelerations or reactions".to_owned()),
-        _ => {
-            let length = report::length(&model, &check::defaults(&model));
-            let assembled = || {
-                let others = check::defaults(&model);
-                let assemble = || check::assemble(&model, &equations, &program, &others);
-                let found = assembly.get_or_init(assemble);
-                let mut values = found.values(&equations, &others);
-                check::add_sides(&model, &mut values);
-                found.is_closed().then(|| Assembled {
-                    freedom: check::freedom(&equations, &program, (&others, length), found),
-                    values,
-                })
-            };
-            // With other values of the parameters, dimensions do not make rows say what others say.
-            let freedom_elsewhere = || {
-                (1..=VARIATIONS).find_map(|seed| {
-                    let others = check::varied(&model, seed)?;
-                    let found = check::assemble(&model, &equations, &program, &others);
-                    let freedom = || check::freedom(&equations, &program, (&others, length), &found);
-                    found.is_closed().then(freedom)
-                })
-            };
-            let known = Known { length, assembled: &assembled, freedom_elsewhere: &freedom_elsewhere };
-            let reduced = reduce(&model, &equations, known);
-            if model.rung.is_some() {
-                reduced
-            } else {
-                reduced.and_then(|reduced| cheaper(reduced, &program))
-            }
-        }
-    };
-    if let Some((mut outputs, from)) = observed {
-        let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
-        let imported = algebra::import(&from, &roots);
-        let components = algebra::substitute(&imported, &held);
-        let places = outputs.iter_mut().flat_map(|output| &mut output.components);
-        places.zip(components).for_each(|(place, component)| *place = component);
-        program.outputs.user.extend(lay_out(&outputs, &equations));
+    let absolute = formulate(&model, &equations).optimise();
+    let scene = Scene::declared(&model, &equations, &absolute);
+    let start = assemble(&scene);
+    let reduced = reduce(&scene, Some(&start));
+    let mut program = Program { absolute, reduced };
+    if let Some((outputs, from)) = observed {
+        let outputs = fetched(outputs, &from, &held);
+        program.observe(&outputs, &equations);
         model.outputs.extend(outputs);
     }
-    Lowered { model, equations, program, reduced, assembly }
+    check::check_feedback(&model, sink);
+    check::check_branches(&model, &equations, sink);
+    check::check_jumps(&model, sink);
+    sound(sink)?;
+
+    let scene = Scene::declared(&model, &equations, &program.absolute);
+    check::check_pairs(&scene, sink);
+    check::check_rung(&model, &program, sink);
+    check::check_start(&scene, &start, sink);
+    sink.allow(&model.allowed);
+    let mut report = Report::new(&scene, &program);
+    report.add_start(&scene, &start, program.reduced());
+
+    let code = emit::emit(&model, &equations, &program.absolute, program.reduced(), &report);
+    let oracle = Oracle { graph: RefCell::default(), model, equations, program };
+    Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
 }
 
-/// Rung 4, if it has fewer operations than rung 5, of which iterations can take more; a rung above it is taken as it is.
-fn cheaper(reduced: Reduced, program: &Absolute) -> Result<Reduced, String> {
-    let Some(chart) = reduced.first().filter(|_| reduced.iterates()) else { return Ok(reduced) };
-    let [iterated, absolute] = [&chart.rate, &program.dynamics].map(|form| form.tape().count().total());
-    if iterated < absolute {
-        return Ok(reduced);
-    }
-    let groups = chart.groups.join("; ");
-    Err(format!("its loops need {groups}: {iterated} operations, and absolute coordinates {absolute}"))
+/// Nothing if there are errors.
+fn sound(sink: &Diagnostics) -> Option<()> {
+    (!sink.has_errors()).then_some(())
 }
 
-impl Lowered {
-    /// The declared start as it can be assembled.
-    fn assembly(&self) -> &Assembly {
-        let Lowered { model, equations, program, .. } = self;
-        let assemble = || check::assemble(model, equations, program, &check::defaults(model));
-        self.assembly.get_or_init(assemble)
-    }
+/// Outputs from a graph of their own in the present one; `held` are conditions, and what stands for them.
+fn fetched(mut outputs: Vec<Output>, from: &Graph, held: &[(Expr, Expr)]) -> Vec<Output> {
+    let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
+    let components = algebra::substitute(&algebra::import(from, &roots), held);
+    let places = outputs.iter_mut().flat_map(|output| &mut output.components);
+    places.zip(components).for_each(|(place, component)| *place = component);
+    outputs
+}
 
-    fn report(&self) -> Report {
-        let defaults = check::defaults(&self.model);
-        let formulation = self.reduced.as_ref().map_err(String::as_str);
-        Report::new(&self.model, &self.equations, &self.program, formulation, &defaults)
-    }
-
-    fn emit(&self, report: &Report) -> Code {
-        let Lowered { model, equations, program, reduced, .. } = self;
-        emit::emit(model, equations, program, reduced.as_ref().ok(), report)
-    }
+/// The source of a model that stands for one with errors; nothing about it is checked, and its start is not assembled.
+fn stand_in(reading: &Reading) -> Option<Code> {
+    let unchecked = || {
+        let model = fallback::model(reading)?;
+        let equations = derive(&model);
+        let absolute = formulate(&model, &equations).optimise();
+        let reduced = reduce(&Scene::declared(&model, &equations, &absolute), None);
+        let program = Program { absolute, reduced };
+        let report = Report::new(&Scene::declared(&model, &equations, &program.absolute), &program);
+        Some(emit::emit(&model, &equations, &program.absolute, program.reduced(), &report))
+    };
+    Graph::new().enter(unchecked)
 }

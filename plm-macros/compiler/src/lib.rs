@@ -12,6 +12,7 @@ pub mod front;
 pub mod lex;
 mod library;
 pub mod model;
+mod numeric;
 mod oracle;
 mod outline;
 mod report;

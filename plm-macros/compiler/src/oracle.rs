@@ -5,8 +5,9 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Chart, Function, Reduced};
+use crate::formulate::{Chart, Function, Program, Reduced};
 use crate::model::Model;
+use crate::numeric::{add_sides, defaults, run};
 
 /// A state in a chart.
 #[derive(Clone, Debug)]
@@ -27,8 +28,7 @@ pub struct Oracle {
     pub(crate) model: Model,
     pub(crate) graph: RefCell<Graph>,
     pub(crate) equations: Equations,
-    pub(crate) program: Absolute,
-    pub(crate) reduced: Option<Reduced>,
+    pub(crate) program: Program,
 }
 
 impl Oracle {
@@ -37,67 +37,56 @@ impl Oracle {
         2 * self.equations.q.len() + self.equations.x.len()
     }
 
-    /// Length of the state on the rung that was taken, `[y, y', first-order states]`.
+    /// Length of the state in joint coordinates, `[y, y', first-order states]`; nothing where absolute ones are taken.
     pub fn reduced_states(&self) -> Option<usize> {
-        self.reduced.as_ref().map(|reduced| 2 * reduced.freedom() + self.equations.x.len())
+        self.program.reduced().map(|reduced| 2 * reduced.freedom() + self.equations.x.len())
     }
 
-    /// `dx`, and with loops Health, in the first chart of the rung that was taken, if that is above 5; `x` has
+    /// `dx`, and with loops Health, in the first chart of joint coordinates; nothing where absolute ones are taken. `x` has
     /// [`Oracle::reduced_states`] values, followed by what is remembered.
     pub fn rate(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
-        let reduced = self.reduced.as_ref()?;
+        let reduced = self.program.reduced()?;
         let chart = reduced.first()?;
-        let state = chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x);
-        let symbols: Vec<Expr> = state.chain(&reduced.memory).copied().collect();
-        Some(self.run_at(&chart.rate, time, &symbols, x))
+        Some(self.run(&chart.rate, time, &self.state_in(chart, &reduced.memory), x))
     }
 
-    /// What each chart of the rung that was taken makes of a state in absolute coordinates, `x` as in
-    /// [`Oracle::dynamics`]; nothing on rung 5.
+    /// What each chart of joint coordinates makes of a state in absolute ones, `x` as in [`Oracle::dynamics`]; nothing where
+    /// absolute ones are taken.
     pub fn charts(&self, time: f64, x: &[f64]) -> Vec<InChart> {
-        let Some(reduced) = &self.reduced else { return Vec::new() };
+        let Some(reduced) = self.program.reduced() else { return Vec::new() };
         reduced.charts.iter().filter_map(|chart| self.in_chart(reduced, chart, time, x)).collect()
     }
 
     /// Accelerations of all bodies at a state in absolute coordinates, by the joint coordinates of a mechanism without loops.
     pub fn accelerations(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
-        let chart = self.reduced.as_ref()?.first()?;
+        let chart = self.program.reduced()?.first()?;
         let reactions = chart.reactions.as_ref()?;
-        let mut state = self.run(&chart.project, time, x);
+        let mut state = self.run(&chart.project, time, &self.state(), x);
         state.extend_from_slice(x.get(2 * self.equations.q.len()..)?);
-        let symbols: Vec<Expr> =
-            chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x).copied().collect();
-        let mut accelerations = self.run_at(reactions, time, &symbols, &state);
+        let mut accelerations = self.run(reactions, time, &self.state_in(chart, &[]), &state);
         accelerations.truncate(self.equations.q.len());
         Some(accelerations)
     }
 
     fn in_chart(&self, reduced: &Reduced, chart: &Chart, time: f64, x: &[f64]) -> Option<InChart> {
-        let survey = chart.survey.as_ref().map(|survey| self.run(survey, time, x));
+        let survey = chart.survey.as_ref().map(|survey| self.run(survey, time, &self.state(), x));
         let mut remembered = survey.unwrap_or_else(|| vec![1.0]);
         let square = remembered.pop()?;
         if let Some(precision) = remembered.last_mut().filter(|_| reduced.iterates()) {
             *precision = f64::EPSILON;
         }
-        let absolute = 2 * self.equations.q.len();
-        let mut state = self.run(&chart.project, time, x);
-        state.truncate(2 * chart.y.len());
-        let coordinates = state.len() / 2;
+        let (coordinates, absolute) = (chart.y.len(), 2 * self.equations.q.len());
+        let mut state = self.run(&chart.project, time, &self.state(), x);
+        state.truncate(2 * coordinates);
         state.extend_from_slice(x.get(absolute..)?);
         state.extend(remembered);
-        let symbols: Vec<Expr> =
-            chart.y.iter().chain(&chart.y_dot).chain(&self.equations.x).copied().collect();
-        let symbols: Vec<Expr> = symbols.into_iter().chain(reduced.memory.iter().copied()).collect();
-        let mut pose = self.run_at(&chart.pose, time, &symbols, &state);
+        let symbols = self.state_in(chart, &reduced.memory);
+        let mut pose = self.run(&chart.pose, time, &symbols, &state);
         pose.truncate(absolute);
-        let mut rate = self.run_at(&chart.rate, time, &symbols, &state);
+        let mut rate = self.run(&chart.rate, time, &symbols, &state);
         rate.truncate(2 * coordinates);
-        Some(InChart {
-            coordinates,
-            measure: square.max(0.0).sqrt(),
-            pose,
-            acceleration: rate.split_off(coordinates),
-        })
+        let measure = square.max(0.0).sqrt();
+        Some(InChart { coordinates, measure, pose, acceleration: rate.split_off(coordinates) })
     }
 
     /// Number of constraint rows.
@@ -107,38 +96,40 @@ impl Oracle {
 
     /// `dx`, then `lambda`, then Health, with parameters and inputs as declared. `x` has [`Oracle::states`] values.
     pub fn dynamics(&self, time: f64, x: &[f64]) -> Vec<f64> {
-        self.run(&self.program.dynamics, time, x)
+        self.run(&self.program.absolute.dynamics, time, &self.state(), x)
     }
 
-    /// Residuals of the constraints.
+    /// `phi` of all constraint rows, m or rad.
     pub fn phi(&self, time: f64, x: &[f64]) -> Vec<f64> {
-        self.run(&self.program.phi, time, x)
+        self.run(&self.program.absolute.phi, time, &self.state(), x)
     }
 
-    /// Rates of the residuals.
+    /// `phi_q v - nu` of all constraint rows, m/s or rad/s.
     pub fn phi_dot(&self, time: f64, x: &[f64]) -> Vec<f64> {
-        self.run(&self.program.phi_dot, time, x)
+        self.run(&self.program.absolute.phi_dot, time, &self.state(), x)
     }
 
-    fn run(&self, function: &Function, time: f64, x: &[f64]) -> Vec<f64> {
-        let Equations { q, v, x: first_order, .. } = &self.equations;
-        let symbols: Vec<Expr> = q.iter().chain(v).chain(first_order).copied().collect();
-        self.run_at(function, time, &symbols, x)
+    /// Symbols of the state in absolute coordinates.
+    fn state(&self) -> Vec<Expr> {
+        let Equations { q, v, x, .. } = &self.equations;
+        [&q[..], v, x].concat()
     }
 
-    fn run_at(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
-        self.graph.borrow_mut().enter(|| self.entered(function, time, symbols, x))
+    /// Symbols of the state in a chart, and of what is remembered.
+    fn state_in(&self, chart: &Chart, memory: &[Expr]) -> Vec<Expr> {
+        [&chart.y[..], &chart.y_dot, &self.equations.x, memory].concat()
     }
 
-    fn entered(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
-        let mut values: Vec<(Expr, f64)> = crate::check::defaults(&self.model);
-        values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
-        values.push((self.model.time, time));
-        values.extend(symbols.iter().copied().zip(x.iter().copied()));
-        crate::check::add_sides(&self.model, &mut values);
-        let results: Vec<Expr> = function.roots();
-        let tape = algebra::tape(&results);
-        let mut all = crate::check::run(&tape, &values);
-        all.split_off(all.len() - function.results.len())
+    /// The results of a function where some symbols have the values `x`, and what is held its declared values.
+    fn run(&self, function: &Function, time: f64, symbols: &[Expr], x: &[f64]) -> Vec<f64> {
+        self.graph.borrow_mut().enter(|| {
+            let mut values = defaults(&self.model);
+            values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
+            values.push((self.model.time, time));
+            values.extend(symbols.iter().copied().zip(x.iter().copied()));
+            add_sides(&self.model, &mut values);
+            let mut all = run(&algebra::tape(&function.roots()), &values);
+            all.split_off(all.len() - function.results.len())
+        })
     }
 }

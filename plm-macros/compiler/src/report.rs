@@ -2,10 +2,9 @@
 
 use plm_cas::{Count, Expr, algebra};
 
-use crate::check::Assembly;
-use crate::derive::Equations;
-use crate::formulate::{Absolute, Chart, Function, Reduced};
+use crate::formulate::{Chart, Function, Program, Reduced};
 use crate::model::{Model, Stabilisation};
+use crate::numeric::{Assembly, Scene, add_sides, run, value};
 
 /// Degrees per radian.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
@@ -31,7 +30,7 @@ pub struct Report {
     pub freedom: isize,
     /// Rank of `phi_q` with the position locks, and the number of locks, where they are known at compile time.
     pub rank: Option<(usize, usize)>,
-    /// The rung that was taken, and why.
+    /// The formulation that was taken, and why.
     pub formulation: Vec<String>,
     /// Numbers in the state.
     pub state: usize,
@@ -46,49 +45,49 @@ pub struct Report {
 }
 
 impl Report {
-    /// The report before the start was assembled.
-    pub(crate) fn new(
-        model: &Model,
-        equations: &Equations,
-        program: &Absolute,
-        reduced: Result<&Reduced, &str>,
-        values: &[(Expr, f64)],
-    ) -> Report {
-        let count = |function: &Function| counted(function);
-        let constraints = [
-            ("phi", &program.phi),
-            ("phi_dot", &program.phi_dot),
-            ("phi_q", &program.phi_q),
-            ("closing step", &program.min_norm),
+    /// The report of a program before anything is said of the start.
+    pub(crate) fn new(scene: &Scene, program: &Program) -> Report {
+        let Scene { model, equations, .. } = scene;
+        let Program { absolute, reduced } = program;
+        let functions = [
+            ("phi", &absolute.phi),
+            ("phi_dot", &absolute.phi_dot),
+            ("phi_q", &absolute.phi_q),
+            ("closing step", &absolute.min_norm),
         ];
-        let of_tree = reduced.ok().and_then(|reduced| reduced.first()?.reactions.as_ref());
-        let functions = of_tree.map(|reactions| ("reactions", reactions)).into_iter().chain(constraints);
+        let of_tree = program.reduced().and_then(|reduced| reduced.first()?.reactions.as_ref());
+        let functions = of_tree.map(|reactions| ("reactions", reactions)).into_iter().chain(functions);
+        let coordinates = equations.q.len();
+        let mechanical = program.reduced().map_or(2 * coordinates, |reduced| 2 * reduced.freedom());
         Report {
             name: model.name.text.clone(),
             bodies: model.bodies.len(),
             parts: model.parts.len(),
-            coordinates: equations.q.len(),
+            coordinates,
             constraints: equations.phi.len(),
             states: equations.x.len(),
-            freedom: equations.q.len() as isize - equations.phi.len() as isize,
+            freedom: coordinates as isize - equations.phi.len() as isize,
             rank: None,
-            formulation: formulation(model, reduced),
-            state: reduced.map_or(2 * equations.q.len(), |reduced| 2 * reduced.freedom()) + equations.x.len(),
-            length: length(model, values),
-            rate: count(reduced.ok().and_then(Reduced::first).map_or(&program.dynamics, |chart| &chart.rate)),
-            functions: functions.map(|(name, function)| (name, count(function))).collect(),
+            formulation: formulation(model, reduced.as_ref().map_err(String::as_str)),
+            state: mechanical + equations.x.len(),
+            length: scene.length,
+            rate: counted(program.rate()),
+            functions: functions.map(|(name, function)| (name, counted(function))).collect(),
             assembly: Vec::new(),
         }
     }
 
-    /// Adds what assembly found.
-    pub(crate) fn add_assembly(
-        &mut self,
-        model: &Model,
-        equations: &Equations,
-        found: &Assembly,
-        turns: &[f64],
-    ) {
+    /// Adds what assembly found: ranks, how far it moved the bodies, branches, and how far charts are from flat.
+    pub(crate) fn add_start(&mut self, scene: &Scene, found: &Assembly, reduced: Option<&Reduced>) {
+        let mut values = scene.moving(&found.q, &found.v);
+        add_sides(scene.model, &mut values);
+        self.add_rank(found);
+        self.add_moves(scene, found);
+        self.add_branches(scene, &values);
+        self.add_measures(&measures(reduced, &values), reduced);
+    }
+
+    fn add_rank(&mut self, found: &Assembly) {
         let locks = found.locked.iter().filter(|lock| **lock).count();
         self.rank = Some((found.rank.value(), locks));
         let kind = if !found.rank.dependent.is_empty() {
@@ -105,15 +104,24 @@ impl Report {
             self.constraints + locks,
             found.steps
         ));
+    }
+
+    fn add_moves(&mut self, scene: &Scene, found: &Assembly) {
         let mut moves: Vec<(usize, f64)> =
             found.q.iter().zip(&found.start).map(|(q, start)| q - start).enumerate().collect();
         moves.retain(|&(k, by)| !found.locked[k] && by.abs() > 1e-9);
         for &(k, by) in moves.iter().take(MOST_MOVES) {
-            self.assembly.push(moved(model, k, found.start[k], by));
+            self.assembly.push(moved(scene.model, k, found.start[k], by));
         }
         if moves.len() > MOST_MOVES {
             self.assembly.push(format!("… and {} coordinates more", moves.len() - MOST_MOVES));
         }
+    }
+
+    fn add_branches(&mut self, scene: &Scene, values: &[(Expr, f64)]) {
+        let Scene { model, equations, .. } = scene;
+        let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
+        let turns = run(&algebra::tape(&turns), values);
         for (branch, turn) in equations.branches.iter().zip(turns).take(MOST_MOVES) {
             let [first, second] = branch.bodies.map(|body| &model.bodies[body].name.text);
             let turn = turn * DEGREES;
@@ -128,7 +136,7 @@ impl Report {
     }
 
     /// Adds how far the charts are from flat at the start, and counts the operations of the one that is taken there.
-    pub(crate) fn add_measures(&mut self, measures: &[f64], reduced: Option<&Reduced>) {
+    fn add_measures(&mut self, measures: &[f64], reduced: Option<&Reduced>) {
         let taken = taken_first(measures);
         if let Some(chart) = reduced.and_then(|reduced| reduced.charts.get(taken)).filter(|_| taken > 0) {
             self.rate = counted(&chart.rate);
@@ -174,7 +182,7 @@ impl std::fmt::Display for Report {
     }
 }
 
-/// The rung, and why it was taken.
+/// The formulation, why it was taken, and which joints are compliant.
 fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     let mut lines = rung(model, reduced);
     let mut giving: Vec<&str> =
@@ -201,7 +209,7 @@ fn rung(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     }
 }
 
-/// The charts of the rungs above 5.
+/// What joint coordinates there are, chart by chart.
 fn joint_coordinates(reduced: &Reduced) -> Vec<String> {
     let title = match (reduced.has_loops(), reduced.freedom()) {
         (_, 0) => "Rung 1: no freedom is left; the motion follows from the time alone.",
@@ -248,8 +256,15 @@ fn taken_first(measures: &[f64]) -> usize {
 }
 
 fn counted(function: &Function) -> Count {
-    let results: Vec<Expr> = function.results.iter().map(|&(_, value)| value).collect();
-    algebra::tape(&results).count()
+    algebra::count(&function.values())
+}
+
+/// How far each chart is from flat at the start: 1 at best, 0 where a loop lies in one line.
+fn measures(reduced: Option<&Reduced>, values: &[(Expr, f64)]) -> Vec<f64> {
+    let surveys =
+        reduced.into_iter().flat_map(|reduced| &reduced.charts).filter_map(|chart| chart.survey.as_ref());
+    let squares = surveys.filter_map(|survey| survey.results.last());
+    squares.map(|&(_, square)| value(square, values).max(0.0).sqrt()).collect()
 }
 
 /// `forearm.angle: 0 deg moved by -25.7586 deg`.
@@ -260,17 +275,4 @@ fn moved(model: &Model, k: usize, start: f64, by: f64) -> String {
     } else {
         format!("{name}: {start:.6} m moved by {by:.6} m")
     }
-}
-
-/// The largest extent of a body, or 1 m if all are points: the unit in which residuals and tolerances are judged.
-pub(crate) fn length(model: &Model, values: &[(Expr, f64)]) -> f64 {
-    let mut length: f64 = 0.0;
-    for body in &model.bodies {
-        for port in &body.ports {
-            for component in port.at {
-                length = length.max(crate::check::value(component, values).abs());
-            }
-        }
-    }
-    if length > 0.0 && length.is_finite() { length } else { 1.0 }
 }

@@ -1,95 +1,9 @@
-//! The mirror images that loops are asked for, the compiler's twin of the runtime's search.
+//! Mirror images that joints ask for and that cannot be had.
 
-use plm_cas::Expr;
-use plm_math::f64::{atan2, sin_cos};
-
-use super::assembly::value;
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
-use crate::model::{Model, Turn};
-
-/// A sine below this is that of a flat loop, where both images meet.
-const FLAT: f64 = 1e-9;
-
-/// A pose, the residuals there, and Newton's steps to it.
-type Closed = (Vec<f64>, Vec<f64>, usize);
-
-/// The branch that a revolute asks for.
-pub(super) struct Asked {
-    part: usize,
-    bodies: [usize; 2],
-    /// As in [`crate::derive::Branch`].
-    ends: [[[f64; 2]; 2]; 2],
-    turn: Turn,
-}
-
-/// What the joints ask for, in their order.
-pub(super) fn asked(model: &Model, equations: &Equations, values: &[(Expr, f64)]) -> Vec<Asked> {
-    let branches = equations.branches.iter().filter_map(|branch| {
-        let (turn, _) = model.parts[branch.part].branch?;
-        let ends = branch.ends.map(|ends| ends.map(|end| end.map(|of| value(of, values))));
-        Some(Asked { part: branch.part, bodies: branch.bodies, ends, turn })
-    });
-    branches.collect()
-}
-
-/// Goes over to the images that are asked for, one joint after the other, each in one of three ways.
-pub(super) fn find(
-    asked: &[Asked],
-    mut pose: Closed,
-    (start, locked): (&[f64], &[bool]),
-    close: impl Fn(Vec<f64>) -> Option<Closed>,
-) -> Closed {
-    let missed = |q: &[f64]| asked.iter().filter(|asked| !asked.is_met(q)).count();
-    while let Some(wrong) = asked.iter().find(|asked| !asked.is_met(&pose.0)) {
-        let before = missed(&pose.0);
-        let better = wrong.others(&pose.0).into_iter().find_map(|mut q| {
-            for k in (0..q.len()).filter(|&k| locked[k]) {
-                q[k] = start[k];
-            }
-            close(q).filter(|(q, ..)| missed(q) < before)
-        });
-        let Some(better) = better else { break };
-        pose = better;
-    }
-    pose
-}
-
-impl Asked {
-    /// The far end of the first body, the pivot, the far end of the second.
-    fn corners(&self, q: &[f64]) -> [[f64; 2]; 3] {
-        let [[from, middle], [_, to]] = self.ends;
-        let [first, second] = self.bodies;
-        [place(q, first, from), place(q, first, middle), place(q, second, to)]
-    }
-
-    /// How far the second body turns from the first, rad.
-    fn turned(&self, q: &[f64]) -> f64 {
-        let [from, middle, to] = self.corners(q);
-        angle(middle, to) - angle(from, middle)
-    }
-
-    fn is_met(&self, q: &[f64]) -> bool {
-        let (sine, _) = sin_cos(self.turned(q));
-        if self.turn == Turn::Left { sine >= -FLAT } else { sine <= FLAT }
-    }
-
-    /// Poses near other images: both bodies mirrored at the line through their far ends, or one of them turned about the pivot.
-    fn others(&self, q: &[f64]) -> [Vec<f64>; 3] {
-        let ([from, middle, to], [first, second]) = (self.corners(q), self.bodies);
-        let line = angle(from, to);
-        let mut mirrored = q.to_vec();
-        rotate(&mut mirrored, first, from, 2.0 * (line - angle(from, middle)));
-        rotate(&mut mirrored, second, to, 2.0 * (line - angle(middle, to)));
-        let one = |body: usize, by: f64| {
-            let mut q = q.to_vec();
-            rotate(&mut q, body, middle, by);
-            q
-        };
-        let turned = self.turned(q);
-        [mirrored, one(second, -2.0 * turned), one(first, 2.0 * turned)]
-    }
-}
+use crate::model::Model;
+use crate::numeric::{self, Assembly, Scene};
 
 /// A joint that asks for a branch must tell one.
 pub(crate) fn check_branches(model: &Model, equations: &Equations, diagnostics: &mut Diagnostics) {
@@ -105,11 +19,12 @@ pub(crate) fn check_branches(model: &Model, equations: &Equations, diagnostics: 
 }
 
 /// Reports the first joint whose image was not found.
-pub(super) fn not_found(asked: &[Asked], q: &[f64], model: &Model, diagnostics: &mut Diagnostics) {
-    let Some(wrong) = asked.iter().find(|asked| !asked.is_met(q)) else { return };
-    let joint = &model.parts[wrong.part];
+pub(super) fn not_found(scene: &Scene, found: &Assembly, diagnostics: &mut Diagnostics) {
+    let asked = numeric::asked(scene);
+    let Some(wrong) = asked.iter().find(|asked| !asked.is_met(&found.q)) else { return };
+    let joint = &scene.model.parts[wrong.part];
     let Some((turn, span)) = joint.branch else { return };
-    let [first, second] = wrong.bodies.map(|body| &model.bodies[body].name.text);
+    let [first, second] = wrong.bodies.map(|body| &scene.model.bodies[body].name.text);
     let (asked, found) = (turn.name(), turn.other().name());
     let message = format!(
         "at `{}`, `{second}` turns {found} from `{first}`; no pose was found where it turns {asked}",
@@ -118,24 +33,4 @@ pub(super) fn not_found(asked: &[Asked], q: &[f64], model: &Model, diagnostics: 
     diagnostics.error(Code::OtherBranch, span, message).help(
         "put the start angles of the loop near to the pose that is meant, or take away locks that forbid it",
     );
-}
-
-/// A point of a body in absolute axes.
-fn place(q: &[f64], body: usize, [x, y]: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = sin_cos(q[3 * body + 2]);
-    [q[3 * body] + cos * x - sin * y, q[3 * body + 1] + sin * x + cos * y]
-}
-
-/// The direction from one point to another, rad.
-fn angle(from: [f64; 2], to: [f64; 2]) -> f64 {
-    atan2(to[1] - from[1], to[0] - from[0])
-}
-
-/// Turns a body about a point.
-fn rotate(q: &mut [f64], body: usize, about: [f64; 2], by: f64) {
-    let (sin, cos) = sin_cos(by);
-    let [x, y] = [q[3 * body] - about[0], q[3 * body + 1] - about[1]];
-    q[3 * body] = about[0] + cos * x - sin * y;
-    q[3 * body + 1] = about[1] + sin * x + cos * y;
-    q[3 * body + 2] += by;
 }

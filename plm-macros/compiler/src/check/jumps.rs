@@ -11,13 +11,14 @@ pub(crate) fn check_jumps(model: &Model, diagnostics: &mut Diagnostics) {
         let mut steady: Vec<Steady> =
             model.jumps.iter().filter(|jump| jump.row == row).filter_map(|jump| jump.steady).collect();
         steady.sort_by(|a, b| a.of_speed.cmp(&b.of_speed).then(a.at.total_cmp(&b.at)));
-        let Some((first, others)) = steady.split_first() else { continue };
-        report(model, row, (first, others), diagnostics);
+        report(model, row, &steady, diagnostics);
     }
 }
 
-fn report(model: &Model, row: usize, (first, others): (&Steady, &[Steady]), diagnostics: &mut Diagnostics) {
-    let (of, row) = (row, &model.rows[row]);
+/// Reports the first of the jumps of a row, and when the others are.
+fn report(model: &Model, index: usize, steady: &[Steady], diagnostics: &mut Diagnostics) {
+    let Some((first, others)) = steady.split_first() else { return };
+    let row = &model.rows[index];
     let (what, per) = if first.of_speed { ("speed", "/s") } else { ("place", "") };
     let Steady { at, by, .. } = first;
     let unit = &row.unit.text;
@@ -28,7 +29,7 @@ fn report(model: &Model, row: usize, (first, others): (&Steady, &[Steady]), diag
     if !times.is_empty() {
         diagnostic.note(format!("it jumps too at t = {}", times.join(", ")));
     }
-    for port in moving_ports(model, of) {
+    for port in moving_ports(model, index) {
         diagnostic.note_at(port.name.span, format!("the port `{}` of the ground moves", port.name.text));
     }
     diagnostic.help(if first.of_speed {

@@ -1,97 +1,68 @@
-//! The first evaluation: every constraint, force and rate must be a number at the assembled start.
+//! The declared start: locks, joints that do not close, branches, velocities, the first evaluation.
 
-use plm_cas::{Expr, Node, algebra};
+use plm_cas::{Expr, algebra};
 
-use super::Assembly;
-use crate::derive::{Equations, feeds_back};
-use crate::diag::{Code, Diagnostics};
-use crate::formulate::{Absolute, Place};
+use super::branch::not_found;
+use super::finite::{check_forces, check_rows};
+use super::positive::{check_limits, check_masses};
+use super::verdict::{Locks, contradiction, not_closed, redundant_joints, strained, too_many_locks};
+use crate::diag::Diagnostics;
 use crate::model::Model;
-use crate::span::Span;
+use crate::numeric::{Assembly, Scene, run};
 
-/// Reports the constraints that are not a number at the pose where assembly ended.
-pub(super) fn check_rows(
-    model: &Model,
-    equations: &Equations,
-    values: &[(Expr, f64)],
-    found: &Assembly,
-    diagnostics: &mut Diagnostics,
-) {
-    let mut values = values.to_vec();
-    values.extend(equations.q.iter().copied().zip(found.q.iter().copied()));
-    super::add_sides(model, &mut values);
-    for (row, _) in model.rows.iter().zip(&found.phi).filter(|(_, residual)| !residual.is_finite()) {
-        report(&values, &row.name, row.span, row.phi, diagnostics);
+/// Reports what is wrong with the start as it was assembled.
+///
+/// Where a dimension is a parameter the run can change it, so that only the run can judge; the report tells what the
+/// defaults give.
+pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Diagnostics) {
+    check_masses(scene, diagnostics);
+    let limits_are_kept = check_limits(scene, diagnostics);
+    let model = scene.model;
+    if has_parameters(model) {
+        return;
     }
-}
-
-/// Adds accelerations and multipliers at the start.
-fn add_unknowns(equations: &Equations, program: &Absolute, values: &mut Vec<(Expr, f64)>) {
-    let nq = equations.q.len();
-    let results = program.dynamics.results.iter().filter_map(|(place, result)| match *place {
-        Place::Element("dx", k) => Some((*equations.a.get(k.checked_sub(nq)?)?, *result)),
-        Place::Element("lambda", k) => Some((equations.lambda[k], *result)),
-        _ => None,
-    });
-    let (symbols, results): (Vec<Expr>, Vec<Expr>) = results.unzip();
-    let found = super::values(&results, values);
-    values.extend(symbols.into_iter().zip(found));
-}
-
-/// Evaluates loads and rates at the start; what is not finite is reported where it was declared.
-pub(crate) fn check_start(
-    model: &Model,
-    equations: &Equations,
-    (program, values): (&Absolute, &[(Expr, f64)]),
-    found: &Assembly,
-    diagnostics: &mut Diagnostics,
-) {
-    let mut values = found.values(equations, values);
-    super::add_sides(model, &mut values);
-    if feeds_back(model) {
-        add_unknowns(equations, program, &mut values);
-    }
-    let loads = model.loads.iter().flat_map(|load| {
-        let name = &model.parts[load.part].name;
-        load.force.map(|force| (name.text.as_str(), name.span, force))
-    });
-    let rates = model.states.iter().map(|state| (state.name.text.as_str(), state.name.span, state.rate));
-    let known = |(.., expr): &(&str, Span, Expr)| !model.reads_required(*expr);
-    let asked: Vec<(&str, Span, Expr)> = loads.chain(rates).filter(known).collect();
-    let exprs: Vec<Expr> = asked.iter().map(|(.., expr)| *expr).collect();
-    let found = super::values(&exprs, &values);
-    for ((name, span, expr), _) in asked.into_iter().zip(found).filter(|(_, found)| !found.is_finite()) {
-        report(&values, name, span, expr, diagnostics);
-    }
-}
-
-fn report(values: &[(Expr, f64)], name: &str, span: Span, expr: Expr, diagnostics: &mut Diagnostics) {
-    match zero_denominator(values, expr) {
-        Some(denominator) => {
-            let text = denominator.to_string();
-            diagnostics
-                .error(Code::DivisionByZero, span, format!("`{name}` divides by zero at the start"))
-                .note(format!("`{text}` is 0 there"))
-                .help("start elsewhere, or keep the denominator away from zero, as in `max(d, 1e-6 m)`");
-        }
-        None => {
-            diagnostics
-                .error(Code::OutOfDomain, span, format!("`{name}` is not a number at the start"))
-                .note(format!("it is `{}`", shortened(&expr.to_string())));
+    let rows = model.rows.len();
+    let (locks, joints): (Vec<_>, Vec<_>) = found.rank.dependent.iter().partition(|(row, _)| *row >= rows);
+    if !locks.is_empty() {
+        let positions = Locks { locked: &found.locked, what: "position" };
+        too_many_locks(model, &positions, &locks, diagnostics);
+    } else if found.phi.iter().any(|residual| !residual.is_finite()) {
+        check_rows(scene, found, diagnostics);
+    } else if !found.is_closed() {
+        not_closed(model, found, scene.length, diagnostics);
+    } else {
+        not_found(scene, found, diagnostics);
+        redundant_joints(model, &joints, diagnostics);
+        check_velocities(model, found, diagnostics);
+        let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
+        let open = run(&algebra::tape(&compliant), &scene.moving(&found.q, &found.v));
+        strained(model, &open, scene.length, diagnostics);
+        // What divides by such a compliance has been told of it.
+        if limits_are_kept {
+            check_forces(scene, found, diagnostics);
         }
     }
 }
 
-/// A factor with a negative exponent that is zero.
-fn zero_denominator(values: &[(Expr, f64)], root: Expr) -> Option<Expr> {
-    algebra::reachable(&[root]).into_iter().find_map(|expr| {
-        let Node::Product(factors) = expr.node() else { return None };
-        let denominators = factors.iter().filter(|(_, exponent)| *exponent < 0);
-        denominators.map(|&(factor, _)| factor).find(|&factor| super::value(factor, values) == 0.0)
-    })
+/// Do constraints or starts depend on parameters?
+fn has_parameters(model: &Model) -> bool {
+    let starts = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
+    let mut roots: Vec<Expr> = starts.map(|start| start.value).collect();
+    roots.extend(model.rows.iter().map(|row| row.phi));
+    roots.extend(model.bodies.iter().flat_map(|body| body.centre));
+    roots.extend(model.sides.iter().filter(|side| !side.must_hold).map(|side| side.difference));
+    let held = algebra::symbols(&roots);
+    model.params.iter().any(|param| held.contains(&param.symbol))
 }
 
-/// At most a line of text.
-fn shortened(text: &str) -> String {
-    if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
+/// Reports velocity locks that are too many, or start velocities that the joints do not allow.
+fn check_velocities(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
+    let rows = model.rows.len();
+    let locks: Vec<_> = found.velocity_rank.dependent.iter().filter(|(row, _)| *row >= rows).collect();
+    if !locks.is_empty() {
+        let velocities = Locks { locked: &found.velocity_locked, what: "velocity" };
+        too_many_locks(model, &velocities, &locks, diagnostics);
+    } else if !found.moves_consistently() {
+        contradiction(model, found, diagnostics);
+    }
 }

@@ -1,14 +1,15 @@
 //! What assembly found, in words: which locks are too many, which joint stays open, which says nothing new.
 
-use super::Assembly;
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Part, Row};
+use crate::numeric::Assembly;
 use crate::units::Dimension;
 
 /// Gaps below this, as a fraction of the size of the scene, may be lengths that repeat each other and disagree.
 const DISAGREEMENT: f64 = 1e-3;
 
-/// A joint with a compliance that is open by more than this, in the same measure or rad, is hardly meant to be.
+/// A joint with a compliance that is open by more than this fraction of the size of the scene, or by so many rad, is hardly
+/// meant to be.
 const STRAIN: f64 = 1e-4;
 
 /// Names that one message lists.

@@ -1,6 +1,6 @@
 //! Which of the mirror images of a loop a pose is.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::model::{FrameRef, Model, Pair, Part};
 
@@ -16,7 +16,7 @@ pub(crate) struct Branch {
     pub(crate) bodies: [usize; 2],
     /// Of each body, from where it is seen to where, from G in its axes, m: the far joint and the pivot of the first, the
     /// pivot and the far joint of the second.
-    pub(crate) ends: [[[Expr; 2]; 2]; 2],
+    pub(crate) ends: [[Vec2; 2]; 2],
     /// The turn in (-pi, pi], rad; positive to the left.
     pub(crate) turn: Expr,
 }
@@ -44,50 +44,37 @@ fn branch(model: &Model, joints: &Joints, index: usize, part: &Part) -> Option<B
     if part.pair != Some(Pair::Revolute) {
         return None;
     }
-    let [pivot, on_second] = [port(model, a)?, port(model, b)?];
-    let before = far_point(model, joints, index, a)?;
-    let after = far_point(model, joints, index, b)?;
-    let absolute = |body: usize, at: [Expr; 2]| point(model, body, at);
+    let ends @ [[before, pivot], [_, after]] = [
+        [far_point(model, joints, index, a)?, port(model, a)?],
+        [port(model, b)?, far_point(model, joints, index, b)?],
+    ];
     let [first, second] = bodies;
-    let (from, middle, to) = (absolute(first, before), absolute(first, pivot), absolute(second, after));
-    let along = difference(middle, from);
-    let onward = difference(to, middle);
-    let cross = bilinear(along, [onward[1], onward[0]], true);
-    let dot = bilinear(along, onward, false);
-    let ends = [[before, pivot], [on_second, after]];
-    Some(Branch { part: index, bodies, ends, turn: cross.atan2(dot) })
+    let from = place(model, first, before);
+    let middle = place(model, first, pivot);
+    let to = place(model, second, after);
+    let along = middle - from;
+    let onward = to - middle;
+    let turn = along.cross(onward).atan2(along.dot(onward));
+    Some(Branch { part: index, bodies, ends, turn })
 }
 
 /// The port of another joint on the body, or its G, from G in the axes of the body; nothing if all are where the joint is, as
 /// on a slider that is a point.
-fn far_point(model: &Model, joints: &Joints, joint: usize, own: FrameRef) -> Option<[Expr; 2]> {
+fn far_point(model: &Model, joints: &Joints, joint: usize, own: FrameRef) -> Option<Vec2> {
     let pivot = port(model, own)?;
     let others = joints[own.body?].iter().filter(|(index, _)| *index != joint);
     let mut others = others.filter_map(|(_, frame)| port(model, *frame));
-    let centre = [Expr::ZERO; 2];
+    let centre = Vec2::ZERO;
     others.find(|at| *at != pivot).or_else(|| (pivot != centre).then_some(centre))
 }
 
 /// A port of a body from G in its axes.
-fn port(model: &Model, frame: FrameRef) -> Option<[Expr; 2]> {
-    Some(model.bodies[frame.body?].ports.get(frame.port)?.at)
+fn port(model: &Model, frame: FrameRef) -> Option<Vec2> {
+    Some(model.bodies[frame.body?].ports.get(frame.port)?.at.into())
 }
 
-/// Absolute position of a point of a body.
-fn point(model: &Model, body: usize, [px, py]: [Expr; 2]) -> [Expr; 2] {
-    let [x, y, angle] = model.bodies[body].q;
-    let (sin, cos) = (angle.sin(), angle.cos());
-    let dx = bilinear([cos, sin], [px, py], true);
-    let dy = bilinear([sin, cos], [px, py], false);
-    [x + dx, y + dy]
-}
-
-fn difference(a: [Expr; 2], b: [Expr; 2]) -> [Expr; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-/// `a0 b0 + a1 b1`, or `a0 b0 - a1 b1`.
-fn bilinear(a: [Expr; 2], b: [Expr; 2], minus: bool) -> Expr {
-    let (first, second) = (a[0] * b[0], a[1] * b[1]);
-    if minus { first - second } else { first + second }
+/// A point of a body in absolute axes, `r + R(theta) s` (manual, section 4.3.1), from `s` in the axes of the body.
+fn place(model: &Model, body: usize, s: Vec2) -> Vec2 {
+    let [x, y, theta] = model.bodies[body].q;
+    Vec2::new(x, y) + Rotation::by(theta) * s
 }

@@ -9,8 +9,8 @@ mod boundary;
 
 use plm_cas::{Expr, Function, Node, algebra};
 
-use crate::check::value;
 use crate::model::{Jump, Model};
+use crate::numeric::value;
 
 use self::boundary::{Boundary, Order};
 
@@ -41,9 +41,7 @@ pub(super) fn unfold(model: &mut Model) {
             (bends && moves).then_some((expr, function, arguments))
         });
         let Some((call, function, arguments)) = found else { return };
-        let unfolded = unfolded(function, &arguments);
-        let pairs = [(call, unfolded)];
-        substitute(model, &pairs);
+        substitute(model, &[(call, unfolded(function, &arguments))]);
     }
 }
 
@@ -51,23 +49,11 @@ pub(super) fn unfold(model: &mut Model) {
 fn unfolded(function: Function, arguments: &[Expr]) -> Expr {
     let (zero, one) = (Expr::ZERO, Expr::ONE);
     match (function, arguments) {
-        (Function::Min, &[a, b]) => {
-            let less = a.less(b);
-            less.select(a, b)
-        }
-        (Function::Max, &[a, b]) => {
-            let less = a.less(b);
-            less.select(b, a)
-        }
-        (Function::Sign, &[x]) => {
-            let (below, minus) = (x.less(zero), Expr::from(-1));
-            below.select(minus, one)
-        }
-        _ => {
-            let x = arguments.first().copied().unwrap_or(zero);
-            let (below, negative) = (x.less(zero), -x);
-            below.select(negative, x)
-        }
+        (Function::Min, &[a, b]) => a.less(b).select(a, b),
+        (Function::Max, &[a, b]) => a.less(b).select(b, a),
+        (Function::Sign, &[x]) => x.less(zero).select(Expr::from(-1), one),
+        (_, &[x, ..]) => x.less(zero).select(-x, x), // abs
+        (_, &[]) => zero,
     }
 }
 
@@ -93,23 +79,18 @@ fn moving(model: &Model) -> Vec<Expr> {
 pub(super) fn kinks(model: &Model) -> Vec<Kink> {
     let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
     let moving = moving(model);
-    let conditions = algebra::reachable(&roots).into_iter().filter_map(|expr| match expr.node() {
-        Node::Less(a, b) => Some((expr, a, b)),
-        _ => None,
-    });
-    let conditions: Vec<(Expr, Expr, Expr)> = conditions.collect();
     let mut found = Vec::new();
-    for (condition, a, b) in conditions {
+    for condition in algebra::reachable(&roots) {
+        let Node::Less(a, b) = condition.node() else { continue };
         let difference = a - b;
-        if !algebra::symbols(&[difference]).iter().any(|symbol| moving.contains(symbol)) {
-            continue;
+        if algebra::symbols(&[difference]).iter().any(|symbol| moving.contains(symbol)) {
+            found.extend(kink(model, condition, difference));
         }
-        found.extend(kink(model, (condition, difference)));
     }
     found
 }
 
-fn kink(model: &Model, (condition, difference): (Expr, Expr)) -> Option<Kink> {
+fn kink(model: &Model, condition: Expr, difference: Expr) -> Option<Kink> {
     let boundary = Boundary::new(model, difference);
     let mut kink = Kink { condition, difference, row: model.rows.len(), jumps: Vec::new(), bends: false };
     for (index, row) in model.rows.iter().enumerate() {
@@ -117,8 +98,8 @@ fn kink(model: &Model, (condition, difference): (Expr, Expr)) -> Option<Kink> {
             continue;
         }
         kink.row = kink.row.min(index);
-        let sides =
-            [Expr::ONE, Expr::ZERO].map(|holds| algebra::substitute(&[row.phi], &[(condition, holds)])[0]);
+        let row_where = |holds: Expr| algebra::substitute(&[row.phi], &[(condition, holds)])[0];
+        let sides = [row_where(Expr::ONE), row_where(Expr::ZERO)];
         let gap = sides[0] - sides[1];
         let [rate, bend] = derivatives(model, gap);
         let order = boundary.order(&[gap, rate, bend], sides);

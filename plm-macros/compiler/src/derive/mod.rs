@@ -3,14 +3,18 @@
 //! With `q = (x, y, theta)` of G per body, constraints `phi(q, t) = 0` and multipliers `lambda` the motion obeys
 //!
 //! ```text
-//! M a + phi_q^T lambda = Q
-//! phi_q a              = gamma,   gamma = -(phi_q v)_q v - 2 phi_qt v - phi_tt
+//! (1)  phi_dot               = phi_q v + phi_t
+//! (2)  phi_q a               = gamma
+//! (3)  gamma                 = -((phi_q v)_q v + 2 phi_qt v + phi_tt)
+//! (4)  M a + phi_q^T lambda  = Q
 //! ```
 //!
 //! (E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, 1989, sections 3.6 and 6.3). `M` is diagonal
-//! because the coordinates stand at G.
+//! because the coordinates stand at G. Along the flow `q' = v`, `v' = 0`, `t' = 1` the right-hand side of (1) is the first
+//! derivative of `phi`, and the bracket of (3) is the second.
 
 mod branch;
+mod causes;
 mod feedback;
 mod kinks;
 mod sides;
@@ -18,7 +22,8 @@ mod sides;
 use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
-pub(crate) use feedback::{Signal, check as check_feedback, feeds_back};
+pub(crate) use causes::causes;
+pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use sides::hold;
 
 use crate::model::Model;
@@ -45,13 +50,13 @@ pub(crate) struct Equations {
     pub(crate) force: Vec<Expr>,
     /// Accelerations and multipliers that forces read.
     pub(crate) signals: Vec<Signal>,
-    /// Constraint residuals, `NC`.
+    /// Constraints `phi`, `NC`: m or rad.
     pub(crate) phi: Vec<Expr>,
-    /// Jacobian of the constraints, `NC` sparse rows.
+    /// Derivative of `phi` with respect to `q`, `NC` sparse rows.
     pub(crate) phi_q: Vec<SparseRow>,
-    /// `phi_q v - nu`, `NC`.
+    /// `phi_q v - nu` with `nu = -phi_t`, `NC`: m/s or rad/s.
     pub(crate) phi_dot: Vec<Expr>,
-    /// Right-hand side of `phi_q a = gamma`, `NC`.
+    /// Right-hand side of `phi_q a = gamma`, `NC`: m/s^2 or rad/s^2.
     pub(crate) gamma: Vec<Expr>,
     /// Rates of the first-order states, `NX`.
     pub(crate) x_dot: Vec<Expr>,
@@ -68,18 +73,16 @@ pub(crate) fn derive(model: &Model) -> Equations {
     let mut phi_dot = Vec::with_capacity(phi.len());
     let mut gamma = Vec::with_capacity(phi.len());
     let columns = Columns::new(model);
-    for &row in &phi {
-        let touched = columns.of(row);
-        let wrt: Vec<Expr> = touched.iter().map(|&column| q[column]).collect();
-        let entries: SparseRow =
-            algebra::gradient(row, &wrt).into_iter().map(|(k, entry)| (touched[k], entry)).collect();
-        let mut flow: Vec<(Expr, Expr)> = touched.iter().map(|&column| (q[column], v[column])).collect();
+    for &phi in &phi {
+        let held = columns.of(phi);
+        let coordinates: Vec<Expr> = held.iter().map(|&column| q[column]).collect();
+        let entries = algebra::gradient(phi, &coordinates).into_iter();
+        phi_q.push(entries.map(|(k, entry)| (held[k], entry)).collect());
+        let mut flow: Vec<(Expr, Expr)> = held.iter().map(|&column| (q[column], v[column])).collect();
         flow.push((model.time, Expr::ONE));
-        let rate = row.directional(&flow);
-        let curvature = rate.directional(&flow);
-        gamma.push(-curvature);
+        let rate = phi.directional(&flow); // (1)
         phi_dot.push(rate);
-        phi_q.push(entries);
+        gamma.push(-rate.directional(&flow)); // (3)
     }
     let mut force = applied_force(model);
     let signals = feedback::signals(model, &mut force);
@@ -101,7 +104,7 @@ pub(crate) fn derive(model: &Model) -> Equations {
     }
 }
 
-/// Gravity and the loads of all parts, summed per coordinate.
+/// `Q` of (4): gravity, `m g` at each G, and the loads of all parts.
 fn applied_force(model: &Model) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); 3 * model.bodies.len()];
     for (i, body) in model.bodies.iter().enumerate() {
@@ -114,7 +117,7 @@ fn applied_force(model: &Model) -> Vec<Expr> {
             terms[3 * load.body + k].push(component);
         }
     }
-    terms.iter().map(|sum| algebra::sum(sum)).collect()
+    terms.iter().map(|terms| terms.iter().sum()).collect()
 }
 
 /// Finds the coordinates that an expression holds.

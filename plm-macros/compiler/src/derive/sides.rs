@@ -1,10 +1,13 @@
 //! Conditions at which forces and rates jump: each gets a side that is held over a step, so that within it everything is
-//! smooth. Where the two sides agree at the boundary (a kink) the condition stays as it is; what it compares is looked at in every
+//! smooth.
+//!
+//! Where the two sides agree at the boundary (a kink) the condition stays as it is; what it compares is looked at in every
 //! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
 //! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
 use plm_cas::{Expr, Function, Node, algebra};
 
+use super::causes;
 use super::kinks::{self, Kink};
 use crate::model::{Jump, Model, Side};
 
@@ -13,53 +16,61 @@ use crate::model::{Jump, Model, Side};
 pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
     let kinks = kinks::kinks(model);
-    let mut conditions: Vec<(Expr, String)> = Vec::new();
-    for (name, root) in causes(model) {
-        for expr in algebra::reachable(&[root]) {
-            let seen = conditions.iter().any(|(condition, _)| *condition == expr);
-            if matches!(expr.node(), Node::Less(..)) && !seen {
-                conditions.push((expr, name.clone()));
-            }
-        }
-    }
-    let roots: Vec<Expr> = causes(model).into_iter().map(|(_, root)| root).collect();
+    let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect();
     let mut pairs = Vec::new();
-    for (condition, name) in conditions {
+    for (condition, name) in conditions(model) {
         let Node::Less(a, b) = condition.node() else { continue };
         let difference = a - b;
-        let instant = instant(model, difference);
-        if instant.is_none() && !jumps(&roots, condition, difference) {
+        if instant(model, difference).is_none() && !jumps(&roots, condition, difference) {
             model.kinks.push(difference);
-            continue;
+        } else {
+            pairs.push((condition, side(model, difference, name)));
         }
-        pairs.push(side(model, (condition, difference, instant), name));
     }
     let jumps = hold_rows(model, kinks, &mut pairs);
     bends(model, &roots);
-    if pairs.is_empty() {
-        return pairs;
+    if !pairs.is_empty() {
+        // Conditions of the state stand before those of the time, as the guards do.
+        model.sides.sort_by_key(|side| side.instant.is_some());
+        for (symbol, jump) in jumps {
+            let index = model.sides.iter().position(|side| side.symbol == symbol);
+            model.jumps.extend(index.map(|side| Jump { side, ..jump }));
+        }
+        substitute(model, &pairs);
     }
-    // Conditions of the state stand before those of the time, as the guards do.
-    model.sides.sort_by_key(|side| side.instant.is_some());
-    for (symbol, jump) in jumps {
-        let index = model.sides.iter().position(|side| side.symbol == symbol);
-        model.jumps.extend(index.map(|side| Jump { side, ..jump }));
+    pairs
+}
+
+/// The conditions that forces and rates hold, each once, and whose they are.
+fn conditions(model: &Model) -> Vec<(Expr, String)> {
+    let mut conditions: Vec<(Expr, String)> = Vec::new();
+    for cause in causes(model) {
+        for expr in algebra::reachable(&[cause.value]) {
+            let seen = conditions.iter().any(|(condition, _)| *condition == expr);
+            if matches!(expr.node(), Node::Less(..)) && !seen {
+                conditions.push((expr, cause.name.text.clone()));
+            }
+        }
     }
-    kinks::substitute(model, &pairs);
+    conditions
+}
+
+/// Puts what stands for each condition in its place, wherever that may be.
+fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
+    kinks::substitute(model, pairs);
     let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
     let in_rows = algebra::reachable(&rows);
     let released = pairs.iter().filter(|pair| in_rows.contains(&pair.1));
     model.released = released.map(|&(condition, held)| (held, condition)).collect();
     for load in &mut model.loads {
-        load.force = std::array::from_fn(|k| algebra::substitute(&[load.force[k]], &pairs)[0]);
+        load.force = load.force.map(|force| algebra::substitute(&[force], pairs)[0]);
     }
     for state in &mut model.states {
-        state.rate = algebra::substitute(&[state.rate], &pairs)[0];
+        state.rate = algebra::substitute(&[state.rate], pairs)[0];
     }
     for output in &mut model.outputs {
-        output.components = algebra::substitute(&output.components, &pairs);
+        output.components = algebra::substitute(&output.components, pairs);
     }
-    pairs
 }
 
 /// Adds what `min`, `max` and `abs` compare to the kinks, and leaves those that can be looked at: they read the state or the
@@ -67,18 +78,12 @@ pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
 fn bends(model: &mut Model, roots: &[Expr]) {
     let mut kinks = std::mem::take(&mut model.kinks);
     for expr in algebra::reachable(roots) {
-        let difference = match expr.node() {
-            Node::Call(Function::Min | Function::Max, arguments) => match arguments[..] {
-                [a, b] => a - b,
-                _ => continue,
-            },
-            Node::Call(Function::Abs, arguments) => match arguments[..] {
-                [a] => a,
-                _ => continue,
-            },
-            _ => continue,
-        };
-        kinks.push(difference);
+        let Node::Call(function, arguments) = expr.node() else { continue };
+        match (function, &arguments[..]) {
+            (Function::Min | Function::Max, &[a, b]) => kinks.push(a - b),
+            (Function::Abs, &[a]) => kinks.push(a),
+            _ => {}
+        }
     }
     let moving: Vec<Expr> = (model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v)))
         .chain(model.states.iter().map(|state| state.symbol))
@@ -91,8 +96,8 @@ fn bends(model: &mut Model, roots: &[Expr]) {
         let read = algebra::symbols(&[kink]);
         let known = read.iter().all(|symbol| moving.contains(symbol) || held.contains(symbol));
         let moves = known && read.iter().any(|symbol| moving.contains(symbol));
-        let negative = -kink;
-        let same = |expr: Expr| expr == kink || expr == negative;
+        let opposite = -kink;
+        let same = |expr: Expr| expr == kink || expr == opposite;
         let is_held = model.sides.iter().any(|side| same(side.difference));
         if moves && !is_held && !model.kinks.iter().any(|other| same(*other)) {
             model.kinks.push(kink);
@@ -100,49 +105,33 @@ fn bends(model: &mut Model, roots: &[Expr]) {
     }
 }
 
-/// A new side of a condition, and what stands for that.
-fn side(
-    model: &mut Model,
-    (condition, difference, instant): (Expr, Expr, Option<[Expr; 2]>),
-    name: String,
-) -> (Expr, Expr) {
+/// A new side of the condition `difference < 0`, and the condition that stands for that: `side < 0`.
+fn side(model: &mut Model, difference: Expr, name: String) -> Expr {
     let symbol = Expr::symbol(format!("side_{}", model.sides.len()));
-    let zero = Expr::ZERO;
+    let instant = instant(model, difference);
     model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
-    (condition, symbol.less(zero))
+    symbol.less(Expr::ZERO)
 }
 
 /// Sides of the conditions in rows; gives what may jump there, with the symbols of these sides.
 fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>) -> Vec<(Expr, Jump)> {
     let mut jumps = Vec::new();
     for Kink { condition, difference, row, jumps: of_rows, bends } in kinks {
-        let known = pairs.iter().find(|pair| pair.0 == condition).copied();
-        let instant = instant(model, difference);
-        let pair = match known {
-            Some(pair) => pair,
-            None if instant.is_none() && !bends => continue,
+        let known = pairs.iter().find(|pair| pair.0 == condition).map(|pair| pair.1);
+        let held = match known {
+            Some(held) => held,
+            None if instant(model, difference).is_none() && !bends => continue,
             None => {
-                let name = model.rows[row].name.clone();
-                let pair = side(model, (condition, difference, instant), name);
-                pairs.push(pair);
-                pair
+                let held = side(model, difference, model.rows[row].name.clone());
+                pairs.push((condition, held));
+                held
             }
         };
-        if let Some(symbol) = algebra::symbols(&[pair.1]).first().copied() {
+        if let Some(&symbol) = algebra::symbols(&[held]).first() {
             jumps.extend(of_rows.into_iter().map(|jump| (symbol, jump)));
         }
     }
     jumps
-}
-
-/// What may jump, and whose it is.
-fn causes(model: &Model) -> Vec<(String, Expr)> {
-    let loads = model.loads.iter().flat_map(|load| {
-        let name = &model.parts[load.part].name.text;
-        load.force.map(|force| (name.clone(), force))
-    });
-    let rates = model.states.iter().map(|state| (state.name.text.clone(), state.rate));
-    loads.chain(rates).collect()
 }
 
 /// The one time at which a difference vanishes that is linear in the time and reads nothing but parameters and inputs,
@@ -163,24 +152,21 @@ fn instant(model: &Model, difference: Expr) -> Option<[Expr; 2]> {
     Some([root(difference, model.time, slope), slope])
 }
 
-/// `s - d / d'`, where `d` is linear in the symbol `s`.
-pub(super) fn root(difference: Expr, symbol: Expr, slope: Expr) -> Expr {
-    let step = difference / slope;
-    symbol - step
+/// Where `d` vanishes that is linear in the symbol `s`: `s - d / d'`.
+pub(super) fn root(d: Expr, s: Expr, slope: Expr) -> Expr {
+    s - d / slope
 }
 
 /// Do the two values between which a condition chooses differ where it changes?
 fn jumps(roots: &[Expr], condition: Expr, difference: Expr) -> bool {
-    let choices: Vec<Expr> = algebra::reachable(roots)
+    let choices: Vec<(Expr, Expr)> = algebra::reachable(roots)
         .into_iter()
         .filter_map(|expr| match expr.node() {
             Node::Select(by, yes, no) if by == condition => Some((yes, no)),
             _ => None,
         })
-        .collect::<Vec<_>>()
-        .into_iter()
-        .map(|(yes, no)| yes - no)
         .collect();
+    let gaps: Vec<Expr> = choices.into_iter().map(|(yes, no)| yes - no).collect();
     // The boundary, solved for a symbol in which it is linear.
     let boundary = algebra::symbols(&[difference]).into_iter().find_map(|symbol| {
         let slope = difference.diff(symbol);
@@ -188,8 +174,5 @@ fn jumps(roots: &[Expr], condition: Expr, difference: Expr) -> bool {
         linear.then(|| (symbol, root(difference, symbol, slope)))
     });
     let Some(boundary) = boundary else { return true };
-    choices.iter().any(|&choice| {
-        let there = algebra::substitute(&[choice], &[boundary])[0];
-        !there.is_zero()
-    })
+    gaps.iter().any(|&gap| !algebra::substitute(&[gap], &[boundary])[0].is_zero())
 }

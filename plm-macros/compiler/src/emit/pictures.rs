@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use super::{Emission, push};
-use crate::check::{defaults, value};
+use crate::numeric::{defaults, value};
 
 pub(crate) fn emit(text: &mut String, emission: &Emission) {
     let Emission { model, .. } = emission;

@@ -331,8 +331,8 @@ fn branches(text: &mut String, emission: &Emission) {
     let asked =
         equations.branches.iter().filter_map(|branch| Some((branch, model.parts[branch.part].branch?)));
     for (k, (branch, (turn, _))) in asked.enumerate() {
-        let end = |end: [Expr; 2]| {
-            let [x, y] = end.map(|component| defaults::inline(emission, component, &bindings));
+        let end = |end: plm_cas::Vec2| {
+            let [x, y] = end.components().map(|component| defaults::inline(emission, component, &bindings));
             format!("[{x}, {y}]")
         };
         let ends = branch.ends.map(|ends| format!("[{}]", ends.map(end).join(", "))).join(", ");

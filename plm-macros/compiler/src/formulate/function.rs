@@ -41,30 +41,37 @@ impl Function {
         Function { sections: Vec::new(), results }
     }
 
+    /// A function that returns one value.
+    pub(crate) fn of_value(value: Expr) -> Function {
+        Function::of_results(vec![(Place::Value, value)])
+    }
+
+    /// A function that fills one array.
+    pub(crate) fn of_array(array: &'static str, values: &[Expr]) -> Function {
+        Function::of_results(stored(array, values.iter()))
+    }
+
     /// Shares common sub-expressions within the function.
     pub(crate) fn optimise(self) -> Function {
-        let roots: Vec<Expr> = self.roots();
-        let mut shared = algebra::shared(&roots).into_iter();
-        let mut next = |old: Expr| shared.next().unwrap_or(old);
-        let sections = self.sections.into_iter().map(|section| Section {
-            roots: section.roots.into_iter().map(&mut next).collect(),
-            title: section.title,
-        });
-        let sections = sections.collect();
-        let results = self.results.into_iter().map(|(place, value)| (place, next(value))).collect();
-        Function { sections, results }
+        let roots = self.roots();
+        let shared = algebra::shared(&roots);
+        self.with_roots(shared)
     }
 
     /// With the second of each pair in the place of the first.
-    pub(crate) fn substitute(mut self, pairs: &[(Expr, Expr)]) -> Function {
+    pub(crate) fn substitute(self, pairs: &[(Expr, Expr)]) -> Function {
         if pairs.is_empty() {
             return self;
         }
-        let roots = algebra::substitute(&self.roots(), pairs);
-        let mut roots = roots.into_iter();
+        let substituted = algebra::substitute(&self.roots(), pairs);
+        self.with_roots(substituted)
+    }
+
+    /// With other expressions in the places of [`Function::roots`], in their order.
+    fn with_roots(mut self, roots: Vec<Expr>) -> Function {
         let places = self.sections.iter_mut().flat_map(|section| section.roots.iter_mut());
         let places = places.chain(self.results.iter_mut().map(|(_, value)| value));
-        places.zip(&mut roots).for_each(|(place, root)| *place = root);
+        places.zip(roots).for_each(|(place, root)| *place = root);
         self
     }
 
@@ -72,6 +79,11 @@ impl Function {
     pub(crate) fn roots(&self) -> Vec<Expr> {
         let of_sections = self.sections.iter().flat_map(|section| section.roots.iter().copied());
         of_sections.chain(self.results.iter().map(|&(_, value)| value)).collect()
+    }
+
+    /// The results without their places.
+    pub(crate) fn values(&self) -> Vec<Expr> {
+        self.results.iter().map(|&(_, value)| value).collect()
     }
 
     /// The function as a list of instructions.

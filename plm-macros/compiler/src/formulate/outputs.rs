@@ -1,10 +1,10 @@
 //! What can be read from a state: the user's outputs, energies and power.
 
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Vec2, algebra};
 
-use super::function::{Function, Place};
+use super::function::Function;
 use crate::derive::Equations;
-use crate::model::{self, Model};
+use crate::model::{self, Body, Load, Model};
 
 /// One output of the user.
 #[derive(Debug)]
@@ -33,21 +33,13 @@ pub(crate) struct Outputs {
 /// Lays out the outputs; `signals` are the unknowns that forces read, and their values.
 pub(crate) fn formulate(model: &Model, equations: &Equations, signals: &[(Expr, Expr)]) -> Outputs {
     let user = user(&model.outputs, equations);
-    let turns =
-        equations.branches.iter().enumerate().map(|(k, branch)| (Place::Element("value", k), branch.turn));
-    let branches = Function::of_results(turns.collect()).optimise();
-    let kinetic = kinetic_energy(equations);
-    let gravity = gravity_energy(model);
-    let power = load_power(model);
+    let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
+    let branches = Function::of_array("value", &turns).optimise();
+    let [kinetic, gravity, power] = [kinetic_energy(equations), gravity_energy(model), load_power(model)];
     let power = algebra::substitute(&[power], signals)[0];
-    let scalar = |value: Expr| Function::of_results(vec![(Place::Value, value)]).optimise();
-    Outputs {
-        user,
-        kinetic_energy: scalar(kinetic),
-        gravity_energy: scalar(gravity),
-        load_power: scalar(power),
-        branches,
-    }
+    let [kinetic_energy, gravity_energy, load_power] =
+        [kinetic, gravity, power].map(|value| Function::of_value(value).optimise());
+    Outputs { user, kinetic_energy, gravity_energy, branches, load_power }
 }
 
 /// Lays out outputs of the user.
@@ -57,48 +49,33 @@ pub(crate) fn user(outputs: &[model::Output], equations: &Equations) -> Vec<Outp
     let lay_out = |output: &model::Output| {
         let held = algebra::symbols(&output.components);
         let solves = held.iter().any(|symbol| solved.binary_search(symbol).is_ok());
-        let results = match output.components.as_slice() {
-            &[one] => vec![(Place::Value, one)],
-            many => many.iter().enumerate().map(|(k, &value)| (Place::Element("value", k), value)).collect(),
+        let function = match output.components.as_slice() {
+            &[one] => Function::of_value(one),
+            many => Function::of_array("value", many),
         };
-        Output { function: Function::of_results(results).optimise(), solves }
+        Output { function: function.optimise(), solves }
     };
     outputs.iter().map(lay_out).collect()
 }
 
 /// `1/2 v^T M v`.
 fn kinetic_energy(equations: &Equations) -> Expr {
-    let terms = equations.mass.iter().zip(&equations.v).map(|(&mass, &v)| {
-        let square = v.powi(2);
-        mass * square
-    });
-    let terms: Vec<Expr> = terms.collect();
-    let two = Expr::from(2);
-    let sum = algebra::sum(&terms);
-    sum / two
+    let squares = equations.mass.iter().zip(&equations.v).map(|(&m, &v)| m * v.squared());
+    squares.sum::<Expr>() / 2
 }
 
 /// `-sum m g . r`.
 fn gravity_energy(model: &Model) -> Expr {
-    let mut terms = Vec::new();
-    for body in &model.bodies {
-        for (&gravity, &place) in model.gravity.iter().zip(&body.q) {
-            let weight = body.mass * gravity;
-            let against = -weight;
-            terms.push(against * place);
-        }
-    }
-    algebra::sum(&terms)
+    let g = Vec2::from(model.gravity);
+    let of_body = |body: &Body| (body.mass * g).dot(Vec2::new(body.q[0], body.q[1]));
+    -model.bodies.iter().map(of_body).sum::<Expr>()
 }
 
 /// `sum F . v` over the loads.
 fn load_power(model: &Model) -> Expr {
-    let mut terms = Vec::new();
-    for load in &model.loads {
+    let of_load = |load: &Load| {
         let v = model.bodies[load.body].v;
-        for (&force, v) in load.force.iter().zip(v) {
-            terms.push(force * v);
-        }
-    }
-    algebra::sum(&terms)
+        load.force.into_iter().zip(v).map(|(force, v)| force * v)
+    };
+    model.loads.iter().flat_map(of_load).sum()
 }

@@ -2,7 +2,7 @@
 
 use plm_cas::{Expr, algebra};
 
-use super::function::{Function, Place};
+use super::function::{Function, stored};
 use crate::model::Model;
 
 /// `g`: positive as long as the side that is held applies, then what kinks bend at; symbols are replaced by `substitution`.
@@ -10,30 +10,24 @@ pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)]) -> Function {
     let of_state = model.sides.iter().filter(|side| side.instant.is_none());
     let differences: Vec<Expr> =
         of_state.clone().map(|side| side.difference).chain(model.kinks.iter().copied()).collect();
-    let differences = algebra::substitute(&differences, substitution);
-    let kinks = differences[model.guards()..].to_vec();
-    let results = of_state
-        .zip(differences)
-        .enumerate()
-        .map(|(k, (side, difference))| (Place::Element("g", k), side.symbol * difference));
-    let mut results: Vec<(Place, Expr)> = results.collect();
-    results.extend(
-        kinks.into_iter().enumerate().map(|(k, kink)| (Place::Element("g", model.guards() + k), kink)),
-    );
-    Function::of_results(results).optimise()
+    let mut g = algebra::substitute(&differences, substitution);
+    for (g, side) in g.iter_mut().zip(of_state) {
+        *g = side.symbol * *g;
+    }
+    Function::of_array("g", &g).optimise()
 }
 
-/// `at` and `slope` of the conditions of the time.
+/// `at` and `slope` of the conditions of the time: when each of them changes, s, and how fast what it compares does then.
 pub(crate) fn instants(model: &Model) -> Function {
-    let instants: Vec<[Expr; 2]> = model.sides.iter().filter_map(|side| side.instant).collect();
-    let times = instants.iter().enumerate().map(|(k, instant)| (Place::Element("at", k), instant[0]));
-    let slopes = instants.iter().enumerate().map(|(k, instant)| (Place::Element("slope", k), instant[1]));
-    Function::of_results(times.chain(slopes).collect()).optimise()
+    let instants = model.sides.iter().filter_map(|side| side.instant);
+    let (at, slope): (Vec<Expr>, Vec<Expr>) = instants.map(|[at, slope]| (at, slope)).unzip();
+    let mut results = stored("at", at.iter());
+    results.extend(stored("slope", slope.iter()));
+    Function::of_results(results).optimise()
 }
 
 /// The terms of the rows that may jump, one after the other.
 pub(crate) fn jumps(model: &Model) -> Function {
-    let terms = model.jumps.iter().flat_map(|jump| jump.terms);
-    let results = terms.enumerate().map(|(k, term)| (Place::Element("jump", k), term));
-    Function::of_results(results.collect()).optimise()
+    let terms: Vec<Expr> = model.jumps.iter().flat_map(|jump| jump.terms).collect();
+    Function::of_array("jump", &terms).optimise()
 }

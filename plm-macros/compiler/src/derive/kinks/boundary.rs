@@ -7,8 +7,9 @@
 use plm_cas::{Expr, algebra};
 
 use super::number;
-use crate::check::{Random, defaults, value};
+use crate::derive::sides::root;
 use crate::model::{Model, Steady};
+use crate::numeric::{Random, defaults, value};
 
 /// Places that are looked at.
 const PLACES: u64 = 6;
@@ -41,21 +42,17 @@ pub(super) struct Boundary {
 impl Boundary {
     pub(super) fn new(model: &Model, difference: Expr) -> Boundary {
         let held = algebra::symbols(&[difference]);
-        let solved: Vec<(Expr, Expr)> =
-            held.iter().map(|&symbol| (symbol, difference.diff(symbol))).collect();
         let is_param = |symbol: Expr| model.params.iter().any(|param| param.symbol == symbol);
-        let solved: Vec<(Expr, Expr)> = solved.into_iter().filter(|&(symbol, _)| !is_param(symbol)).collect();
+        let free = held.iter().copied().filter(|&symbol| !is_param(symbol));
+        let solved: Vec<(Expr, Expr)> = free.map(|symbol| (symbol, difference.diff(symbol))).collect();
         let places = (0..TRIES).filter_map(|seed| {
             let mut values = random(model, seed);
             let &(symbol, slope) = solved.get(seed as usize % solved.len().max(1))?;
-            onto((difference, symbol, slope), &mut values).then_some(values)
+            onto(difference, symbol, slope, &mut values).then_some(values)
         });
         let places = places.take(PLACES as usize).collect();
         let alone = held.as_slice() == [model.time];
-        let time = alone.then(|| {
-            let slope = difference.diff(model.time);
-            super::super::sides::root(difference, model.time, slope)
-        });
+        let time = alone.then(|| root(difference, model.time, difference.diff(model.time)));
         let time = time.filter(|at| algebra::symbols(&[*at]).is_empty()).map(|at| (model.time, at));
         Boundary { places, time }
     }
@@ -110,8 +107,8 @@ fn random(model: &Model, seed: u64) -> Vec<(Expr, f64)> {
     values
 }
 
-/// Moves one symbol until a difference vanishes; whether it does.
-fn onto((difference, symbol, slope): (Expr, Expr, Expr), values: &mut [(Expr, f64)]) -> bool {
+/// Moves a symbol, along whose slope the difference changes, until that vanishes, by `s <- s - d / d'`; whether it does.
+fn onto(difference: Expr, symbol: Expr, slope: Expr, values: &mut [(Expr, f64)]) -> bool {
     let Some(place) = values.iter().position(|(of, _)| *of == symbol) else { return false };
     for _ in 0..50 {
         let (d, by) = (value(difference, values), value(slope, values));

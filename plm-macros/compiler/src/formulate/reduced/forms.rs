@@ -5,7 +5,6 @@ use plm_cas::{Expr, algebra};
 
 use super::charts;
 use super::tree::augmented;
-use crate::check;
 use crate::derive::derive;
 use crate::diag::Diagnostics;
 use crate::formulate::reduced::charts::Scheme;
@@ -16,6 +15,7 @@ use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::motion::memory::Memory;
 use crate::front;
 use crate::model::Model;
+use crate::numeric;
 use crate::token::Sources;
 
 /// Reads the declaration of a tree and hands on its layout.
@@ -47,7 +47,7 @@ fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u
     let forms = layout.forms(motion, scheme);
     assert_eq!(forms.len(), 2);
     let Layout { model, .. } = layout;
-    let defaults = check::defaults(model);
+    let defaults = numeric::defaults(model);
     let mut random = 1_u64;
     let mut worst = 0.0_f64;
     for _ in 0..states {

@@ -5,7 +5,6 @@
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use crate::check;
 use crate::derive::Equations;
 use crate::formulate::reduced::charts::kinematics::kinematics;
 use crate::formulate::reduced::charts::{self, Scheme};
@@ -14,6 +13,7 @@ use crate::formulate::reduced::layout::Layout;
 use crate::formulate::reduced::motion;
 use crate::formulate::reduced::motion::memory::Memory;
 use crate::model::Model;
+use crate::numeric;
 
 /// Sets of loops that are tried.
 const MOST_SETS: usize = 200;
@@ -101,7 +101,7 @@ fn closes(
         let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size };
         layout.survey(scheme)
     };
-    let values_of = |roots: &[Expr], values: &[(Expr, f64)]| check::run(&algebra::tape(roots), values);
+    let values_of = |roots: &[Expr], values: &[(Expr, f64)]| numeric::run(&algebra::tape(roots), values);
     let remembered: Vec<Expr> = survey.results.iter().map(|&(_, value)| value).collect();
     let remembered = values_of(&remembered, &assembled.values);
     let drivers: Vec<Expr> = scheme

@@ -5,13 +5,10 @@
 //! parallelogram), where it is less. So where rows depend on others at the start, poses next to it are assembled too, and
 //! the largest rank counts.
 
-use plm_cas::Expr;
-
-use super::assembly::{Assembly, Scene, are_closed};
+use super::assembly::Assembly;
+use super::constraints::{Constraints, are_closed};
 use super::random::Random;
-use super::rank::rank;
-use crate::derive::Equations;
-use crate::formulate::Absolute;
+use super::scene::Scene;
 
 /// Poses next to the start.
 const POSES: usize = 3;
@@ -20,29 +17,25 @@ const NEXT_TO: f64 = 0.03;
 /// Poses that assembly takes further away than this are of another kind.
 const FAR: f64 = 0.5;
 
-/// Coordinates less rank, for an assembled start; `values` binds every symbol but coordinates and velocities.
-pub(crate) fn freedom(
-    equations: &Equations,
-    program: &Absolute,
-    (values, length): (&[(Expr, f64)], f64),
-    found: &Assembly,
-) -> usize {
-    let (coordinates, rows) = (equations.q.len(), equations.phi.len());
-    let scene = Scene::new(equations, program, values);
-    let mut most = rank(&scene.phi_q(&found.q)).value();
-    let mut random = Random(1);
+/// Coordinates less rank, for an assembled start.
+pub(crate) fn freedom(scene: &Scene, found: &Assembly) -> usize {
+    let (coordinates, rows) = (scene.equations.q.len(), scene.equations.phi.len());
+    let constraints = Constraints::new(scene);
     let free = vec![false; coordinates];
+    let rank = |q: &[f64]| constraints.rank(q, &free).value();
+    let mut most = rank(&found.q);
+    let mut random = Random(1);
     for _ in 0..POSES {
         if most == rows {
             break;
         }
-        let size = |k: usize| if k % 3 == 2 { 1.0 } else { length };
+        let size = |k: usize| if k % 3 == 2 { 1.0 } else { scene.length };
         let moved = |(k, q): (usize, &f64)| q + NEXT_TO * size(k) * random.unit();
         let near: Vec<f64> = found.q.iter().enumerate().map(moved).collect();
-        let (q, phi, _) = scene.close(near, &free, &|_| found.closed.clone());
-        let away = q.iter().zip(&found.q).enumerate().map(|(k, (q, from))| (q - from).abs() / size(k));
-        if are_closed(&phi, &found.closed) && away.fold(0.0, f64::max) <= FAR {
-            most = most.max(rank(&scene.phi_q(&q)).value());
+        let near = constraints.close(near, &free, |_| found.closed.clone());
+        let away = near.q.iter().zip(&found.q).enumerate().map(|(k, (q, from))| (q - from).abs() / size(k));
+        if are_closed(&near.phi, &found.closed) && away.fold(0.0, f64::max) <= FAR {
+            most = most.max(rank(&near.q));
         }
     }
     coordinates - most

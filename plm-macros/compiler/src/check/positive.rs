@@ -1,0 +1,47 @@
+//! What must be positive: masses, inertias, compliances.
+
+use crate::diag::{Code, Diagnostics};
+use crate::numeric::{Scene, value};
+
+/// Reports masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
+pub(super) fn check_masses(scene: &Scene, diagnostics: &mut Diagnostics) {
+    for body in &scene.model.bodies {
+        let mass = ("mass", body.mass, body.mass_span, "kg");
+        let inertia = ("inertia", body.inertia, body.inertia_span, "kg*m^2");
+        for (what, expr, span, unit) in [mass, inertia] {
+            let found = value(expr, &scene.values);
+            if scene.model.reads_required(expr) {
+                continue;
+            }
+            if !(found > 0.0 && found.is_finite()) {
+                let name = &body.name.text;
+                let message =
+                    format!("the {what} of `{name}` must be positive and finite, found {found} {unit}");
+                let diagnostic = diagnostics.error(Code::NotPositive, span, message);
+                if expr.as_number().is_none() {
+                    diagnostic.note("this is its value with the defaults of the parameters");
+                }
+            }
+        }
+    }
+}
+
+/// Reports compliances that are known to be wrong only with the defaults of the parameters that they read; false if there are
+/// some.
+pub(super) fn check_limits(scene: &Scene, diagnostics: &mut Diagnostics) -> bool {
+    let mut are_kept = true;
+    for limit in &scene.model.limits {
+        let found = value(limit.value, &scene.values);
+        if found.is_finite() && (found > 0.0 || (limit.or_zero && found == 0.0)) {
+            continue;
+        }
+        are_kept = false;
+        let wanted = if limit.or_zero { "finite and not negative" } else { "positive and finite" };
+        let (what, part, unit) = (&limit.what, &limit.part, &limit.unit);
+        let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
+        diagnostics
+            .error(Code::NotPositive, limit.span, message)
+            .note("this is its value with the defaults of the parameters");
+    }
+    are_kept
+}

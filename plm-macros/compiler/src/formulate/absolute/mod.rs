@@ -1,0 +1,171 @@
+//! Absolute coordinates and multipliers, the formulation that holds every mechanism.
+//!
+//! ```text
+//! (1)  Y = phi_q M^-1
+//! (2)  (Y phi_q^T) lambda = phi_q M^-1 Q - gamma
+//! (3)  a = M^-1 Q - Y^T lambda
+//! ```
+//!
+//! (J. Garcia de Jalon, E. Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994, section 5.1). Baumgarte's
+//! method replaces `gamma` by
+//!
+//! ```text
+//! (4)  gamma - (2 alpha phi_dot + beta^2 phi)
+//! ```
+//!
+//! (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1, 1972, eq. (2.7)).
+
+mod feedback;
+mod motion;
+mod normal;
+
+use std::collections::BTreeSet;
+
+use plm_cas::{Expr, algebra};
+
+use self::motion::motion;
+use self::normal::min_norm;
+use super::function::{Function, stored};
+use super::order::minimum_degree;
+use super::outputs::{self, Outputs};
+use super::sides;
+use crate::derive::Equations;
+use crate::model::{Model, Stabilisation};
+
+/// Everything that absolute coordinates compute.
+#[derive(Debug)]
+pub(crate) struct Absolute {
+    /// `dx` and `lambda`, returning Health: the right-hand side.
+    pub(crate) dynamics: Function,
+    /// `phi`, m or rad by row.
+    pub(crate) phi: Function,
+    /// `phi_dot = phi_q v - nu`, m/s or rad/s by row.
+    pub(crate) phi_dot: Function,
+    /// Non-zero entries of `phi_q`, row by row.
+    pub(crate) phi_q: Function,
+    /// `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`, returning Health: the least step, weighted, by which `phi` changes by `r`.
+    pub(crate) min_norm: Function,
+    /// `inverse_mass`: the diagonal of `M^-1`, 1/kg or 1/(kg m^2) by coordinate.
+    pub(crate) inverse_mass: Function,
+    /// `force` and `gamma`: `Q` and the right-hand side of `phi_q a = gamma`, for the solution by rank.
+    pub(crate) free: Function,
+    /// `x_dot`: rates of the first-order states alone, for the solution by rank.
+    pub(crate) x_dot: Function,
+    /// `force` and `x_dot` without accelerations, in which multipliers are unknowns: for equilibria.
+    pub(crate) at_rest: Function,
+    /// `g`, the guards of conditions.
+    pub(crate) guards: Function,
+    /// `at` and `slope` of conditions that depend on the time alone.
+    pub(crate) instants: Function,
+    /// `jump`: what rows do where conditions change, five terms each.
+    pub(crate) jumps: Function,
+    /// What the user reads.
+    pub(crate) outputs: Outputs,
+    /// Symbols of the weights of [`Absolute::min_norm`].
+    pub(crate) weights: Vec<Expr>,
+    /// Symbols of `r` in [`Absolute::min_norm`].
+    pub(crate) residual: Vec<Expr>,
+}
+
+/// Lays out absolute coordinates.
+pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
+    let symbols = |name: &str, count: usize| -> Vec<Expr> {
+        (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect()
+    };
+    let weights = symbols("w", equations.q.len());
+    let residual = symbols("residual", equations.phi.len());
+    let entries: Vec<Expr> = equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
+    let inverse_mass: Vec<Expr> = equations.mass.iter().map(|mass| mass.recip()).collect();
+    let motion = motion(model, equations, &inverse_mass);
+    // What the unknowns do to forces and rates elsewhere.
+    let read = motion.read.clone();
+    let x_dot = algebra::substitute(&equations.x_dot, &read);
+    let mut free = stored("force", equations.force.iter());
+    free.extend(stored("gamma", stabilised(model, equations).iter()));
+    // Assembly and projection hold no sides.
+    let released = |function: Function| function.substitute(&model.released);
+    Absolute {
+        dynamics: motion.dynamics(equations, &x_dot),
+        phi: released(Function::of_array("phi", &equations.phi)),
+        phi_dot: released(Function::of_array("phi_dot", &equations.phi_dot)),
+        phi_q: released(Function::of_array("phi_q", &entries)),
+        min_norm: released(min_norm(equations, &weights, &residual, model.most_growth)),
+        jumps: sides::jumps(model),
+        inverse_mass: Function::of_array("inverse_mass", &inverse_mass),
+        free: Function::of_results(free),
+        x_dot: Function::of_array("x_dot", &x_dot),
+        at_rest: at_rest(equations),
+        guards: sides::guards(model, &[]),
+        instants: sides::instants(model),
+        outputs: outputs::formulate(model, equations, &read),
+        weights,
+        residual,
+    }
+}
+
+/// Does the elimination of `phi_q W phi_q^T` take more products than `most`? Two rows meet where both hold a coordinate.
+pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
+    let mut holding = vec![Vec::new(); equations.q.len()];
+    for (row, entries) in equations.phi_q.iter().enumerate() {
+        for &(column, _) in entries {
+            holding[column].push(row);
+        }
+    }
+    let mut near = vec![BTreeSet::new(); equations.phi_q.len()];
+    for rows in &holding {
+        for &row in rows {
+            near[row].extend(rows.iter().copied().filter(|&other| other != row));
+        }
+    }
+    let mut products = 0;
+    minimum_degree(near).any(|(_, below)| {
+        products += below.len() * (below.len() + 1) / 2;
+        products > most
+    })
+}
+
+impl Absolute {
+    /// Shares what each function computes more than once. Guards and outputs are small, and share when they are laid out.
+    pub(crate) fn optimise(self) -> Absolute {
+        Absolute {
+            dynamics: self.dynamics.optimise(),
+            phi: self.phi.optimise(),
+            phi_dot: self.phi_dot.optimise(),
+            phi_q: self.phi_q.optimise(),
+            min_norm: self.min_norm.optimise(),
+            inverse_mass: self.inverse_mass.optimise(),
+            free: self.free.optimise(),
+            x_dot: self.x_dot.optimise(),
+            at_rest: self.at_rest.optimise(),
+            ..self
+        }
+    }
+}
+
+/// All forces, those that read multipliers included, and the rates, where nothing accelerates.
+fn at_rest(equations: &Equations) -> Function {
+    let mut force = equations.force.clone();
+    for signal in &equations.signals {
+        for &(k, gain) in &signal.gain {
+            force[k] += gain * signal.symbol;
+        }
+    }
+    let still: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, Expr::ZERO)).collect();
+    let mut results = stored("force", force.iter());
+    results.extend(stored("x_dot", equations.x_dot.iter()));
+    Function::of_results(results).substitute(&still)
+}
+
+/// `gamma`, with Baumgarte's feedback (4) where the model asks for it: `alpha = beta = 1 / tau`.
+fn stabilised(model: &Model, equations: &Equations) -> Vec<Expr> {
+    let Stabilisation::Baumgarte(tau) = model.stabilisation else { return equations.gamma.clone() };
+    let alpha = tau.recip();
+    let beta = alpha;
+    let rows = equations.gamma.iter().zip(&equations.phi_dot).zip(&equations.phi);
+    rows.map(|((&gamma, &phi_dot), &phi)| gamma - (2 * alpha * phi_dot + beta * beta * phi)).collect()
+}
+
+/// `arm_x`, `arm_y`, `arm_angle` for the three coordinates of a body.
+pub(crate) fn coordinate_name(model: &Model, k: usize) -> String {
+    format!("{}.{}", model.bodies[k / 3].name.text, ["x", "y", "angle"][k % 3])
+}

@@ -1,0 +1,135 @@
+//! Assembly of the declared start at compile time (manual, section 4.4), the compiler's twin of the runtime's.
+//!
+//! Positions: `q <- q - pinv(phi_q) phi` in SI with unit weights from the user's start; a lock takes its column out.
+//! Velocities: one step of the same kind, `v <- v - pinv(phi_q) (phi_q v - nu)`, from the start velocities.
+
+use plm_cas::Expr;
+
+use super::branch;
+use super::constraints::{Closed, Constraints, are_closed};
+use super::rank::Rank;
+use super::scene::Scene;
+use super::values::value;
+use crate::model::{Body, Model};
+
+/// Largest `phi` of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
+const CLOSED: f64 = 1e-10;
+
+/// What assembly found.
+#[derive(Debug)]
+pub(crate) struct Assembly {
+    /// The pose that the user declared, at G: m, m, rad per body.
+    pub(crate) start: Vec<f64>,
+    /// The assembled pose, m, m, rad per body.
+    pub(crate) q: Vec<f64>,
+    /// Velocities at the assembled pose that obey the constraints: m/s, m/s, rad/s per body.
+    pub(crate) v: Vec<f64>,
+    /// Which coordinates are locked.
+    pub(crate) locked: Vec<bool>,
+    /// Which velocities are locked.
+    pub(crate) velocity_locked: Vec<bool>,
+    /// Rank of `[phi_q; E]` and its dependent rows; `E` has a row for each locked coordinate.
+    pub(crate) rank: Rank,
+    /// Rank of `[phi_q; E]` where `E` has a row for each locked velocity.
+    pub(crate) velocity_rank: Rank,
+    /// `phi` at the assembled pose, m or rad by row.
+    pub(crate) phi: Vec<f64>,
+    /// `phi_q v - nu` at the assembled pose, m/s or rad/s by row.
+    pub(crate) phi_dot: Vec<f64>,
+    /// Largest `phi` of each row that counts as closed, m or rad.
+    pub(crate) closed: Vec<f64>,
+    /// Newton steps taken.
+    pub(crate) steps: usize,
+}
+
+impl Assembly {
+    /// Do all constraints hold?
+    pub(crate) fn is_closed(&self) -> bool {
+        are_closed(&self.phi, &self.closed)
+    }
+
+    /// Do the velocities obey the constraints?
+    pub(crate) fn moves_consistently(&self) -> bool {
+        let speed = self.v.iter().fold(1.0_f64, |largest, v| largest.max(v.abs()));
+        self.phi_dot.iter().all(|phi_dot| phi_dot.abs() <= 1e-9 * speed)
+    }
+}
+
+/// Coordinates or velocities of a start, and which of them are locked.
+pub(super) struct Start {
+    pub(super) values: Vec<f64>,
+    pub(super) locked: Vec<bool>,
+}
+
+/// Assembles the declared start of a scene.
+pub(crate) fn assemble(scene: &Scene) -> Assembly {
+    let constraints = Constraints::new(scene);
+    let start = start_position(scene);
+    let limits = |q: &[f64]| limits(scene.model, scene.length, q);
+    let close = |q: Vec<f64>| constraints.close(q, &start.locked, limits);
+    let asked = branch::asked(scene);
+    let Closed { q, phi, steps } = branch::find(&asked, close(start.values.clone()), &start, |q| {
+        Some(close(q)).filter(|closed| are_closed(&closed.phi, &limits(&closed.q)))
+    });
+    let Start { values: mut v, locked: velocity_locked } = start_velocity(scene, &q);
+    let phi_dot = constraints.phi_dot(&q, &v);
+    for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &phi_dot)) {
+        *velocity -= dv;
+    }
+    let at_start = constraints.rank(&start.values, &start.locked);
+    let at_end = constraints.rank(&q, &start.locked);
+    Assembly {
+        // A pose of zeros can look singular: the better of the two ranks is the true one.
+        rank: if at_end.value() >= at_start.value() { at_end } else { at_start },
+        velocity_rank: constraints.rank(&q, &velocity_locked),
+        phi_dot: constraints.phi_dot(&q, &v),
+        closed: limits(&q),
+        start: start.values,
+        q,
+        v,
+        locked: start.locked,
+        velocity_locked,
+        phi,
+        steps,
+    }
+}
+
+/// What `phi` of each row may be in a scene of a size that reaches as far as the bodies stand.
+fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
+    let places = q.iter().enumerate().filter(|(k, _)| k % 3 != 2);
+    let reach = places.fold(length, |reach, (_, place)| reach.max(place.abs()));
+    model.rows.iter().map(|row| CLOSED * if row.is_angular() { 1.0 } else { reach }).collect()
+}
+
+/// Start of (x, y, theta) of G per body: `G = O + R(theta) centre`.
+fn start_position(scene: &Scene) -> Start {
+    let bodies = &scene.model.bodies;
+    let mut q = Vec::with_capacity(3 * bodies.len());
+    for body in bodies {
+        let [x, y, angle] = body.start.map(|start| value(start.value, &scene.values));
+        let [dx, dy] = centre(body, &scene.values, angle);
+        q.extend([x + dx, y + dy, angle]);
+    }
+    let locked = bodies.iter().flat_map(|body| body.start.map(|start| start.locked));
+    Start { values: q, locked: locked.collect() }
+}
+
+/// Start of (vx, vy, omega) of G per body at a pose: `v_G = v_O + omega x (G - O)`.
+fn start_velocity(scene: &Scene, q: &[f64]) -> Start {
+    let bodies = &scene.model.bodies;
+    let mut v = Vec::with_capacity(q.len());
+    for (body, pose) in bodies.iter().zip(q.chunks_exact(3)) {
+        let [vx, vy, omega] = body.start_velocity.map(|start| value(start.value, &scene.values));
+        let [dx, dy] = centre(body, &scene.values, pose[2]);
+        v.extend([vx - omega * dy, vy + omega * dx, omega]);
+    }
+    let locked = bodies.iter().flat_map(|body| body.start_velocity.map(|start| start.locked));
+    Start { values: v, locked: locked.collect() }
+}
+
+/// G from O in absolute axes.
+fn centre(body: &Body, values: &[(Expr, f64)], angle: f64) -> [f64; 2] {
+    let [x, y] = body.centre.map(|component| value(component, values));
+    let (sin, cos) = plm_math::f64::sin_cos(angle);
+    [cos * x - sin * y, sin * x + cos * y]
+}

@@ -1,0 +1,21 @@
+//! What is found in numbers while a mechanism is compiled: values of expressions, assembly of the start, ranks, freedoms.
+//!
+//! All of it runs on the interpreter of the tape, and nothing here knows what is right or wrong: `check` judges.
+
+mod assembly;
+mod branch;
+mod constraints;
+mod freedom;
+mod pseudo_inverse;
+mod random;
+mod rank;
+mod scene;
+mod values;
+
+pub(crate) use assembly::{Assembly, assemble};
+pub(crate) use branch::asked;
+pub(crate) use freedom::freedom;
+pub(crate) use random::Random;
+pub(crate) use rank::{Row, rank};
+pub(crate) use scene::Scene;
+pub(crate) use values::{add_sides, defaults, run, value, values, varied};

@@ -1,0 +1,65 @@
+//! Values of symbols, and of expressions of them.
+
+use plm_cas::{Expr, Tape, algebra};
+
+use super::random::Random;
+use crate::model::Model;
+
+/// f64's `Scalar::AGREEMENT`.
+const AGREEMENT: f64 = 1e9;
+
+/// Value of an expression of bound symbols; NaN where it reads a symbol without value.
+pub(crate) fn value(expr: Expr, values: &[(Expr, f64)]) -> f64 {
+    match expr.as_number() {
+        Some(number) => number.to_f64(),
+        None => run(&algebra::tape(&[expr]), values)[0],
+    }
+}
+
+/// Values of many expressions by one tape: to bind the symbols for each would take time that grows with the square of their
+/// number. Each by itself if one of them reads a symbol without value.
+pub(crate) fn values(exprs: &[Expr], known: &[(Expr, f64)]) -> Vec<f64> {
+    let together = algebra::tape(exprs).eval(known);
+    together.unwrap_or_else(|_| exprs.iter().map(|&expr| value(expr, known)).collect())
+}
+
+/// Values of a tape's outputs; NaN where it reads a symbol without value.
+pub(crate) fn run(tape: &Tape, values: &[(Expr, f64)]) -> Vec<f64> {
+    tape.eval(values).unwrap_or_else(|_| vec![f64::NAN; tape.outputs.len()])
+}
+
+/// Default values of all symbols but coordinates and velocities, at time zero.
+pub(crate) fn defaults(model: &Model) -> Vec<(Expr, f64)> {
+    let mut values =
+        vec![(model.time, 0.0), (model.most_growth, f64::INFINITY), (model.agreement, AGREEMENT)];
+    for param in &model.params {
+        values.push((param.symbol, value(param.default, &values)));
+    }
+    for input in &model.inputs {
+        values.push((input.symbol, value(input.default, &values)));
+    }
+    for state in &model.states {
+        values.push((state.symbol, value(state.start, &values)));
+    }
+    values
+}
+
+/// Values of parameters, inputs and states where those parameters that have dimensions of a mechanism are others than declared;
+/// none without parameters.
+pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
+    let mut random = Random(seed);
+    let mut values = defaults(model);
+    for param in &model.params {
+        let (_, value) = values.iter_mut().find(|(symbol, _)| *symbol == param.symbol)?;
+        *value += (0.3 + 0.2 * value.abs()) * random.unit();
+    }
+    (!model.params.is_empty()).then_some(values)
+}
+
+/// Adds the sides of the conditions at a state whose other symbols have values.
+pub(crate) fn add_sides(model: &Model, values: &mut Vec<(Expr, f64)>) {
+    for side in &model.sides {
+        let difference = value(side.difference, values);
+        values.push((side.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
+    }
+}
