@@ -4,8 +4,9 @@
 //! SI units; uniform bars have J = m L^2 / 12. The outputs are what is measured, in the order of the references.
 
 #[path = "../../tests/support/scenes.rs"]
-#[macro_use]
-mod declared;
+mod shared;
+
+use shared::{andrews, double_pendulum, four_bar, slider_crank};
 
 // S1: two bars, released at 45 and 0 deg.
 double_pendulum!(s1_tree: rung: tree; output arm.position, forearm.position;);

@@ -33,6 +33,7 @@ macro_rules! double_pendulum {
         }
     };
 }
+pub(crate) use double_pendulum;
 
 /// S2: four-bar linkage, crank at 60 deg, elbow up.
 macro_rules! four_bar {
@@ -75,6 +76,7 @@ macro_rules! four_bar {
         }
     };
 }
+pub(crate) use four_bar;
 
 /// S6: slider-crank with a torque on the crank.
 macro_rules! slider_crank {
@@ -115,6 +117,7 @@ macro_rules! slider_crank {
         }
     };
 }
+pub(crate) use slider_crank;
 
 /// S5: Andrews' squeezing mechanism (IVP test set; W. Schiehlen, Multibody Systems Handbook, 1990).
 macro_rules! andrews {
@@ -199,3 +202,4 @@ macro_rules! andrews {
         }
     };
 }
+pub(crate) use andrews;
