@@ -149,7 +149,7 @@ impl<'a> Joint<'a> {
             Some(body) => &self.model.bodies[body].ports[frame.port],
             None => &self.model.ground[frame.port],
         };
-        (at.map(|component| value(component, fixed)), value(*angle, fixed))
+        (at.components().map(|component| value(component, fixed)), value(*angle, fixed))
     }
 
     fn report_row(&self, part: &Part, row: usize, by: f64, diagnostics: &mut Diagnostics) {

@@ -70,7 +70,7 @@ fn far_point(model: &Model, joints: &Joints, joint: usize, own: FrameRef) -> Opt
 
 /// A port of a body from G in its axes.
 fn port(model: &Model, frame: FrameRef) -> Option<[Expr; 2]> {
-    Some(model.bodies[frame.body?].ports.get(frame.port)?.at)
+    Some(model.bodies[frame.body?].ports.get(frame.port)?.at.components())
 }
 
 /// Absolute position of a point of a body.

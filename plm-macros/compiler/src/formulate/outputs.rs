@@ -82,7 +82,7 @@ fn kinetic_energy(equations: &Equations) -> Expr {
 fn gravity_energy(model: &Model) -> Expr {
     let mut terms = Vec::new();
     for body in &model.bodies {
-        for (&gravity, &place) in model.gravity.iter().zip(&body.q) {
+        for (gravity, &place) in model.gravity.components().into_iter().zip(&body.q) {
             let weight = body.mass * gravity;
             let against = -weight;
             terms.push(against * place);

@@ -1,5 +1,6 @@
 //! Bodies: mass, inertia, ports, starts.
 
+use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
@@ -22,8 +23,8 @@ pub(super) struct BodyState<'a> {
     pub(super) q: [Expr; 3],
     pub(super) v: [Expr; 3],
     pub(super) a: [Expr; 3],
-    /// `(cos theta, sin theta)`
-    pub(super) axis: [Expr; 2],
+    /// By `theta`.
+    pub(super) rotation: Rotation,
     pub(super) ports: Vec<PortState<'a>>,
     placement: Lazy<Placement>,
 }
@@ -81,14 +82,14 @@ impl<'a> Resolver<'a> {
             self.directions.insert(q[i], v[i]);
             self.directions.insert(v[i], a[i]);
         }
-        let axis = [q[2].cos(), q[2].sin()];
-        axis[0].hint(&format!("c_{name}"));
-        axis[1].hint(&format!("s_{name}"));
+        let rotation = Rotation::by(q[2]);
+        rotation.cos.hint(&format!("c_{name}"));
+        rotation.sin.hint(&format!("s_{name}"));
         let span = ast.name.ident.span;
         let slot = self.known_slot(span, Value::Body(Some(self.bodies.len())));
         let ports = self.ports_of(scope, ast);
         let name = Name { text: name, span };
-        self.bodies.push(BodyState { ast, scope, name, q, v, a, axis, ports, placement: Lazy::Waiting });
+        self.bodies.push(BodyState { ast, scope, name, q, v, a, rotation, ports, placement: Lazy::Waiting });
         self.bind(scope, &ast.name.ident, key, slot);
     }
 
@@ -159,7 +160,6 @@ impl<'a> Resolver<'a> {
 
     fn evaluate_placement(&mut self, body: usize) -> Eval<Placement> {
         let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
-        let zero = Expr::ZERO;
         let drawing = match &ast.coordinates {
             None => false,
             Some(word) if word.text == "relative" => false,
@@ -171,7 +171,7 @@ impl<'a> Resolver<'a> {
         };
         let centre = match self.body_field(body, "centre") {
             Some(expr) => self.eval_vector(scope, expr, Dimension::LENGTH, Reads::FIXED)?.0,
-            None => [zero, zero],
+            None => Vec2::ZERO,
         };
         let drawing_angle = match self.body_field(body, "drawing_angle") {
             Some(expr) if drawing => self.eval_number(scope, expr, Dimension::ANGLE, Reads::FIXED)?,
@@ -185,7 +185,7 @@ impl<'a> Resolver<'a> {
                 .help("write `coordinates: absolute;`");
                 return Err(Failed);
             }
-            None => zero,
+            None => Expr::ZERO,
         };
         Ok(Placement { drawing, drawing_angle, centre })
     }
@@ -216,7 +216,7 @@ impl<'a> Resolver<'a> {
     pub(super) fn starts(&mut self, body: usize) -> Eval<[Start; 6]> {
         let placement = self.placement(body)?;
         let zero = Expr::ZERO;
-        let [x, y] = placement.centre;
+        let Vec2 { x, y } = placement.centre;
         let drawn = [x, y, placement.drawing_angle, zero, zero, zero];
         let span = self.bodies[body].name.span;
         let mut starts = [0, 1, 2, 3, 4, 5].map(|i| {

@@ -90,13 +90,11 @@ impl<'a> Resolver<'a> {
         }
         for (row, value) in &mut given {
             let phi = rows[*row].phi;
-            let mut sum = phi;
-            if let Some((_, relaxation)) = relaxation {
-                let rate = self.total_derivative(phi);
-                let lagging = relaxation * rate;
-                sum = phi + lagging;
-            }
-            *value = sum / *value;
+            let lagging = match relaxation {
+                Some((_, relaxation)) => phi + relaxation * self.total_derivative(phi),
+                None => phi,
+            };
+            *value = lagging / *value;
         }
         Ok(given)
     }
@@ -181,8 +179,7 @@ impl<'a> Resolver<'a> {
         for body in 0..self.bodies.len() {
             let mut force = [Expr::ZERO; 3];
             for (axis, entry) in algebra::gradient(phi, &self.bodies[body].q) {
-                let along = entry * lambda;
-                force[axis] = -along;
+                force[axis] = -(entry * lambda);
             }
             if force != [Expr::ZERO; 3] {
                 loads.push(Load { body, part, force });

@@ -1,6 +1,7 @@
 //! Conditions and what hangs on them.
 
 use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -113,9 +114,11 @@ impl<'a> Resolver<'a> {
                 Ok(Value::Scalar(select(&condition, a, b), nature))
             }
             (Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
-                let nature = self.joined(scope, span, (&a, of_a), (&b, of_b))?;
+                let nature = self.joined(scope, span, (&a.components(), of_a), (&b.components(), of_b))?;
                 let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
-                Ok(Value::Vector([0, 1].map(|i| select(&condition, a[i], b[i])), nature))
+                let x = select(&condition, a.x, b.x);
+                let chosen = Vec2::new(x, select(&condition, a.y, b.y));
+                Ok(Value::Vector(chosen, nature))
             }
             (a, b) => {
                 let message = format!("one branch is {}, the other {}", a.kind(), b.kind());
@@ -158,10 +161,7 @@ pub(super) fn select(condition: &Condition, yes: Expr, no: Expr) -> Expr {
     match condition {
         Condition::Known(true) => yes,
         Condition::Known(false) => no,
-        Condition::Less(low, high) => {
-            let less = (*low).less(*high);
-            less.select(yes, no)
-        }
+        Condition::Less(low, high) => low.less(*high).select(yes, no),
         Condition::Not(inner) => select(inner, no, yes),
         Condition::All(inner) => inner.iter().rev().fold(yes, |yes, one| select(one, yes, no)),
         Condition::Any(inner) => inner.iter().rev().fold(no, |no, one| select(one, yes, no)),

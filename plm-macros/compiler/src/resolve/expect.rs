@@ -1,5 +1,6 @@
 //! What a place expects, and what is said when something else stands there.
 
+use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
@@ -77,13 +78,12 @@ impl<'a> Resolver<'a> {
                 Wanted::Number(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
                 Value::Scalar(found, nature),
             ) => {
-                self.fits(scope, expr, (*found).is_zero(), *nature, dimension)?;
+                self.fits(scope, expr, found.is_zero(), *nature, dimension)?;
                 self.reads_only(scope, expr, nature.reads, reads)?;
                 Ok(Value::Scalar(*found, Nature::written(dimension, nature.reads)))
             }
             (Wanted::NumberOrVector(dimension, reads), Value::Vector(found, nature)) => {
-                let is_zero = found.iter().all(|component| (*component).is_zero());
-                self.fits(scope, expr, is_zero, *nature, dimension)?;
+                self.fits(scope, expr, found.is_zero(), *nature, dimension)?;
                 self.reads_only(scope, expr, nature.reads, reads)?;
                 Ok(Value::Vector(*found, Nature::written(dimension, nature.reads)))
             }
@@ -126,18 +126,17 @@ impl<'a> Resolver<'a> {
         expr: &'a ast::Expr,
         dimension: Dimension,
         reads: Reads,
-    ) -> Eval<([Expr; 2], Reads)> {
+    ) -> Eval<(Vec2, Reads)> {
         let value = self.eval(scope, expr)?;
-        let zero = Expr::ZERO;
         let (found, nature) = match value {
             Value::Vector(found, nature) => (found, nature),
             // `0` needs no unit, and no second component.
-            Value::Scalar(found, nature) if found == zero && nature.form == Form::Bare => {
-                ([zero, zero], nature)
+            Value::Scalar(found, nature) if found.is_zero() && nature.form == Form::Bare => {
+                (Vec2::ZERO, nature)
             }
             other => return Err(self.wrong_kind(scope, expr, "a vector", &other)),
         };
-        self.fits(scope, expr, found == [zero, zero], nature, dimension)?;
+        self.fits(scope, expr, found.is_zero(), nature, dimension)?;
         self.reads_only(scope, expr, nature.reads, reads)?;
         Ok((found, nature.reads))
     }

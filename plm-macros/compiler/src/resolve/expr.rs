@@ -1,5 +1,6 @@
 //! Expressions: names, members, operators, conditions.
 
+use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Node, Number};
 
 use super::Resolver;
@@ -31,7 +32,7 @@ impl<'a> Resolver<'a> {
         let value = value?;
         let is_finite = match &value {
             Value::Scalar(x, _) => is_finite(*x),
-            Value::Vector(pair, _) => pair.iter().all(|x| is_finite(*x)),
+            Value::Vector(pair, _) => is_finite(pair.x) && is_finite(pair.y),
             _ => true,
         };
         if is_finite {
@@ -98,8 +99,7 @@ impl<'a> Resolver<'a> {
                     self.error(scope, Code::BadUnit, inner.span, message).help(help);
                     return Err(Failed);
                 }
-                let pair = pair.map(|component| Expr::from(unit.factor) * component);
-                Value::Vector(pair, Nature::written(unit.dimension, nature.reads))
+                Value::Vector(Expr::from(unit.factor) * pair, Nature::written(unit.dimension, nature.reads))
             }
             other => return Err(self.wrong_kind(scope, inner, "a number", &other)),
         })
@@ -109,13 +109,13 @@ impl<'a> Resolver<'a> {
         let (x, y) = (self.eval_scalar(scope, x), self.eval_scalar(scope, y));
         let ((x, of_x), (y, of_y)) = (x?, y?);
         let nature = self.joined(scope, span, (&[x], of_x), (&[y], of_y))?;
-        Ok(Value::Vector([x, y], nature))
+        Ok(Value::Vector(Vec2::new(x, y), nature))
     }
 
     fn negative(&mut self, scope: ScopeId, inner: &'a ast::Expr, value: Value) -> Eval<Value> {
         Ok(match value {
             Value::Scalar(x, nature) => Value::Scalar(-x, nature),
-            Value::Vector(pair, nature) => Value::Vector(pair.map(|x| -x), nature),
+            Value::Vector(pair, nature) => Value::Vector(-pair, nature),
             other => return Err(self.wrong_kind(scope, inner, "a number or a vector", &other)),
         })
     }
@@ -170,7 +170,7 @@ impl<'a> Resolver<'a> {
             (Operator::Mul, Value::Scalar(a, of_a), Value::Vector(v, of_v))
             | (Operator::Mul, Value::Vector(v, of_v), Value::Scalar(a, of_a)) => {
                 let nature = of_a.scaled(of_v, of_a.dimension.times(of_v.dimension));
-                Ok(Value::Vector(v.map(|x| a * x), nature))
+                Ok(Value::Vector(a * v, nature))
             }
             (Operator::Div, _, Value::Scalar(b, _)) if b.is_zero() => {
                 Err(self.division_by_zero(scope, link.operand.span))
@@ -185,12 +185,11 @@ impl<'a> Resolver<'a> {
             }
             (operator @ (Operator::Add | Operator::Sub), Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
                 let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
-                Ok(Value::Scalar(plus_minus(operator, a, b), nature))
+                Ok(Value::Scalar(if operator == Operator::Sub { a - b } else { a + b }, nature))
             }
             (operator @ (Operator::Add | Operator::Sub), Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
-                let nature = self.joined(scope, span, (&a, of_a), (&b, of_b))?;
-                let sum = [0, 1].map(|i| plus_minus(operator, a[i], b[i]));
-                Ok(Value::Vector(sum, nature))
+                let nature = self.joined(scope, span, (&a.components(), of_a), (&b.components(), of_b))?;
+                Ok(Value::Vector(if operator == Operator::Sub { a - b } else { a + b }, nature))
             }
             (operator, ..) => {
                 let message = format!("`{}` does not join {} and {}", operator.text(), kinds.0, kinds.1);
@@ -218,8 +217,7 @@ impl<'a> Resolver<'a> {
         right: (&[Expr], Nature),
     ) -> Eval<Nature> {
         let ((a, of_a), (b, of_b)) = (left, right);
-        let is_bare_zero =
-            |xs: &[Expr], of: Nature| of.form == Form::Bare && xs.iter().all(|x| (*x).is_zero());
+        let is_bare_zero = |xs: &[Expr], of: Nature| of.form == Form::Bare && xs.iter().all(|x| x.is_zero());
         if is_bare_zero(a, of_a) {
             return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_b });
         }
@@ -261,8 +259,4 @@ fn is_finite(x: Expr) -> bool {
         }
         _ => true,
     }
-}
-
-fn plus_minus(operator: Operator, a: Expr, b: Expr) -> Expr {
-    if operator == Operator::Sub { a - b } else { a + b }
 }

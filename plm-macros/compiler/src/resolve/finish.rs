@@ -1,6 +1,7 @@
 //! The model from all that was evaluated.
 
-use plm_cas::{Expr, Graph, algebra};
+use plm_cas::algebra::{self, Vec2};
+use plm_cas::{Expr, Graph};
 
 use super::Resolver;
 use super::value::{Eval, Failed, Reads, Value, all};
@@ -30,8 +31,7 @@ impl<'a> Resolver<'a> {
         self.evaluate_observed(&mut outputs);
         let mut sides = self.finish_requirements();
         self.put_late(&mut states, &mut loads, &mut outputs, &mut sides);
-        let zero = Expr::ZERO;
-        loads.retain(|load| load.force != [zero; 3]);
+        loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let rows = rows.and_then(|rows| self.soften(rows, &mut loads, &mut states, &mut outputs));
         self.warn_of_silence(declaration, mechanism);
         if self.sink.has_errors() {
@@ -104,10 +104,10 @@ impl<'a> Resolver<'a> {
     }
 
     /// The acceleration of gravity; a number is its size downwards.
-    pub(super) fn finish_gravity(&mut self) -> Eval<[Expr; 2]> {
+    pub(super) fn finish_gravity(&mut self) -> Eval<Vec2> {
         let span = self.slots[self.gravity].span;
         match self.force(self.gravity, 0, span)? {
-            Value::Scalar(gravity, _) => Ok([Expr::ZERO, -gravity]),
+            Value::Scalar(gravity, _) => Ok(Vec2::new(Expr::ZERO, -gravity)),
             Value::Vector(gravity, _) => Ok(gravity),
             _ => Err(Failed),
         }
@@ -145,7 +145,6 @@ impl<'a> Resolver<'a> {
         let depth = self.depth(scope, depth);
         let ports = self.finish_ports(Some(body));
         let placement = self.placement(body)?;
-        let zero = Expr::ZERO;
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let [x, y, angle, vx, vy, omega] = starts?;
         let state = &self.bodies[body];
@@ -158,7 +157,7 @@ impl<'a> Resolver<'a> {
             q: state.q,
             v: state.v,
             a: state.a,
-            centre: if placement.drawing { [zero, zero] } else { placement.centre },
+            centre: if placement.drawing { Vec2::ZERO } else { placement.centre },
             ports: ports?,
             start: [x, y, angle],
             start_velocity: [vx, vy, omega],

@@ -1,13 +1,13 @@
 //! Frames: where the ports of bodies and of the ground are.
 //!
-//! A point P of a body with its centre of gravity at G stands at `x_G + c px - s py`, `y_G + s px + c py` with
-//! `c = cos(theta)`, `s = sin(theta)` (manual, section 4.2.2.1, relations (a) to (d)). Built from one pair `c, s` per
-//! body, so that all that is derived from it shares them.
+//! A point P of a body, `(px, py)` from its centre of gravity G in its own axes, stands at `x_G + px cos(theta) - py sin(theta)`,
+//! `y_G + px sin(theta) + py cos(theta)` (manual, section 4.2.2.1, relations (a) to (d)): `G + R(theta) p`. Each body has one
+//! rotation `R(theta)`, so that all that is derived from it shares its sine and cosine.
 
 use plm_cas::Expr;
+use plm_cas::algebra::{Rotation, Vec2};
 
 use super::Resolver;
-use super::function::{in_axes, turn};
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Lazy, Reads};
 use crate::diag::Code;
@@ -29,19 +29,19 @@ pub(super) struct PortState<'a> {
 /// Where a frame is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FrameGeometry {
-    /// From G in the axes of the body; on the ground from the origin.
-    pub(super) local: [Expr; 2],
-    /// Angle against the body.
+    /// Its point from G, in the axes of the body; on the ground from the origin.
+    pub(super) local: Vec2,
+    /// Its angle against the x axis of the body, or of the ground.
     pub(super) turn: Expr,
-    /// From G in absolute axes.
-    pub(super) arm: [Expr; 2],
-    /// Absolute.
-    pub(super) position: [Expr; 2],
-    /// Absolute.
+    /// Its point from G, in absolute axes; on the ground from the origin.
+    pub(super) arm: Vec2,
+    /// Its point from the origin, in absolute axes.
+    pub(super) position: Vec2,
+    /// Its angle against the absolute x axis.
     pub(super) angle: Expr,
-    /// Unit vector along its x axis.
-    pub(super) axis: [Expr; 2],
-    /// What all this depends on.
+    /// By that angle, from the absolute axes to its own.
+    pub(super) rotation: Rotation,
+    /// What position and angle depend on.
     pub(super) reads: Reads,
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Placement {
     /// Angle of the body in the drawing.
     pub(super) drawing_angle: Expr,
     /// G as it was written.
-    pub(super) centre: [Expr; 2],
+    pub(super) centre: Vec2,
 }
 
 impl<'a> Resolver<'a> {
@@ -108,12 +108,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Position and angle of a port as they were written.
-    fn written(
-        &mut self,
-        scope: ScopeId,
-        port: &'a ast::Port,
-        reads: Reads,
-    ) -> Eval<([Expr; 2], Expr, Reads)> {
+    fn written(&mut self, scope: ScopeId, port: &'a ast::Port, reads: Reads) -> Eval<(Vec2, Expr, Reads)> {
         let at = self.eval_vector(scope, &port.at, Dimension::LENGTH, reads);
         let angle = match &port.angle {
             Some(angle) => {
@@ -128,36 +123,35 @@ impl<'a> Resolver<'a> {
     /// A port of the ground may move as the time goes.
     fn ground_frame(&mut self, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
         let (at, angle, reads) = self.written(scope, port, Reads::SCHEDULED)?;
-        let axis = [angle.cos(), angle.sin()];
-        Ok(FrameGeometry { local: at, turn: angle, arm: at, position: at, angle, axis, reads })
+        let rotation = Rotation::by(angle);
+        Ok(FrameGeometry { local: at, turn: angle, arm: at, position: at, angle, rotation, reads })
     }
 
     fn body_frame(&mut self, body: usize, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
         let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
         let placement = self.placement(body)?;
-        let local = placed(&placement, at);
+        let local = placement.from_centre(at);
         let state = &self.bodies[body];
-        let (q, body_axis) = (state.q, state.axis);
-        let arm = in_axes(body_axis, local);
-        let own_axis = [alpha.cos(), alpha.sin()];
+        let [x, y, theta] = state.q;
+        let arm = state.rotation * local;
+        let own_rotation = Rotation::by(alpha);
         Ok(FrameGeometry {
             local,
             turn: alpha,
             arm,
-            position: [0, 1].map(|i| q[i] + arm[i]),
-            angle: (q[2] + alpha),
-            axis: in_axes(body_axis, own_axis),
+            // Manual, section 4.2.2.1, relations (a) to (d).
+            position: Vec2::new(x, y) + arm,
+            angle: theta + alpha,
+            rotation: state.rotation * own_rotation,
             reads: Reads::POSITION,
         })
     }
 }
 
-/// A point as it was written, from G in the axes of the body.
-pub(super) fn placed(placement: &Placement, at: [Expr; 2]) -> [Expr; 2] {
-    let from_centre = [0, 1].map(|i| at[i] - placement.centre[i]);
-    if !placement.drawing {
-        return from_centre;
+impl Placement {
+    /// A point as it was written, from G in the axes of the body.
+    pub(super) fn from_centre(&self, at: Vec2) -> Vec2 {
+        let from_centre = at - self.centre;
+        if self.drawing { Rotation::by(-self.drawing_angle) * from_centre } else { from_centre }
     }
-    let back = -placement.drawing_angle;
-    turn(from_centre, back)
 }

@@ -1,5 +1,6 @@
 //! The functions of the language.
 
+use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
@@ -167,7 +168,7 @@ impl<'a> Resolver<'a> {
         })
     }
 
-    fn vector(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<([Expr; 2], Nature)> {
+    fn vector(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<(Vec2, Nature)> {
         match self.eval(scope, expr)? {
             Value::Vector(vector, nature) => Ok((vector, nature)),
             other => Err(self.wrong_kind(scope, expr, "a vector", &other)),
@@ -178,22 +179,20 @@ impl<'a> Resolver<'a> {
     fn vector_product(&mut self, scope: ScopeId, name: &str, arguments: &'a [ast::Expr]) -> Eval<Value> {
         let (u, of_u) = self.vector(scope, &arguments[0])?;
         let (v, of_v) = self.vector(scope, &arguments[1])?;
-        let product = if name == "dot" { dot(u, v) } else { cross(u, v) };
+        let product = if name == "dot" { u.dot(v) } else { u.cross(v) };
         Ok(Value::Scalar(product, of_u.scaled(of_v, of_u.dimension.times(of_v.dimension))))
     }
 
     fn norm(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
         let (v, nature) = self.vector(scope, argument)?;
-        let square = dot(v, v);
-        Ok(Value::Scalar(square.sqrt(), nature))
+        Ok(Value::Scalar(v.squared().sqrt(), nature))
     }
 
     /// The vector turned by an angle, counter-clockwise.
     fn turn(&mut self, scope: ScopeId, vector: &'a ast::Expr, angle: &'a ast::Expr) -> Eval<Value> {
         let (v, of_v) = self.vector(scope, vector)?;
         let (by, of_angle) = self.eval_quantity(scope, angle, Dimension::ANGLE, Reads::ALL)?;
-        let turned = turn(v, by);
-        Ok(Value::Vector(turned, of_v.scaled(of_angle, of_v.dimension)))
+        Ok(Value::Vector(Rotation::by(by) * v, of_v.scaled(of_angle, of_v.dimension)))
     }
 
     /// A point given in relative axes in the absolute ones, or the other way: `(point, origin, angle)`, where origin and
@@ -209,14 +208,13 @@ impl<'a> Resolver<'a> {
         let origin = self.vector(scope, &arguments[1]);
         let (angle, of_angle) = self.eval_quantity(scope, &arguments[2], Dimension::ANGLE, Reads::ALL)?;
         let ((point, of_point), (origin, of_origin)) = (point?, origin?);
-        let nature = self.joined(scope, span, (&point, of_point), (&origin, of_origin))?;
+        let nature =
+            self.joined(scope, span, (&point.components(), of_point), (&origin.components(), of_origin))?;
         let found = if name == "to_absolute" {
-            let arm = turn(point, angle);
-            [origin[0] + arm[0], origin[1] + arm[1]]
+            origin + Rotation::by(angle) * point
         } else {
-            let arm = [point[0] - origin[0], point[1] - origin[1]];
-            let back = -angle;
-            turn(arm, back)
+            let arm = point - origin;
+            Rotation::by(-angle) * arm
         };
         Ok(Value::Vector(found, nature.scaled(of_angle, nature.dimension)))
     }
@@ -231,7 +229,7 @@ impl<'a> Resolver<'a> {
         let (first, second) = (first?, second?);
         let span = arguments[0].span.to(arguments[1].span);
         let nature = self.joined(scope, span, (&[first.0], first.1), (&[second.0], second.1))?;
-        Ok(Value::Vector([first.0, second.0], nature))
+        Ok(Value::Vector(Vec2::new(first.0, second.0), nature))
     }
 
     /// A multiplier times its residual is an energy: that gives its dimension.
@@ -256,35 +254,4 @@ fn function_of_one(name: &str, x: Expr) -> Expr {
         "asin" => x.asin(),
         _ => x.acos(),
     }
-}
-
-/// `ux vx + uy vy`
-pub(super) fn dot(u: [Expr; 2], v: [Expr; 2]) -> Expr {
-    let (x, y) = (u[0] * v[0], u[1] * v[1]);
-    x + y
-}
-
-/// `ux vy - uy vx`
-pub(super) fn cross(u: [Expr; 2], v: [Expr; 2]) -> Expr {
-    let (a, b) = (u[0] * v[1], u[1] * v[0]);
-    a - b
-}
-
-/// The vector turned by 90 degrees.
-pub(super) fn normal(v: [Expr; 2]) -> [Expr; 2] {
-    [-v[1], v[0]]
-}
-
-/// The vector turned by an angle.
-pub(super) fn turn(v: [Expr; 2], angle: Expr) -> [Expr; 2] {
-    let axis = [angle.cos(), angle.sin()];
-    in_axes(axis, v)
-}
-
-/// The vector whose components stand in axes that are turned: `axis` is their first unit vector.
-pub(super) fn in_axes(axis: [Expr; 2], v: [Expr; 2]) -> [Expr; 2] {
-    let [c, s] = axis;
-    let x = cross([c, s], [v[1], v[0]]);
-    let y = dot([s, c], v);
-    [x, y]
 }

@@ -1,9 +1,9 @@
 //! Members: what stands behind a point.
 
 use plm_cas::Expr;
+use plm_cas::algebra::{Rotation, Vec2};
 
 use super::Resolver;
-use super::function::normal;
 use super::instance::InstanceState;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
@@ -48,7 +48,7 @@ impl<'a> Resolver<'a> {
             Value::Frame(frame) => self.frame_member(*frame, name)?,
             Value::Node(node) => self.node_member(*node, name),
             Value::Body(body) => self.body_member(*body, name)?,
-            Value::Vector([x, y], nature) => match name {
+            Value::Vector(Vec2 { x, y }, nature) => match name {
                 "x" => Some(Value::Scalar(*x, *nature)),
                 "y" => Some(Value::Scalar(*y, *nature)),
                 _ => None,
@@ -65,12 +65,12 @@ impl<'a> Resolver<'a> {
         let number = Nature::derived(Dimension::NUMBER, reads);
         let angle = Nature::derived(Dimension::ANGLE, reads);
         Ok(Some(match name {
-            "x" => Value::Scalar(geometry.position[0], length),
-            "y" => Value::Scalar(geometry.position[1], length),
+            "x" => Value::Scalar(geometry.position.x, length),
+            "y" => Value::Scalar(geometry.position.y, length),
             "angle" => Value::Scalar(geometry.angle, angle),
             "position" => Value::Vector(geometry.position, length),
-            "axis" => Value::Vector(geometry.axis, number),
-            "normal" => Value::Vector(normal(geometry.axis), number),
+            "axis" => Value::Vector(geometry.rotation.axis(), number),
+            "normal" => Value::Vector(geometry.rotation.axis().left(), number),
             "velocity" => {
                 let velocity = geometry.position.map(|x| self.total_derivative(x));
                 Value::Vector(velocity, Nature::derived(Dimension::VELOCITY, moving(reads)))
@@ -96,28 +96,28 @@ impl<'a> Resolver<'a> {
         if let Some(port) = self.port_index(body, name) {
             return Ok(Some(Value::Frame(FrameRef { body, port })));
         }
-        let (q, v, a, axis) = if let Some(body) = body {
+        let (q, v, a, rotation) = if let Some(body) = body {
             let body = &self.bodies[body];
-            (body.q, body.v, body.a, body.axis)
+            (body.q, body.v, body.a, body.rotation)
         } else {
-            let (zero, one) = (Expr::ZERO, Expr::ONE);
-            ([zero; 3], [zero; 3], [zero; 3], [one, zero])
+            let zero = [Expr::ZERO; 3];
+            (zero, zero, zero, Rotation::IDENTITY)
         };
         let at = Reads::POSITION;
         let of = |dimension, reads| {
             Nature::derived(dimension, if body.is_some() { reads } else { Reads::NOTHING })
         };
         let scalar = |value: Expr, dimension, reads| Value::Scalar(value, of(dimension, reads));
-        let vector = |of_which: [Expr; 3], dimension, reads| {
-            Value::Vector([of_which[0], of_which[1]], of(dimension, reads))
-        };
+        let vector =
+            |[x, y, _]: [Expr; 3], dimension, reads| Value::Vector(Vec2::new(x, y), of(dimension, reads));
+        let axis = rotation.axis();
         Ok(Some(match name {
             "x" => scalar(q[0], Dimension::LENGTH, at),
             "y" => scalar(q[1], Dimension::LENGTH, at),
             "angle" => scalar(q[2], Dimension::ANGLE, at),
             "position" => vector(q, Dimension::LENGTH, at),
             "axis" => Value::Vector(axis, of(Dimension::NUMBER, at)),
-            "normal" => Value::Vector(normal(axis), of(Dimension::NUMBER, at)),
+            "normal" => Value::Vector(axis.left(), of(Dimension::NUMBER, at)),
             "vx" => scalar(v[0], Dimension::VELOCITY, Reads::VELOCITY),
             "vy" => scalar(v[1], Dimension::VELOCITY, Reads::VELOCITY),
             "omega" => scalar(v[2], Dimension::ANGULAR_VELOCITY, Reads::VELOCITY),

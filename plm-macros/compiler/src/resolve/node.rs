@@ -231,8 +231,7 @@ impl<'a> Resolver<'a> {
         let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ALL)?;
         self.nodes[node].through[k].terms.push(value);
         if let Some(from) = from {
-            let opposite = -value;
-            self.nodes[from].through[k].terms.push(opposite);
+            self.nodes[from].through[k].terms.push(-value);
         }
         Ok(())
     }

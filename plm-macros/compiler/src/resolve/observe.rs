@@ -6,10 +6,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_cas::{Expr, algebra};
+use plm_cas::Expr;
+use plm_cas::algebra::{self, Vec2};
 
 use super::Resolver;
-use super::function::cross;
 use super::row::Action;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
@@ -45,7 +45,7 @@ impl Shown {
     fn push(&mut self, text: String, value: &Value, docs: String) {
         let (components, nature) = match value {
             Value::Scalar(x, nature) => (vec![*x], nature),
-            Value::Vector(v, nature) => (v.to_vec(), nature),
+            Value::Vector(v, nature) => (v.components().to_vec(), nature),
             _ => return,
         };
         if self.names.insert(text.clone()) {
@@ -209,14 +209,14 @@ impl<'a> Resolver<'a> {
     }
 
     /// Force and torque of a part on the body of a frame, about the point of the frame.
-    fn action_on(&mut self, frame: FrameRef, part: usize, actions: &Actions) -> Eval<([Expr; 2], Expr)> {
+    fn action_on(&mut self, frame: FrameRef, part: usize, actions: &Actions) -> Eval<(Vec2, Expr)> {
         let about = self.frame(frame)?.arm;
         let mut terms = [const { Vec::new() }; 3];
         for action in actions.applied[part].iter().filter(|action| action.body == frame.body) {
-            let arm = [0, 1].map(|i| action.arm[i] - about[i]);
-            let moment = cross(arm, action.force);
-            terms[0].push(action.force[0]);
-            terms[1].push(action.force[1]);
+            let arm = action.arm - about;
+            let moment = arm.cross(action.force);
+            terms[0].push(action.force.x);
+            terms[1].push(action.force.y);
             terms[2].extend([action.torque, moment]);
         }
         for &row in &actions.rows[part] {
@@ -224,7 +224,7 @@ impl<'a> Resolver<'a> {
             terms.iter_mut().zip(reaction).for_each(|(sum, term)| sum.push(term));
         }
         let [x, y, torque] = terms.map(|sum| algebra::sum(&sum));
-        Ok(([x, y], torque))
+        Ok((Vec2::new(x, y), torque))
     }
 
     /// `-phi_q^T lambda` of one row on a body as force and torque about a point, an arm from G; on the ground, about a
@@ -232,7 +232,7 @@ impl<'a> Resolver<'a> {
     fn reaction_on(
         &mut self,
         body: Option<usize>,
-        about: [Expr; 2],
+        about: Vec2,
         row: usize,
         coordinates: &BTreeMap<Expr, (usize, usize)>,
     ) -> Eval<[Expr; 3]> {
@@ -245,19 +245,16 @@ impl<'a> Resolver<'a> {
             let q = self.bodies[i].q;
             let [x, y, theta] = q.map(|symbol| phi.diff(symbol));
             // From the point to G.
-            let arm = [0, 1].map(|k| match body {
-                Some(_) => -about[k],
-                None => q[k] - about[k],
-            });
-            let moment = cross(arm, [x, y]);
+            let arm = match body {
+                Some(_) => -about,
+                None => Vec2::new(q[0], q[1]) - about,
+            };
+            let moment = arm.cross(Vec2::new(x, y));
             terms[0].push(x);
             terms[1].push(y);
             terms[2].extend([theta, moment]);
         }
         let factor = if body.is_some() { -lambda } else { lambda };
-        Ok(terms.map(|sum| {
-            let sum = algebra::sum(&sum);
-            factor * sum
-        }))
+        Ok(terms.map(|sum| factor * algebra::sum(&sum)))
     }
 }

@@ -35,7 +35,7 @@ impl<'a> Resolver<'a> {
         let (name, value) = (name?, value?);
         let (components, nature) = match value {
             Value::Scalar(x, nature) => (vec![x], nature),
-            Value::Vector(v, nature) => (v.to_vec(), nature),
+            Value::Vector(v, nature) => (v.components().to_vec(), nature),
             other => return Err(self.not_a_quantity(scope, &ast.value, &other)),
         };
         let unit = match &ast.unit {

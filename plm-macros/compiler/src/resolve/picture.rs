@@ -1,9 +1,9 @@
 //! What pictures show of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
 
 use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
 
 use super::Resolver;
-use super::frame::placed;
 use super::scope::{ScopeId, SlotId};
 use super::value::{Eval, Failed, Reads, Value, all};
 use crate::diag::Code;
@@ -65,7 +65,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
-    pub(super) fn contour(&mut self, body: usize) -> Eval<Vec<[Expr; 2]>> {
+    pub(super) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
         let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
         let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
         let (points, span) = match contour {
@@ -84,10 +84,10 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         }
         let placement = self.placement(body)?;
-        Ok(points.into_iter().map(|at| placed(&placement, at)).collect())
+        Ok(points.into_iter().map(|at| placement.from_centre(at)).collect())
     }
 
-    fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<[Expr; 2]>> {
+    fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<Vec2>> {
         let content = match self.files.get(name) {
             Some(Ok(content)) => content,
             Some(Err(reason)) => {
@@ -100,7 +100,7 @@ impl<'a> Resolver<'a> {
             }
         };
         match outline::read(content) {
-            Ok(points) => Ok(points.into_iter().map(|at| at.map(Expr::from)).collect()),
+            Ok(points) => Ok(points.into_iter().map(|at| Vec2::from(at.map(Expr::from))).collect()),
             Err(outline::Problem { line, column, what }) => {
                 let message = format!("`{name}`, line {line}, column {column}: {what}");
                 Err(self.bad_file(scope, span, message))

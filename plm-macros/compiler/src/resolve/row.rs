@@ -1,9 +1,9 @@
 //! Constraint rows and loads.
 
 use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
 
 use super::Resolver;
-use super::function::cross;
 use super::scope::ScopeId;
 use super::value::{Eval, Failed, Lazy, Reads, Value};
 use crate::diag::{Code, help_similar};
@@ -41,9 +41,9 @@ pub(super) struct Action {
     /// `None` is the ground.
     pub(super) body: Option<usize>,
     /// Where the force acts: from G of the body in absolute axes; on the ground from the origin.
-    pub(super) arm: [Expr; 2],
+    pub(super) arm: Vec2,
     /// Absolute axes.
-    pub(super) force: [Expr; 2],
+    pub(super) force: Vec2,
     /// Beside that of the force.
     pub(super) torque: Expr,
 }
@@ -194,7 +194,7 @@ impl<'a> Resolver<'a> {
         if let Some(from) = from {
             let opposite = match value {
                 Applied::Torque(torque) => Applied::Torque(-torque),
-                Applied::Force(force) => Applied::Force(force.map(|x| -x)),
+                Applied::Force(force) => Applied::Force(-force),
             };
             self.apply((scope, part), from?, opposite, loads)?;
         }
@@ -218,19 +218,18 @@ impl<'a> Resolver<'a> {
         value: Applied,
         loads: &mut Vec<Load>,
     ) -> Eval<()> {
-        let zero = Expr::ZERO;
         let (body, arm) = match target {
             Target::Frame(frame) => (frame.body, self.frame(frame)?.arm),
-            Target::Centre(body) => (body, [zero, zero]),
+            Target::Centre(body) => (body, Vec2::ZERO),
         };
         let (force, torque) = match value {
-            Applied::Torque(torque) => ([zero, zero], torque),
-            Applied::Force(force) => (force, zero),
+            Applied::Torque(torque) => (Vec2::ZERO, torque),
+            Applied::Force(force) => (force, Expr::ZERO),
         };
         self.applied.push(Action { scope, body, arm, force, torque });
-        let moment = cross(arm, force);
-        let force = [force[0], force[1], moment + torque];
-        if let Some(body) = body.filter(|_| force != [zero; 3]) {
+        let moment = arm.cross(force);
+        let force = [force.x, force.y, moment + torque];
+        if let Some(body) = body.filter(|_| force != [Expr::ZERO; 3]) {
             loads.push(Load { body, part, force });
         }
         Ok(())
@@ -245,6 +244,6 @@ enum Target {
 
 #[derive(Clone, Copy)]
 enum Applied {
-    Force([Expr; 2]),
+    Force(Vec2),
     Torque(Expr),
 }

@@ -50,15 +50,9 @@ impl<'a> Resolver<'a> {
         )?;
         let reads = found.iter().fold(Reads::NOTHING, |reads, (_, nature)| reads.and(nature.reads));
         let (mass, lengths) = (found[0].0, &found[1..]);
-        let mut squares = Expr::ZERO;
-        for (length, _) in lengths {
-            let square = (*length).powi(2);
-            squares += square;
-        }
-        let (numerator, denominator) = (Expr::from(shape.numerator), Expr::from(shape.denominator));
-        let factor = numerator / denominator;
-        let mass = factor * mass;
-        let inertia = mass * squares;
+        let squares: Expr = lengths.iter().map(|(length, _)| length.squared()).sum();
+        let factor = Expr::from(shape.numerator) / Expr::from(shape.denominator);
+        let inertia = factor * mass * squares;
         Ok(Value::Scalar(inertia, Nature::derived(Dimension::INERTIA, reads)))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
 
 use super::Resolver;
 use super::expect::literal_text;
@@ -43,7 +43,7 @@ impl<'a> Resolver<'a> {
             ItemKind::Gravity(value) => Some(value),
             _ => None,
         });
-        let (Some(declared), Ok([x, y])) = (declared, self.finish_gravity()) else { return };
+        let (Some(declared), Ok(Vec2 { x, y })) = (declared, self.finish_gravity()) else { return };
         let down = -y;
         let is_upwards = down.as_number().is_some_and(plm_cas::Number::is_negative);
         if !is_upwards || !x.is_zero() {
@@ -61,11 +61,10 @@ impl<'a> Resolver<'a> {
     /// A part of forces and torques alone, all of which are zero whatever happens.
     fn warn_of_idle_parts(&mut self) {
         let mut acts: BTreeMap<usize, bool> = BTreeMap::new();
-        let zero = Expr::ZERO;
         for action in &self.applied {
             if let Some(instance) = self.outermost(action.scope) {
                 let acts = acts.entry(instance).or_insert(false);
-                *acts |= action.force != [zero; 2] || action.torque != zero;
+                *acts |= !action.force.is_zero() || !action.torque.is_zero();
             }
         }
         // What ties or remembers something is not idle.

@@ -1,6 +1,6 @@
 //! Tables: values at points, straight lines or a smooth curve between them.
 
-use plm_cas::{Expr, Number, algebra};
+use plm_cas::{Expr, Number};
 
 use super::Resolver;
 use super::scope::ScopeId;
@@ -73,10 +73,7 @@ fn between(x: Expr, points: &[(Expr, Expr)], segment: impl Fn(usize) -> Vec<Expr
     for k in (0..points.len() - 1).rev() {
         let coefficients = segment(k);
         let along = x - points[k].0;
-        let curve = coefficients.into_iter().rev().reduce(|sum, coefficient| {
-            let product = sum * along;
-            coefficient + product
-        });
+        let curve = coefficients.into_iter().rev().reduce(|sum, coefficient| coefficient + sum * along);
         let below = x.less(points[k + 1].0);
         value = below.select(curve.unwrap_or(value), value);
     }
@@ -87,8 +84,7 @@ fn between(x: Expr, points: &[(Expr, Expr)], segment: impl Fn(usize) -> Vec<Expr
 /// From the first of the points to the second.
 fn line(points: &[(Expr, Expr)]) -> Vec<Expr> {
     let ((x0, y0), (x1, y1)) = (points[0], points[1]);
-    let (rise, run) = (y1 - y0, x1 - x0);
-    vec![y0, rise / run]
+    vec![y0, (y1 - y0) / (x1 - x0)]
 }
 
 /// A curve through points that begins and ends at rest, with a continuous second derivative: cubics that have it so at the
@@ -107,11 +103,7 @@ impl Spline {
         let y: Vec<Expr> = points.iter().map(|point| point.1).collect();
         // Slopes are linear in the values: those of a value of 1 at one point, and 0 at all others, are its weights.
         let columns: Vec<Vec<f64>> = (0..y.len()).map(|of| slopes(&runs, of)).collect();
-        let slope = |k: usize| {
-            let terms: Vec<Expr> =
-                y.iter().zip(&columns).map(|(&y, weights)| scaled(weights[k], y)).collect();
-            algebra::sum(&terms)
-        };
+        let slope = |k: usize| y.iter().zip(&columns).map(|(&y, weights)| scaled(weights[k], y)).sum();
         let slopes = (0..y.len()).map(slope).collect();
         Spline { runs, y, slopes }
     }
@@ -122,31 +114,32 @@ impl Spline {
         if k != 0 && k != last {
             return self.cubic(k);
         }
-        let zero = Expr::ZERO;
-        let from = if k == 0 { zero } else { self.bend(k) };
-        let to = if k == last { zero } else { self.bend(k + 1) };
+        let from = if k == 0 { Expr::ZERO } else { self.bend(k) };
+        let to = if k == last { Expr::ZERO } else { self.bend(k + 1) };
         self.quintic(k, [from, to])
     }
 
-    /// With the values and slopes of its points.
+    /// The cubic with the values and slopes of the two points:
+    /// `y0 + m0 s + (3 (y1 - y0)/h - 2 m0 - m1) s^2/h + (2 (y0 - y1)/h + m0 + m1) s^3/h^2`.
     fn cubic(&self, k: usize) -> Vec<Expr> {
-        let (h, [y0, y1], [m0, m1]) = self.ends(k);
-        let sum = |weights: [f64; 4]| combined(weights, [y0, y1, m0, m1]);
-        let square = sum([-3.0 / (h * h), 3.0 / (h * h), -2.0 / h, -1.0 / h]);
-        let cube = sum([2.0 / (h * h * h), -2.0 / (h * h * h), 1.0 / (h * h), 1.0 / (h * h)]);
-        vec![y0, m0, square, cube]
+        let (h, y, m) = self.ends(k);
+        let ends = [y[0], y[1], m[0], m[1]];
+        let square = combined([-3.0 / (h * h), 3.0 / (h * h), -2.0 / h, -1.0 / h], ends);
+        let cube = combined([2.0 / (h * h * h), -2.0 / (h * h * h), 1.0 / (h * h), 1.0 / (h * h)], ends);
+        vec![y[0], m[0], square, cube]
     }
 
-    /// The second derivative of the cubics at point `k` between the ends.
+    /// The second derivative of the cubics at point `k` between the ends: `2 (3 (y1 - y0)/h - 2 m0 - m1)/h`.
     fn bend(&self, k: usize) -> Expr {
-        let (h, [y0, y1], [m0, m1]) = self.ends(k);
-        combined([-6.0 / (h * h), 6.0 / (h * h), -4.0 / h, -2.0 / h], [y0, y1, m0, m1])
+        let (h, y, m) = self.ends(k);
+        combined([-6.0 / (h * h), 6.0 / (h * h), -4.0 / h, -2.0 / h], [y[0], y[1], m[0], m[1]])
     }
 
-    /// With second derivatives as well.
+    /// The quintic with the values, slopes and second derivatives of the two points. `y0 + m0 s + b0 s^2/2` misses at `h` the
+    /// value by `d`, the slope by `e`, the second derivative by `f`; the other terms are
+    /// `(10 d - 4 e h + f h^2/2) s^3/h^3 + (-15 d + 7 e h - f h^2) s^4/h^4 + (6 d - 3 e h + f h^2/2) s^5/h^5`.
     fn quintic(&self, k: usize, [b0, b1]: [Expr; 2]) -> Vec<Expr> {
         let (h, [y0, y1], [m0, m1]) = self.ends(k);
-        // What value, slope and second derivative at the end miss if the first three terms go on to there.
         let miss = combined([-1.0, 1.0, -h, -0.5 * h * h], [y0, y1, m0, b0]);
         let slope = combined([-1.0, 1.0, -h, 0.0], [m0, m1, b0, b0]);
         let bend = b1 - b0;
@@ -156,10 +149,7 @@ impl Spline {
             combined(weights, [miss, slope, bend, bend])
         };
         let high = [term(3, [10.0, -4.0, 0.5]), term(4, [-15.0, 7.0, -1.0]), term(5, [6.0, -3.0, 0.5])];
-        let half = scaled(0.5, b0);
-        let mut all = vec![y0, m0, half];
-        all.extend(high);
-        all
+        [vec![y0, m0, scaled(0.5, b0)], high.to_vec()].concat()
     }
 
     /// Length, values and slopes of a segment.
@@ -193,8 +183,7 @@ fn scaled(weight: f64, x: Expr) -> Expr {
 }
 
 fn combined(weights: [f64; 4], of: [Expr; 4]) -> Expr {
-    let terms: Vec<Expr> = weights.into_iter().zip(of).map(|(weight, x)| scaled(weight, x)).collect();
-    algebra::sum(&terms)
+    weights.into_iter().zip(of).map(|(weight, x)| scaled(weight, x)).sum()
 }
 
 fn number_of(expr: Expr) -> f64 {

@@ -1,6 +1,7 @@
 //! What an expression of the language stands for.
 
 use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
 
 use crate::model::FrameRef;
 use crate::units::Dimension;
@@ -141,7 +142,7 @@ pub(super) enum Value {
     /// A number with its dimension.
     Scalar(Expr, Nature),
     /// A vector in absolute axes, or any pair of one dimension.
-    Vector([Expr; 2], Nature),
+    Vector(Vec2, Nature),
     /// What `if` asks for.
     Condition(Condition, Reads),
     /// A frame of a body or of the ground.

@@ -69,7 +69,7 @@ pub(crate) fn accelerations(
     let squares = motion.omega.iter().map(squared).collect();
     let mut work = Elimination { model, coordinates, motion, squares, trace: Vec::new() };
     let zero = Expr::ZERO;
-    let [x, y] = model.gravity.map(|gravity| -gravity);
+    let [x, y] = model.gravity.components().map(|gravity| -gravity);
     let mut answers: Vec<Answer> =
         (0..model.bodies.len()).map(|body| work.alone(body, force[body])).collect();
     let mut held = Vec::new();

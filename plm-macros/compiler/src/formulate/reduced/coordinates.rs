@@ -224,7 +224,7 @@ impl Coordinates {
     pub(crate) fn arm(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
         let heading = self.heading(frame);
         let axis = [heading.offset.cos(), heading.offset.sin()];
-        (heading.class, plane::turn(axis, port(model, frame).at))
+        (heading.class, plane::turn(axis, port(model, frame).at.components()))
     }
 
     /// The x axis of a port, in the axes of the class.

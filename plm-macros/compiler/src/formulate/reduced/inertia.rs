@@ -150,7 +150,7 @@ fn product(a: &[Expr], b: &[Expr]) -> Expr {
 /// The acceleration with which the ground would have to move instead of gravity. Where it lies along an axis its size is left
 /// as a factor of whole sums.
 fn against_gravity(model: &Model) -> Term {
-    let [x, y] = model.gravity.map(|gravity| -gravity);
+    let [x, y] = model.gravity.components().map(|gravity| -gravity);
     let (zero, one) = (Expr::ZERO, Expr::ONE);
     let (factor, vector) = match (x == zero, y == zero) {
         (true, _) => (y, [zero, one]),

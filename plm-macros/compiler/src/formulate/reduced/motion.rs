@@ -299,7 +299,7 @@ pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown
 
 /// Absolute position of a port as a function of the pose.
 fn point(model: &Model, frame: FrameRef) -> Vec2 {
-    let at = super::coordinates::port(model, frame).at;
+    let at = super::coordinates::port(model, frame).at.components();
     let Some(body) = frame.body else { return at };
     let [x, y, theta] = model.bodies[body].q;
     let axis = [theta.cos(), theta.sin()];

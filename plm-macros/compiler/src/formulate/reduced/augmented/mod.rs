@@ -128,7 +128,7 @@ fn known(
     for hold in coordinates.order.iter().rev() {
         let body = hold.body;
         for i in 0..2 {
-            let against = reached[body][i] - model.gravity[i];
+            let against = reached[body][i] - model.gravity.components()[i];
             let inertial = model.bodies[body].mass * against;
             let own = inertial - applied[body][i];
             let sum = passed[body][i] + own;
