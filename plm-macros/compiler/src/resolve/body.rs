@@ -4,10 +4,11 @@ use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
-use super::frame::{Placement, PortState};
+use super::frame::{Placement, PortDraft};
+use super::lazy::Lazy;
 use super::member::OF_BODY;
-use super::scope::ScopeId;
-use super::value::{Eval, Failed, Lazy, Reads, Value};
+use super::names::ScopeId;
+use super::value::{Eval, Failed, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::model::{Name, Start};
 use crate::span::Span;
@@ -16,7 +17,7 @@ use crate::units::Dimension;
 
 /// A body on the way to the model.
 #[derive(Debug)]
-pub(super) struct BodyState<'a> {
+pub(super) struct BodyDraft<'a> {
     pub(super) ast: &'a ast::Body,
     pub(super) scope: ScopeId,
     pub(super) name: Name,
@@ -25,7 +26,7 @@ pub(super) struct BodyState<'a> {
     pub(super) a: [Expr; 3],
     /// By `theta`.
     pub(super) rotation: Rotation,
-    pub(super) ports: Vec<PortState<'a>>,
+    pub(super) ports: Vec<PortDraft<'a>>,
     placement: Lazy<Placement>,
 }
 
@@ -48,13 +49,19 @@ impl<'a> Resolver<'a> {
                 continue;
             }
             let Ok(key) = self.key(scope, &port.name) else { continue };
-            let name = format!("{}{key}", self.prefix(scope));
-            if let Some(first) = self.port_index(None, &name) {
-                let first = self.ground[first].ast.name.ident.span;
+            let name = format!("{}{key}", self.names.prefix(scope));
+            if let Some(first) = self.draft.port_index(None, &name) {
+                let first = self.draft.ground[first].ast.name.ident.span;
                 self.duplicate(scope, &key, port.name.ident.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                self.ground.push(PortState { ast: port, name, scope, used: false, frame: Lazy::Waiting });
+                self.draft.ground.push(PortDraft {
+                    ast: port,
+                    name,
+                    scope,
+                    used: false,
+                    frame: Lazy::Waiting,
+                });
             }
         }
     }
@@ -73,28 +80,38 @@ impl<'a> Resolver<'a> {
             return;
         }
         let Ok(key) = self.key(scope, &ast.name) else { return };
-        let name = format!("{}{key}", self.prefix(scope));
+        let name = format!("{}{key}", self.names.prefix(scope));
         let symbols = |prefixes: [&str; 3]| prefixes.map(|of| Expr::symbol(format!("{of}_{name}")));
         let q = symbols(["x", "y", "theta"]);
         let v = symbols(["vx", "vy", "omega"]);
         let a = symbols(["ax", "ay", "alpha"]);
         for i in 0..3 {
-            self.directions.insert(q[i], v[i]);
-            self.directions.insert(v[i], a[i]);
+            self.calculus.changes(q[i], v[i]);
+            self.calculus.changes(v[i], a[i]);
         }
         let rotation = Rotation::by(q[2]);
         rotation.cos.hint(&format!("c_{name}"));
         rotation.sin.hint(&format!("s_{name}"));
         let span = ast.name.ident.span;
-        let slot = self.known_slot(span, Value::Body(Some(self.bodies.len())));
+        let slot = self.names.known_slot(span, Value::Body(Some(self.draft.bodies.len())));
         let ports = self.ports_of(scope, ast);
         let name = Name { text: name, span };
-        self.bodies.push(BodyState { ast, scope, name, q, v, a, rotation, ports, placement: Lazy::Waiting });
+        self.draft.bodies.push(BodyDraft {
+            ast,
+            scope,
+            name,
+            q,
+            v,
+            a,
+            rotation,
+            ports,
+            placement: Lazy::Waiting,
+        });
         self.bind(scope, &ast.name.ident, key, slot);
     }
 
-    fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<PortState<'a>> {
-        let mut ports: Vec<PortState<'a>> = Vec::with_capacity(ast.ports.len());
+    fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<PortDraft<'a>> {
+        let mut ports: Vec<PortDraft<'a>> = Vec::with_capacity(ast.ports.len());
         for port in &ast.ports {
             if let Some(first) = ports.iter().find(|of| of.ast.name.ident.text == port.name.ident.text) {
                 let first = first.ast.name.ident.span;
@@ -102,7 +119,7 @@ impl<'a> Resolver<'a> {
             } else {
                 self.refuse_member_name(scope, port);
                 let name = port.name.ident.text.clone();
-                ports.push(PortState { ast: port, name, scope, used: false, frame: Lazy::Waiting });
+                ports.push(PortDraft { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }
         ports
@@ -110,7 +127,7 @@ impl<'a> Resolver<'a> {
 
     /// A field of a body; said twice, the first counts.
     pub(super) fn body_field(&mut self, body: usize, name: &str) -> Option<&'a ast::Expr> {
-        let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
+        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let mut fields = ast.fields.iter().filter(|(ident, _)| ident.text == name);
         let (first, value) = fields.next()?;
         if let Some((again, _)) = fields.next() {
@@ -127,7 +144,7 @@ impl<'a> Resolver<'a> {
         name: &str,
         dimension: Dimension,
     ) -> Eval<(Expr, Span)> {
-        let (scope, declared) = (self.bodies[body].scope, self.bodies[body].name.clone());
+        let (scope, declared) = (self.draft.bodies[body].scope, self.draft.bodies[body].name.clone());
         let Some(expr) = self.body_field(body, name) else {
             let message = format!("the body `{}` has no {name}", declared.text);
             let help = format!("write `{name}: 1 {};`", dimension.si_unit());
@@ -148,18 +165,12 @@ impl<'a> Resolver<'a> {
 
     /// Where the origin of a body's coordinates is, worked out at its first use.
     pub(super) fn placement(&mut self, body: usize) -> Eval<Placement> {
-        match self.bodies[body].placement {
-            Lazy::Known(placement) => return Ok(placement),
-            Lazy::Busy | Lazy::Failed => return Err(Failed),
-            Lazy::Waiting => self.bodies[body].placement = Lazy::Busy,
-        }
-        let placement = self.evaluate_placement(body);
-        self.bodies[body].placement = placement.map_or(Lazy::Failed, Lazy::Known);
-        placement
+        // Ports are looked at first, and tell of a circle.
+        self.lazy(|of| &mut of.draft.bodies[body].placement, |_| (), |of| of.evaluate_placement(body))
     }
 
     fn evaluate_placement(&mut self, body: usize) -> Eval<Placement> {
-        let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
+        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let drawing = match &ast.coordinates {
             None => false,
             Some(word) if word.text == "relative" => false,
@@ -192,7 +203,7 @@ impl<'a> Resolver<'a> {
 
     /// Reports what is wrong with a body, whether or not anything reads it.
     pub(super) fn check_body(&mut self, body: usize) {
-        let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
+        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         for (k, start) in ast.starts.iter().enumerate() {
             let (text, span) = (start.coordinate.text.as_str(), start.coordinate.span);
             if !COORDINATES.contains(&text) {
@@ -206,7 +217,7 @@ impl<'a> Resolver<'a> {
                     .note_at(first, "it starts first here");
             }
         }
-        for port in 0..self.bodies[body].ports.len() {
+        for port in 0..self.draft.bodies[body].ports.len() {
             let _ = self.frame(crate::model::FrameRef { body: Some(body), port });
         }
     }
@@ -218,12 +229,12 @@ impl<'a> Resolver<'a> {
         let zero = Expr::ZERO;
         let Vec2 { x, y } = placement.centre;
         let drawn = [x, y, placement.drawing_angle, zero, zero, zero];
-        let span = self.bodies[body].name.span;
+        let span = self.draft.bodies[body].name.span;
         let mut starts = [0, 1, 2, 3, 4, 5].map(|i| {
             let value = if placement.drawing { drawn[i] } else { zero };
             Start { value, locked: false, given: false, span }
         });
-        let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
+        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let mut result = Ok(());
         for start in &ast.starts {
             let Some(i) = COORDINATES.iter().position(|name| *name == start.coordinate.text) else {

@@ -16,11 +16,11 @@ pub(super) fn tells_branches(definition: &Definition) -> bool {
 impl Resolver<'_> {
     /// `{ branch: left; }`; where no branch can be asked for, that has been told.
     pub(super) fn ask_for_branch(&mut self, id: usize) {
-        let Some((outer, field)) = self.word(id, BRANCH) else { return };
-        if !tells_branches(self.instances[id].definition) {
+        let Some((outer, field)) = self.names.word(id, BRANCH) else { return };
+        if !tells_branches(self.names.instances[id].definition) {
             return;
         }
-        let part = self.instances[id].part;
+        let part = self.names.instances[id].part;
         let names = Turn::NAMES.map(|(name, _)| name);
         let ExprKind::Name(name) = &field.value.kind else {
             let message = format!("expected one of {}", names.join(", "));
@@ -28,7 +28,7 @@ impl Resolver<'_> {
             return;
         };
         match Turn::NAMES.iter().find(|known| known.0 == name.ident.text) {
-            Some((_, turn)) => self.parts[part].branch = Some((*turn, field.span())),
+            Some((_, turn)) => self.draft.parts[part].branch = Some((*turn, field.span())),
             None => self.unknown_option(outer, &name.ident.text, name.ident.span, &names),
         }
     }

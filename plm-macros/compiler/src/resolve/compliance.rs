@@ -10,7 +10,7 @@ use std::collections::btree_map::Entry;
 use plm_cas::{Expr, Number, algebra};
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Eval, Failed, Reads};
 use crate::diag::Code;
 use crate::model::{Limit, Load, Output, Row, State};
@@ -38,12 +38,11 @@ impl<'a> Resolver<'a> {
     ) -> Eval<(Vec<Row>, Vec<Row>)> {
         let mut multipliers: BTreeMap<usize, Expr> = BTreeMap::new();
         let mut sound = Ok(());
-        for instance in 0..self.instances.len() {
-            if WORDS.iter().all(|word| self.word(instance, word).is_none()) {
+        for instance in 0..self.names.instances.len() {
+            if WORDS.iter().all(|word| self.names.word(instance, word).is_none()) {
                 continue;
             }
-            let within =
-                |row: &usize| self.scopes[self.home(self.rows[*row].scope)].instance == Some(instance);
+            let within = |row: &usize| self.names.instance(self.draft.rows[*row].scope) == Some(instance);
             let of_instance: OfInstance = (0..rows.len()).filter(within).collect();
             let found = self.multipliers(instance, &rows, of_instance);
             sound = sound.and(found.map(|found| multipliers.extend(found)));
@@ -54,7 +53,7 @@ impl<'a> Resolver<'a> {
             let Row { part, phi, lambda: symbol, .. } = rows[row];
             self.push(phi, lambda, part, loads);
             // What gives way is no pair that coordinates could follow.
-            self.parts[part].pair = None;
+            self.draft.parts[part].pair = None;
             rows[row].lambda = lambda;
             stands_for.push((symbol, lambda));
         }
@@ -83,7 +82,7 @@ impl<'a> Resolver<'a> {
         let (mut given, relaxation) = (straight?, relaxation?);
         given.extend(rotary?);
         if let (Some((field, _)), []) = (relaxation, given.as_slice()) {
-            let outer = self.instances[instance].outer;
+            let outer = self.names.instances[instance].outer;
             self.error(outer, Code::MissingValue, field.span(), "a `relaxation` without a `compliance`")
                 .help(format!("write `{{ {COMPLIANCE}: 1e-9 m/N; {RELAXATION}: … }}`"));
             return Err(Failed);
@@ -91,7 +90,7 @@ impl<'a> Resolver<'a> {
         for (row, value) in &mut given {
             let phi = rows[*row].phi;
             let lagging = match relaxation {
-                Some((_, relaxation)) => phi + relaxation * self.total_derivative(phi),
+                Some((_, relaxation)) => phi + relaxation * self.calculus.total_derivative(phi),
                 None => phi,
             };
             *value = lagging / *value;
@@ -107,11 +106,11 @@ impl<'a> Resolver<'a> {
         rows: &[Row],
         own: OfInstance,
     ) -> Eval<Vec<(usize, Expr)>> {
-        let Some((outer, field)) = self.word(instance, word) else { return Ok(Vec::new()) };
+        let Some((outer, field)) = self.names.word(instance, word) else { return Ok(Vec::new()) };
         let expr = &field.value;
         if own.is_empty() {
             let kind = if word == ROTARY { "an angle" } else { "a length" };
-            let of = self.instances[instance].name.clone();
+            let of = self.names.instances[instance].name.clone();
             let message = format!("`{of}` has no constraint that is {kind}, which could have a `{word}`");
             self.error(outer, Code::UnknownField, field.span(), message);
             return Err(Failed);
@@ -136,7 +135,7 @@ impl<'a> Resolver<'a> {
 
     /// The time in which a row that gives way settles.
     fn relaxation(&mut self, instance: usize) -> Eval<Option<(&'a Field, Expr)>> {
-        let Some((outer, field)) = self.word(instance, RELAXATION) else { return Ok(None) };
+        let Some((outer, field)) = self.names.word(instance, RELAXATION) else { return Ok(None) };
         let expr = &field.value;
         let value = self.eval_number(outer, expr, Dimension::TIME, Reads::FIXED)?;
         self.above_zero((instance, outer), (RELAXATION, expr), (value, Dimension::TIME), true)?;
@@ -154,8 +153,15 @@ impl<'a> Resolver<'a> {
         let wrong = |number: &Number| number.is_negative() || (number.is_zero() && !or_zero);
         let number = value.as_number();
         if number.is_none() {
-            let (part, unit) = (self.instances[instance].name.clone(), dimension.si_unit());
-            self.limits.push(Limit { part, what: word.to_owned(), value, unit, or_zero, span: expr.span });
+            let (part, unit) = (self.names.instances[instance].name.clone(), dimension.si_unit());
+            self.draft.limits.push(Limit {
+                part,
+                what: word.to_owned(),
+                value,
+                unit,
+                or_zero,
+                span: expr.span,
+            });
         }
         let Some(number) = number.filter(wrong) else { return Ok(()) };
         let found = super::expect::literal_text(expr).unwrap_or_else(|| number.to_f64().to_string());
@@ -168,17 +174,11 @@ impl<'a> Resolver<'a> {
         Err(Failed)
     }
 
-    /// A word that is set where a joint is used, unless its definition has a parameter of that name.
-    pub(super) fn word(&self, instance: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
-        let is_word = self.instances[instance].definition.is_joint && !self.has_field(instance, word);
-        if is_word { self.field(instance, word) } else { None }
-    }
-
     /// The force `-phi_q^T lambda` on every body that a row holds.
     fn push(&mut self, phi: Expr, lambda: Expr, part: usize, loads: &mut Vec<Load>) {
-        for body in 0..self.bodies.len() {
+        for body in 0..self.draft.bodies.len() {
             let mut force = [Expr::ZERO; 3];
-            for (axis, entry) in algebra::gradient(phi, &self.bodies[body].q) {
+            for (axis, entry) in algebra::gradient(phi, &self.draft.bodies[body].q) {
                 force[axis] = -(entry * lambda);
             }
             if force != [Expr::ZERO; 3] {

@@ -4,7 +4,7 @@ use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Condition, Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
@@ -76,7 +76,7 @@ impl<'a> Resolver<'a> {
             .help("numbers are compared with `<`, `<=`, `>` and `>=`");
             return Err(Failed);
         };
-        let (chosen, options) = self.choices[choice].clone();
+        let (chosen, options) = self.names.choices[choice].clone();
         let text = option.ident.text.as_str();
         if !options.contains(&text) {
             self.unknown_option(scope, text, option.ident.span, &options);

@@ -4,25 +4,29 @@ use std::borrow::Cow;
 
 use plm_cas::Expr;
 
+use super::Resolver;
 use super::expect::Wanted;
-use super::scope::{ScopeId, SlotId, Thunk};
+use super::names::{ScopeId, Thunk};
 use super::value::{Nature, Reads, Value};
-use super::{Resolver, StateState, ValueState};
 use crate::diag::Code;
-use crate::model::{Name, Rung};
-use crate::syntax::ast::{self, ExprKind, Item, ItemKind, Mechanism};
+use crate::model::Name;
+use crate::syntax::ast::{self, ExprKind, Item, ItemKind};
 use crate::units::{Dimension, DisplayUnit};
+
+/// A `param` or an `input` of the mechanism: a field of an emitted type.
+pub(super) struct FieldDraft<'a> {
+    pub(super) ast: &'a ast::Value,
+    pub(super) docs: &'a [String],
+    pub(super) scope: ScopeId,
+    pub(super) name: Name,
+    pub(super) symbol: Expr,
+    pub(super) unit: DisplayUnit,
+}
 
 /// All repetitions together may have so many turns.
 const MAX_TURNS: usize = 4096;
 
 impl<'a> Resolver<'a> {
-    /// The slot of `gravity`; zero if nothing is declared.
-    pub(super) fn default_gravity(&mut self, mechanism: &'a Mechanism) -> SlotId {
-        let zero = Value::Scalar(Expr::ZERO, Nature::written(Dimension::ACCELERATION, Reads::NOTHING));
-        self.known_slot(mechanism.name.span, zero)
-    }
-
     /// Binds what items declare, in a scope; inside a part, with the index of the mechanism's part that it belongs to.
     pub(super) fn declare(&mut self, items: &'a [Item], scope: ScopeId, part: Option<usize>) {
         for item in items {
@@ -48,60 +52,10 @@ impl<'a> Resolver<'a> {
                 ItemKind::Node(node) => self.declare_node(scope, node),
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs, &item.docs),
                 ItemKind::Picture(names) => self.declare_picture(scope, names),
-                ItemKind::Observe(list) => self.observed.extend(list.iter().map(|expr| (scope, expr))),
+                ItemKind::Observe(list) => self.draft.observed.extend(list.iter().map(|expr| (scope, expr))),
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.
                 ItemKind::Pair(_) | ItemKind::Definition(_) | ItemKind::Domain(_) => {}
-            }
-        }
-    }
-
-    fn declare_gravity(&mut self, scope: ScopeId, item: &'a Item, value: &'a ast::Expr) {
-        let reads = Reads::SCHEDULED.and(Reads::INPUT);
-        let thunk =
-            Thunk { scope, expr: value, wanted: Wanted::NumberOrVector(Dimension::ACCELERATION, reads) };
-        if self.gravity_is_declared {
-            let first = self.slots[self.gravity].span;
-            self.error(scope, Code::RepeatedItem, item.span, "gravity is declared twice")
-                .note_at(first, "it is declared first here");
-            return;
-        }
-        self.gravity_is_declared = true;
-        self.gravity = self.waiting_slot(item.span, thunk);
-        self.checks.push(self.gravity);
-    }
-
-    fn declare_stabilisation(&mut self, scope: ScopeId, method: &'a ast::Ident, time: Option<&'a ast::Expr>) {
-        if let Some((first, _)) = self.stabilisation {
-            let first = first.span;
-            self.error(scope, Code::RepeatedItem, method.span, "the stabilisation is declared twice")
-                .note_at(first, "it is declared first here");
-        } else if method.text == "projection" || method.text == "baumgarte" {
-            self.stabilisation = Some((method, time));
-        } else {
-            self.unknown_option(scope, &method.text, method.span, &["projection", "baumgarte"]);
-        }
-    }
-
-    fn declare_rung(&mut self, scope: ScopeId, rung: &'a ast::Ident) {
-        if let Some(first) = self.rung {
-            let first = first.span;
-            self.error(scope, Code::RepeatedItem, rung.span, "the rung is declared twice")
-                .note_at(first, "it is declared first here");
-        } else if Rung::NAMES.iter().any(|(name, _)| rung.text == *name) {
-            self.rung = Some(rung);
-        } else {
-            self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map(|(name, _)| name));
-        }
-    }
-
-    fn declare_allowed(&mut self, codes: &'a [ast::Ident]) {
-        for code in codes {
-            if Code::ALL.iter().any(|known| known.id() == code.text && known.id().starts_with('W')) {
-                self.allowed.push(code.text.clone());
-            } else {
-                let message = format!("there is no warning `{}` to allow", code.text);
-                self.sink.warning(Code::UnknownCode, code.span, message);
             }
         }
     }
@@ -111,18 +65,18 @@ impl<'a> Resolver<'a> {
         self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let span = ast.name.ident.span;
-        let slot = if let Some(instance) = self.scopes[self.home(scope)].instance {
+        let slot = if let Some(instance) = self.names.instance(scope) {
             self.field_slot(instance, scope, ast, &unit, kind)
         } else {
             let name = Name { text: key.to_string(), span };
             let symbol = Expr::symbol(&name.text);
             let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
             if kind == Reads::INPUT {
-                self.input_symbols.push(symbol);
+                self.calculus.held.push(symbol);
             }
-            let fields = if kind == Reads::PARAM { &mut self.params } else { &mut self.inputs };
-            fields.push(ValueState { ast, docs: &item.docs, scope, name, symbol, unit });
-            self.known_slot(span, value)
+            let fields = if kind == Reads::PARAM { &mut self.draft.params } else { &mut self.draft.inputs };
+            fields.push(FieldDraft { ast, docs: &item.docs, scope, name, symbol, unit });
+            self.names.known_slot(span, value)
         };
         let what = if kind == Reads::INPUT { "input" } else { "parameter" };
         self.should_be_read(what, &ast.name.ident, slot);
@@ -130,7 +84,11 @@ impl<'a> Resolver<'a> {
     }
 
     /// The key and the unit of a declared value. Without a unit, that of its default counts.
-    fn name_and_unit(&mut self, scope: ScopeId, ast: &'a ast::Value) -> Option<(Cow<'a, str>, DisplayUnit)> {
+    pub(super) fn name_and_unit(
+        &mut self,
+        scope: ScopeId,
+        ast: &'a ast::Value,
+    ) -> Option<(Cow<'a, str>, DisplayUnit)> {
         let key = self.key(scope, &ast.name).ok()?;
         let unit = match (&ast.unit, &ast.value) {
             (Some(unit), _) | (None, Some(ast::Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
@@ -145,7 +103,7 @@ impl<'a> Resolver<'a> {
                     self.error(scope, Code::MissingUnit, span, message).help(help);
                 }
                 // What reads it has been told already.
-                let slot = self.failed_slot(span);
+                let slot = self.names.failed_slot(span);
                 self.bind(scope, &ast.name.ident, key, slot);
                 return None;
             }
@@ -153,72 +111,21 @@ impl<'a> Resolver<'a> {
         Some((key, unit))
     }
 
-    fn declare_state(&mut self, scope: ScopeId, ast: &'a ast::Value) {
-        self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
-        let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
-        let text = format!("{}{key}", self.prefix(scope));
-        let symbol = Expr::symbol(&text);
-        let stand_in = Expr::symbol(format!("rate_{text}"));
-        self.directions.insert(symbol, stand_in);
-        let name = Name { text, span: ast.name.ident.span };
-        let value = Value::Scalar(symbol, Nature::written(unit.dimension, Reads::STATE));
-        self.state_of.insert(symbol, self.states.len());
-        let set = self.scopes[self.home(scope)].instance.and_then(|instance| self.field(instance, &key));
-        let (start, locked) = match set {
-            Some((outer, field)) => (Some((outer, &field.value)), field.locked.is_some()),
-            None => (ast.value.as_ref().map(|value| (scope, value)), ast.locked),
-        };
-        self.states.push(StateState { ast, scope, name, symbol, unit, start, locked, stand_in, rate: None });
-        let slot = self.known_slot(ast.name.ident.span, value);
-        self.bind(scope, &ast.name.ident, key, slot);
-    }
-
-    fn declare_rate(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a ast::Expr) {
-        self.late_rates.push((scope, name, value));
-    }
-
-    /// Rates are given to their states when all states are declared.
-    pub(super) fn assign_rates(&mut self) {
-        for (scope, name, value) in std::mem::take(&mut self.late_rates) {
-            let Ok(key) = self.key(scope, name) else { continue };
-            let span = name.ident.span;
-            let slot = self.find(scope, &key).map(|slot| self.force(slot, scope, span));
-            let state = match slot {
-                Some(Err(_)) => continue,
-                Some(Ok(Value::Scalar(symbol, _))) => self.state_of.get(&symbol).copied(),
-                _ => None,
-            };
-            let Some(state) = state else {
-                let message = format!("there is no state `{key}`");
-                self.error(scope, Code::StateRate, span, message)
-                    .help(format!("write `state {key}: unit = 0;`"));
-                continue;
-            };
-            let state = &mut self.states[state];
-            match state.rate {
-                None => state.rate = Some((scope, value, span)),
-                Some((.., first)) => {
-                    self.error(scope, Code::StateRate, span, format!("the state `{key}` has two rates"))
-                        .note_at(first, "the first stands here");
-                }
-            }
-        }
-    }
-
     fn declare_let(&mut self, scope: ScopeId, name: &'a ast::IndexedName, value: &'a ast::Expr) {
         self.refuse_unit_name(scope, name, dimension_of(None, Some(value)));
         let Ok(key) = self.key(scope, name) else { return };
-        let slot = self.waiting_slot(name.ident.span, Thunk { scope, expr: value, wanted: Wanted::Anything });
-        self.checks.push(slot);
+        let slot =
+            self.names.waiting_slot(name.ident.span, Thunk { scope, expr: value, wanted: Wanted::Anything });
+        self.names.checks.push(slot);
         self.should_be_read("`let`", &name.ident, slot);
         self.bind(scope, &name.ident, key, slot);
     }
 
     fn declare_outputs(&mut self, scope: ScopeId, outputs: &'a [ast::Output], docs: &'a [String]) {
-        let home = self.home(scope);
+        let home = self.names.home(scope);
         for output in outputs {
-            if self.scopes[home].instance.is_none() {
-                self.outputs.push((scope, output, docs));
+            if self.names.instance(scope).is_none() {
+                self.draft.outputs.push((scope, output, docs));
                 continue;
             }
             let ((Some(name), _) | (None, ExprKind::Name(name))) = (&output.name, &output.value.kind) else {
@@ -229,14 +136,14 @@ impl<'a> Resolver<'a> {
             };
             let Ok(key) = self.key(scope, name) else { continue };
             let thunk = Thunk { scope, expr: &output.value, wanted: Wanted::Anything };
-            let slot = self.waiting_slot(name.ident.span, thunk);
-            match self.scopes[home].outputs.get(&key) {
+            let slot = self.names.waiting_slot(name.ident.span, thunk);
+            match self.names.scopes[home].outputs.get(&key) {
                 Some(first) => {
-                    let first = self.slots[*first].span;
+                    let first = self.names.slots[*first].span;
                     self.duplicate(scope, &key, name.ident.span, first);
                 }
                 None => {
-                    self.scopes[home].outputs.insert(key, slot);
+                    self.names.scopes[home].outputs.insert(key, slot);
                 }
             }
         }
@@ -247,15 +154,15 @@ impl<'a> Resolver<'a> {
         let (Ok(from), Ok(to)) = bounds else { return };
         let to = if repeat.inclusive { to.saturating_add(1) } else { to };
         for index in from..to {
-            self.turns += 1;
-            if self.turns > MAX_TURNS {
+            self.draft.turns += 1;
+            if self.draft.turns > MAX_TURNS {
                 let message = format!("more than {MAX_TURNS} repetitions in all");
                 self.error(scope, Code::TooMany, repeat.from.span.to(repeat.to.span), message);
                 return;
             }
-            let turn = self.new_scope(Some(scope), None);
+            let turn = self.names.new_scope(Some(scope), None);
             let value = Value::Scalar(Expr::from(index), Nature::BARE);
-            let slot = self.known_slot(repeat.index.span, value);
+            let slot = self.names.known_slot(repeat.index.span, value);
             self.bind(turn, &repeat.index, Cow::Borrowed(&repeat.index.text), slot);
             self.declare(&repeat.items, turn, part);
         }
@@ -263,7 +170,7 @@ impl<'a> Resolver<'a> {
 
     /// In a repetition a name that the rest of the mechanism can see needs an index.
     pub(super) fn needs_index(&mut self, scope: ScopeId, name: &ast::IndexedName) -> bool {
-        let repeated = self.scopes[scope].parent.is_some() && name.indices.is_empty();
+        let repeated = self.names.scopes[scope].parent.is_some() && name.indices.is_empty();
         if repeated {
             let text = &name.ident.text;
             self.error(
@@ -279,7 +186,7 @@ impl<'a> Resolver<'a> {
 }
 
 /// The dimension that a declaration shows, by its unit or by a literal.
-fn dimension_of(unit: Option<&DisplayUnit>, value: Option<&ast::Expr>) -> Option<Dimension> {
+pub(super) fn dimension_of(unit: Option<&DisplayUnit>, value: Option<&ast::Expr>) -> Option<Dimension> {
     match (unit, value) {
         (Some(unit), _) | (None, Some(ast::Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
             Some(unit.dimension)

@@ -4,7 +4,7 @@ use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Eval, Failed, Form, Nature, Reads, Value};
 use crate::diag::Code;
 use crate::syntax::ast::{self, ExprKind};
@@ -167,7 +167,7 @@ impl<'a> Resolver<'a> {
         found: &Value,
     ) -> Failed {
         let ports = match found {
-            Value::Body(body) if wanted == "a frame" => self.port_names(*body),
+            Value::Body(body) if wanted == "a frame" => self.draft.port_names(*body),
             _ => Vec::new(),
         };
         let message = format!("expected {wanted}, found {}", found.kind());

@@ -5,7 +5,7 @@ use plm_cas::{Expr, Node, Number};
 
 use super::Resolver;
 use super::expect::whole_number;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Condition, Eval, Failed, Form, Nature, Reads, Value};
 use crate::diag::Code;
 use crate::span::Span;

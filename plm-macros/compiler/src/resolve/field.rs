@@ -4,9 +4,31 @@
 use super::Resolver;
 use super::branch::{BRANCH, tells_branches};
 use super::compliance::WORDS;
-use super::scope::ScopeId;
+use super::names::{Names, ScopeId};
 use crate::diag::{Code, help_similar};
 use crate::syntax::ast::{Field, Instance, Item, ItemKind};
+
+impl<'a> Names<'a> {
+    /// What the uses around a part set for a name inside it. The outermost has the last word.
+    pub(super) fn field(&self, part: usize, name: &str) -> Option<(ScopeId, &'a Field)> {
+        let mut path = name.to_string();
+        let mut found = None;
+        for part in std::iter::once(part).chain(self.around(self.instances[part].outer)) {
+            let part = &self.instances[part];
+            let here = part.fields.iter().find(|(of, _)| *of == path);
+            found = here.map(|(_, field)| (part.outer, *field)).or(found);
+            path = format!("{}.{path}", part.key);
+        }
+        found
+    }
+
+    /// What the use of a joint sets for a word of the language, unless its definition has a parameter of that name.
+    pub(super) fn word(&self, joint: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
+        let definition = self.instances[joint].definition;
+        let is_parameter = definition.items.iter().any(|item| field_name(&item.kind) == Some(word));
+        if definition.is_joint && !is_parameter { self.field(joint, word) } else { None }
+    }
+}
 
 impl<'a> Resolver<'a> {
     /// The fields of a use with their paths as text.
@@ -21,30 +43,10 @@ impl<'a> Resolver<'a> {
         fields
     }
 
-    /// What the uses around a part set for a name inside it. The outermost has the last word.
-    pub(super) fn field(&self, id: usize, name: &str) -> Option<(ScopeId, &'a Field)> {
-        let mut path = name.to_string();
-        let mut found = None;
-        let mut next = Some(id);
-        while let Some(id) = next {
-            let instance = &self.instances[id];
-            let here = instance.fields.iter().find(|(of, _)| *of == path);
-            found = here.map(|(_, field)| (instance.outer, *field)).or(found);
-            path = format!("{}.{path}", instance.key);
-            next = self.scopes[self.home(instance.outer)].instance;
-        }
-        found
-    }
-
-    /// Does the definition of a part have a field of this name?
-    pub(super) fn has_field(&self, id: usize, name: &str) -> bool {
-        self.instances[id].definition.items.iter().any(|item| field_name(&item.kind) == Some(name))
-    }
-
     /// Every field that is set must exist, and be set once.
     pub(super) fn check_fields(&mut self, id: usize) {
-        let outer = self.instances[id].outer;
-        let fields = self.instances[id].fields.clone();
+        let outer = self.names.instances[id].outer;
+        let fields = self.names.instances[id].fields.clone();
         for (k, (path, field)) in fields.iter().enumerate() {
             self.check_field(id, (path, field));
             if let Some((_, first)) = fields[..k].iter().find(|(before, _)| before == path) {
@@ -57,7 +59,7 @@ impl<'a> Resolver<'a> {
 
     fn check_field(&mut self, id: usize, (path, field): (&str, &'a Field)) {
         let Some((last, parts)) = field.path.split_last() else { return };
-        let (mut definition, outer) = (self.instances[id].definition, self.instances[id].outer);
+        let (mut definition, outer) = (self.names.instances[id].definition, self.names.instances[id].outer);
         for part in parts {
             let inner = part_named(&definition.items, &part.ident.text);
             let Some(inner) = inner.and_then(|kind| self.library.get(kind)) else {
@@ -81,7 +83,7 @@ impl<'a> Resolver<'a> {
             known.push(BRANCH);
         }
         if required.contains(&text) && !known.contains(&text) {
-            let name = format!("{}.{path}", self.instances[id].name);
+            let name = format!("{}.{path}", self.names.instances[id].name);
             self.switch_requirement(outer, name, field);
         }
         known.extend(required);

@@ -4,9 +4,10 @@ use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 use super::Resolver;
-use super::value::{Eval, Failed, Reads, Value, all};
+use super::declare::FieldDraft;
+use super::value::{Eval, Reads, all};
 use crate::diag::Code;
-use crate::model::{Body, FrameRef, Input, Model, Name, Param, Port, Row, Rung, Stabilisation, State};
+use crate::model::{Body, FrameRef, Input, Model, Name, Param, Port, Row};
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -44,20 +45,20 @@ impl<'a> Resolver<'a> {
             docs: mechanism.docs.clone(),
             crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
             graph: Graph::new(),
-            time: self.time,
-            most_growth: self.most_growth,
-            agreement: self.agreement,
+            time: self.calculus.time,
+            most_growth: self.calculus.most_growth,
+            agreement: self.calculus.agreement,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
-            rung: self.rung.and_then(|rung| Some((Rung::named(&rung.text)?, rung.span))),
+            rung: self.draft.settings.rung,
             params: params.ok()?,
             inputs: inputs.ok()?,
             bodies: bodies.ok()?,
             ground: ground.ok()?,
-            parts: self.parts,
+            parts: self.draft.parts,
             rows,
             compliant,
-            limits: self.limits,
+            limits: self.draft.limits,
             jumps: Vec::new(),
             released: Vec::new(),
             loads,
@@ -67,13 +68,13 @@ impl<'a> Resolver<'a> {
             files: self.files.keys().cloned().collect(),
             sides,
             kinks: Vec::new(),
-            allowed: self.allowed,
+            allowed: self.draft.settings.allowed,
         })
     }
 
     /// Defaults of parameters may read parameters that stand above them.
     fn finish_params(&mut self) -> Eval<Vec<Param>> {
-        let states = std::mem::take(&mut self.params);
+        let states = std::mem::take(&mut self.draft.params);
         all(states.into_iter().map(|state| {
             let required = state.ast.value.is_none();
             let default = if required { Expr::ONE } else { self.default_of(&state)? };
@@ -88,7 +89,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn finish_inputs(&mut self) -> Eval<Vec<Input>> {
-        let states = std::mem::take(&mut self.inputs);
+        let states = std::mem::take(&mut self.draft.inputs);
         all(states.into_iter().map(|state| {
             let default = self.default_of(&state)?;
             let docs = state.docs.to_vec();
@@ -96,44 +97,15 @@ impl<'a> Resolver<'a> {
         }))
     }
 
-    fn default_of(&mut self, state: &super::ValueState<'a>) -> Eval<Expr> {
+    fn default_of(&mut self, state: &FieldDraft<'a>) -> Eval<Expr> {
         match &state.ast.value {
             Some(expr) => self.eval_number(state.scope, expr, state.unit.dimension, Reads::FIXED),
             None => Ok(Expr::ZERO),
         }
     }
 
-    /// The acceleration of gravity; a number is its size downwards.
-    pub(super) fn finish_gravity(&mut self) -> Eval<Vec2> {
-        let span = self.slots[self.gravity].span;
-        match self.force(self.gravity, 0, span)? {
-            Value::Scalar(gravity, _) => Ok(Vec2::new(Expr::ZERO, -gravity)),
-            Value::Vector(gravity, _) => Ok(gravity),
-            _ => Err(Failed),
-        }
-    }
-
-    fn finish_stabilisation(&mut self) -> Eval<Stabilisation> {
-        let Some((method, time)) = self.stabilisation else { return Ok(Stabilisation::Projection) };
-        match time {
-            None if method.text == "projection" => Ok(Stabilisation::Projection),
-            // The time constant that the manual's own integrator was found to need (issue 2, point 5).
-            None => {
-                let tenth = plm_cas::Number::rational(1, 10).ok_or(Failed)?;
-                Ok(Stabilisation::Baumgarte(Expr::from(tenth)))
-            }
-            Some(time) if method.text == "projection" => {
-                self.error(0, Code::UnexpectedToken, time.span, "projection has no time constant");
-                Err(Failed)
-            }
-            Some(time) => {
-                self.eval_number(0, time, Dimension::TIME, Reads::FIXED).map(Stabilisation::Baumgarte)
-            }
-        }
-    }
-
     fn finish_bodies(&mut self) -> Eval<Vec<Body>> {
-        all((0..self.bodies.len()).map(|body| self.finish_body(body)))
+        all((0..self.draft.bodies.len()).map(|body| self.finish_body(body)))
     }
 
     fn finish_body(&mut self, body: usize) -> Eval<Body> {
@@ -141,13 +113,13 @@ impl<'a> Resolver<'a> {
         let inertia = self.body_quantity(body, "inertia", Dimension::INERTIA);
         let starts = self.starts(body);
         let contour = self.contour(body);
-        let (depth, scope) = (self.body_field(body, "depth"), self.bodies[body].scope);
+        let (depth, scope) = (self.body_field(body, "depth"), self.draft.bodies[body].scope);
         let depth = self.depth(scope, depth);
         let ports = self.finish_ports(Some(body));
         let placement = self.placement(body)?;
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let [x, y, angle, vx, vy, omega] = starts?;
-        let state = &self.bodies[body];
+        let state = &self.draft.bodies[body];
         Ok(Body {
             name: state.name.clone(),
             mass,
@@ -167,11 +139,11 @@ impl<'a> Resolver<'a> {
     }
 
     fn finish_ports(&mut self, body: Option<usize>) -> Eval<Vec<Port>> {
-        let count = body.map_or(self.ground.len(), |body| self.bodies[body].ports.len());
+        let count = body.map_or(self.draft.ground.len(), |body| self.draft.bodies[body].ports.len());
         all((0..count).map(|port| {
             let frame = FrameRef { body, port };
             let geometry = self.frame(frame)?;
-            let state = self.port(frame);
+            let state = self.draft.port(frame);
             let (ast, scope, used) = (state.ast, state.scope, state.used);
             let name = Name { text: state.name.clone(), span: ast.name.ident.span };
             let depth = self.depth(scope, ast.depth.as_ref())?;
@@ -180,10 +152,10 @@ impl<'a> Resolver<'a> {
     }
 
     fn finish_rows(&mut self) -> Eval<Vec<Row>> {
-        all((0..self.rows.len()).map(|row| {
+        all((0..self.draft.rows.len()).map(|row| {
             let residual = self.row(row)?;
             let declared = self.row_declared(row);
-            let state = &self.rows[row];
+            let state = &self.draft.rows[row];
             Ok(Row {
                 name: state.name.clone(),
                 part: state.part,
@@ -194,32 +166,5 @@ impl<'a> Resolver<'a> {
                 unit: DisplayUnit::si(residual.dimension),
             })
         }))
-    }
-
-    fn finish_states(&mut self) -> Vec<State> {
-        self.assign_rates();
-        let mut states = Vec::with_capacity(self.states.len());
-        for k in 0..self.states.len() {
-            let (ast, scope, unit) = (self.states[k].ast, self.states[k].scope, self.states[k].unit.clone());
-            let (name, locked) = (self.states[k].name.clone(), self.states[k].locked);
-            let start = match self.states[k].start {
-                Some((scope, expr)) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
-                None => Ok(Expr::ZERO),
-            };
-            let Some((scope, rate, _)) = self.states[k].rate else {
-                let text = &ast.name.ident.text;
-                let message = format!("the state `{}` has no rate", name.text);
-                self.error(scope, Code::StateRate, name.span, message)
-                    .help(format!("write `rate {text} = …;`"));
-                continue;
-            };
-            let dimension = unit.dimension.over(Dimension::TIME);
-            let rate = self.eval_number(scope, rate, dimension, Reads::ALL);
-            if let (Ok(start), Ok(rate)) = (start, rate) {
-                let symbol = self.states[k].symbol;
-                states.push(State { name, symbol, rate, start, locked, unit });
-            }
-        }
-        states
     }
 }

@@ -8,8 +8,10 @@ use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
 use super::Resolver;
-use super::scope::ScopeId;
-use super::value::{Eval, Failed, Lazy, Reads};
+use super::draft::Draft;
+use super::lazy::Lazy;
+use super::names::ScopeId;
+use super::value::{Eval, Reads};
 use crate::diag::Code;
 use crate::model::FrameRef;
 use crate::syntax::ast;
@@ -17,7 +19,7 @@ use crate::units::Dimension;
 
 /// A port on the way from its declaration to its frame.
 #[derive(Debug)]
-pub(super) struct PortState<'a> {
+pub(super) struct PortDraft<'a> {
     pub(super) ast: &'a ast::Port,
     /// Its name; of a ground port in a part, with the path of the part.
     pub(super) name: String,
@@ -56,35 +58,16 @@ pub(super) struct Placement {
     pub(super) centre: Vec2,
 }
 
-impl<'a> Resolver<'a> {
-    /// The frame of a port, worked out at its first use.
-    pub(super) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
-        let port = self.port(frame);
-        let (ast, scope) = (port.ast, port.scope);
-        match std::mem::replace(&mut port.frame, Lazy::Busy) {
-            Lazy::Known(geometry) => {
-                self.port(frame).frame = Lazy::Known(geometry);
-                return Ok(geometry);
-            }
-            Lazy::Failed => {
-                self.port(frame).frame = Lazy::Failed;
-                return Err(Failed);
-            }
-            Lazy::Busy => {
-                self.error(scope, Code::Cycle, ast.name.ident.span, "the place of this port needs itself");
-                return Err(Failed);
-            }
-            Lazy::Waiting => {}
+impl<'a> Draft<'a> {
+    /// Ports of a body or, without one, of the ground.
+    pub(super) fn ports(&self, body: Option<usize>) -> &[PortDraft<'a>] {
+        match body {
+            Some(body) => &self.bodies[body].ports,
+            None => &self.ground,
         }
-        let geometry = match frame.body {
-            Some(body) => self.body_frame(body, scope, ast),
-            None => self.ground_frame(scope, ast),
-        };
-        self.port(frame).frame = geometry.map_or(Lazy::Failed, Lazy::Known);
-        geometry
     }
 
-    pub(super) fn port(&mut self, frame: FrameRef) -> &mut PortState<'a> {
+    pub(super) fn port(&mut self, frame: FrameRef) -> &mut PortDraft<'a> {
         match frame.body {
             Some(body) => &mut self.bodies[body].ports[frame.port],
             None => &mut self.ground[frame.port],
@@ -92,19 +75,29 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn port_index(&self, body: Option<usize>, name: &str) -> Option<usize> {
-        let ports = match body {
-            Some(body) => &self.bodies[body].ports,
-            None => &self.ground,
-        };
-        ports.iter().position(|port| port.name == name)
+        self.ports(body).iter().position(|port| port.name == name)
     }
 
     pub(super) fn port_names(&self, body: Option<usize>) -> Vec<String> {
-        let ports = match body {
-            Some(body) => &self.bodies[body].ports,
-            None => &self.ground,
-        };
-        ports.iter().map(|port| port.name.clone()).collect()
+        self.ports(body).iter().map(|port| port.name.clone()).collect()
+    }
+}
+
+impl<'a> Resolver<'a> {
+    /// The frame of a port, worked out at its first use.
+    pub(super) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
+        let port = self.draft.port(frame);
+        let (ast, scope) = (port.ast, port.scope);
+        self.lazy(
+            |of| &mut of.draft.port(frame).frame,
+            |of| {
+                of.error(scope, Code::Cycle, ast.name.ident.span, "the place of this port needs itself");
+            },
+            |of| match frame.body {
+                Some(body) => of.body_frame(body, scope, ast),
+                None => of.ground_frame(scope, ast),
+            },
+        )
     }
 
     /// Position and angle of a port as they were written.
@@ -131,7 +124,7 @@ impl<'a> Resolver<'a> {
         let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
         let placement = self.placement(body)?;
         let local = placement.from_centre(at);
-        let state = &self.bodies[body];
+        let state = &self.draft.bodies[body];
         let [x, y, theta] = state.q;
         let arm = state.rotation * local;
         let own_rotation = Rotation::by(alpha);

@@ -4,7 +4,7 @@ use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::shape;
 use super::unknown::function_elsewhere;
 use super::value::{Eval, Failed, Form, Nature, Reads, Value};
@@ -237,7 +237,7 @@ impl<'a> Resolver<'a> {
         let row = self.lookup_row(scope, row)?;
         let dimension = self.row(row)?.dimension;
         let dimension = Dimension::TORQUE.over(dimension).plain();
-        Ok((self.rows[row].lambda, Nature::derived(dimension, Reads::REACTION)))
+        Ok((self.draft.rows[row].lambda, Nature::derived(dimension, Reads::REACTION)))
     }
 }
 

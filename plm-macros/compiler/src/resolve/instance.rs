@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use super::Resolver;
 use super::expect::Wanted;
-use super::scope::{ScopeId, SlotId, Thunk};
+use super::names::{ScopeId, SlotId, Thunk};
 use super::value::{Reads, Value};
-use crate::diag::Code;
+use crate::diag::{Code, Use};
 use crate::model::{Declared, FrameRef, Name, Pair, Part};
 use crate::span::Span;
 use crate::syntax::ast::{self, Definition, Field, Instance, ItemKind};
@@ -20,7 +20,7 @@ const MAX_INSTANCES: usize = 1 << 14;
 
 /// A part in use.
 #[derive(Debug)]
-pub(super) struct InstanceState<'a> {
+pub(super) struct PartInUse<'a> {
     pub(super) definition: &'a Definition,
     pub(super) ast: &'a Instance,
     /// Full path, `arm.spring`.
@@ -42,6 +42,13 @@ pub(super) struct InstanceState<'a> {
     pub(super) arguments: Vec<SlotId>,
 }
 
+impl PartInUse<'_> {
+    /// As one of the uses that lead to a place inside it.
+    pub(super) fn as_use(&self) -> Use {
+        Use { span: self.span, instance: self.name.clone(), part: self.definition.name.text.clone() }
+    }
+}
+
 impl<'a> Resolver<'a> {
     pub(super) fn declare_instance(&mut self, scope: ScopeId, ast: &'a Instance, part: Option<usize>) {
         if self.needs_index(scope, &ast.name) {
@@ -51,16 +58,16 @@ impl<'a> Resolver<'a> {
         let Some(definition) = self.library.get(&ast.kind.text) else {
             self.unknown_part(scope, ast);
             // What reads it has been told already.
-            let slot = self.failed_slot(ast.name.ident.span);
+            let slot = self.names.failed_slot(ast.name.ident.span);
             self.bind(scope, &ast.name.ident, key, slot);
             return;
         };
         if !self.may_contain(scope, ast, definition) {
             return;
         }
-        let name = format!("{}{key}", self.prefix(scope));
+        let name = format!("{}{key}", self.names.prefix(scope));
         let span = ast.name.ident.span;
-        let id = self.instances.len();
+        let id = self.names.instances.len();
         let stated = self.pair_of(definition);
         let pair = stated.map(|(pair, _)| pair);
         // A joint inside a part is walked through like any other.
@@ -68,15 +75,15 @@ impl<'a> Resolver<'a> {
         let index = match part {
             Some(part) if !is_part => part,
             _ => {
-                let span = part.map_or(span, |part| self.parts[part].name.span);
+                let span = part.map_or(span, |part| self.draft.parts[part].name.span);
                 self.new_part(&name, span, definition, pair)
             }
         };
         let fields = self.fields_of(scope, ast);
-        let inside = self.new_scope(None, Some(id));
-        let ground = self.known_slot(span, Value::Body(None));
-        self.scopes[inside].names.insert("ground".into(), ground);
-        self.instances.push(InstanceState {
+        let inside = self.names.new_scope(None, Some(id));
+        let ground = self.names.known_slot(span, Value::Body(None));
+        self.names.scopes[inside].names.insert("ground".into(), ground);
+        self.names.instances.push(PartInUse {
             definition,
             ast,
             name,
@@ -89,13 +96,13 @@ impl<'a> Resolver<'a> {
             is_part,
             arguments: Vec::new(),
         });
-        let slot = self.known_slot(span, Value::Instance(id));
+        let slot = self.names.known_slot(span, Value::Instance(id));
         self.bind(scope, &ast.name.ident, key, slot);
         self.bind_arguments(id, inside);
         self.check_fields(id);
         self.ask_for_branch(id);
         if let Some((_, span)) = stated {
-            self.parts[index].declared = Some(Declared { span, uses: self.uses(inside) });
+            self.draft.parts[index].declared = Some(Declared { span, uses: self.names.uses(inside) });
         }
         self.declare(&definition.items, inside, Some(index));
         self.check_outputs(definition, inside);
@@ -103,24 +110,19 @@ impl<'a> Resolver<'a> {
 
     /// A part must not contain itself, nor nest without bound.
     fn may_contain(&mut self, scope: ScopeId, ast: &Instance, definition: &'a Definition) -> bool {
-        let mut depth = 0;
-        let mut outer = self.scopes[self.home(scope)].instance;
-        while let Some(instance) = outer {
-            let around = self.instances[instance].definition;
-            depth += 1;
-            if std::ptr::eq(around, definition) {
-                let message = format!("the part `{}` contains itself", definition.name.text);
-                self.error(scope, Code::Cycle, ast.kind.span, message);
-                return false;
-            }
-            outer = self.scopes[self.home(self.instances[instance].outer)].instance;
+        let is_it = |part: usize| std::ptr::eq(self.names.instances[part].definition, definition);
+        if self.names.around(scope).any(is_it) {
+            let message = format!("the part `{}` contains itself", definition.name.text);
+            self.error(scope, Code::Cycle, ast.kind.span, message);
+            return false;
         }
+        let depth = self.names.around(scope).count();
         if depth >= MAX_DEPTH {
             let message = format!("more than {MAX_DEPTH} parts, one inside the other");
             self.error(scope, Code::TooDeep, ast.kind.span, message);
         }
-        let too_many = self.instances.len() >= MAX_INSTANCES;
-        if too_many && !std::mem::replace(&mut self.too_many, true) {
+        let too_many = self.names.instances.len() >= MAX_INSTANCES;
+        if too_many && !std::mem::replace(&mut self.draft.too_many, true) {
             let message = format!("more than {MAX_INSTANCES} parts in all");
             self.error(scope, Code::TooMany, ast.kind.span, message);
         }
@@ -144,13 +146,13 @@ impl<'a> Resolver<'a> {
     fn new_part(&mut self, name: &str, span: Span, definition: &Definition, pair: Option<Pair>) -> usize {
         let name = Name { text: name.to_string(), span };
         let kind = definition.name.text.clone();
-        self.parts.push(Part { name, kind, pair, declared: None, frames: Vec::new(), branch: None });
-        self.parts.len() - 1
+        self.draft.parts.push(Part { name, kind, pair, declared: None, frames: Vec::new(), branch: None });
+        self.draft.parts.len() - 1
     }
 
     fn bind_arguments(&mut self, id: usize, inside: ScopeId) {
         let (definition, ast, outer) = {
-            let instance = &self.instances[id];
+            let instance = &self.names.instances[id];
             (instance.definition, instance.ast, instance.outer)
         };
         let (wanted, found) = (definition.arguments.len(), ast.arguments.len());
@@ -164,10 +166,12 @@ impl<'a> Resolver<'a> {
         for (k, argument) in definition.arguments.iter().enumerate() {
             let wanted = self.wanted_at(inside, &argument.kind).unwrap_or(Wanted::Anything);
             let slot = match ast.arguments.get(k) {
-                Some(expr) => self.waiting_slot(argument.name.span, Thunk { scope: outer, expr, wanted }),
-                None => self.failed_slot(argument.name.span),
+                Some(expr) => {
+                    self.names.waiting_slot(argument.name.span, Thunk { scope: outer, expr, wanted })
+                }
+                None => self.names.failed_slot(argument.name.span),
             };
-            self.instances[id].arguments.push(slot);
+            self.names.instances[id].arguments.push(slot);
             self.bind(inside, &argument.name, Cow::Borrowed(&argument.name.text), slot);
         }
     }
@@ -184,27 +188,27 @@ impl<'a> Resolver<'a> {
         let name = &ast.name.ident;
         let reads = if kind == Reads::PARAM { Reads::FIXED } else { Reads::ALL };
         let wanted = Wanted::Number(unit.dimension, reads);
-        let thunk = match (self.field(id, &name.text), &ast.value) {
+        let thunk = match (self.names.field(id, &name.text), &ast.value) {
             (Some((scope, field)), _) => Thunk { scope, expr: &field.value, wanted },
             (None, Some(expr)) => Thunk { scope: inside, expr, wanted },
             (None, None) => {
                 let (kind, outer) =
-                    (self.instances[id].definition.name.text.clone(), self.instances[id].outer);
+                    (self.names.instances[id].definition.name.text.clone(), self.names.instances[id].outer);
                 let message = format!("`{kind}` needs a value for `{}`", name.text);
                 let help = format!("write `{{ {}: … }}` with {}", name.text, unit.dimension.describe());
-                self.error(outer, Code::MissingValue, self.instances[id].span, message).help(help);
-                return self.failed_slot(name.span);
+                self.error(outer, Code::MissingValue, self.names.instances[id].span, message).help(help);
+                return self.names.failed_slot(name.span);
             }
         };
-        let slot = self.waiting_slot(name.span, thunk);
-        self.checks.push(slot);
+        let slot = self.names.waiting_slot(name.span, thunk);
+        self.names.checks.push(slot);
         slot
     }
 
     pub(super) fn declare_choice(&mut self, scope: ScopeId, choice: &'a ast::Choice) {
-        let Some(id) = self.scopes[self.home(scope)].instance else { return };
+        let Some(id) = self.names.instance(scope) else { return };
         let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect();
-        let chosen = match (self.field(id, &choice.name.text), &choice.default) {
+        let chosen = match (self.names.field(id, &choice.name.text), &choice.default) {
             (Some((outer, Field { value: expr, .. })), _) => {
                 if let ast::ExprKind::Name(name) = &expr.kind {
                     Some((outer, &name.ident))
@@ -216,7 +220,7 @@ impl<'a> Resolver<'a> {
             }
             (None, Some(default)) => Some((scope, default)),
             (None, None) => {
-                let (span, outer) = (self.instances[id].span, self.instances[id].outer);
+                let (span, outer) = (self.names.instances[id].span, self.names.instances[id].outer);
                 let message = format!("a choice is missing: `{}`", choice.name.text);
                 self.error(outer, Code::MissingValue, span, message)
                     .note(format!("options: {}", options.join(", ")));
@@ -232,10 +236,10 @@ impl<'a> Resolver<'a> {
         });
         let slot = match chosen {
             Some(chosen) => {
-                self.choices.push((chosen, options));
-                self.known_slot(choice.name.span, Value::Choice(self.choices.len() - 1))
+                self.names.choices.push((chosen, options));
+                self.names.known_slot(choice.name.span, Value::Choice(self.names.choices.len() - 1))
             }
-            None => self.failed_slot(choice.name.span),
+            None => self.names.failed_slot(choice.name.span),
         };
         self.bind(scope, &choice.name, Cow::Borrowed(&choice.name.text), slot);
     }
@@ -243,33 +247,33 @@ impl<'a> Resolver<'a> {
     /// Outputs that nothing reads cost nothing, but mistakes in them count: once for each part of the user's own.
     fn check_outputs(&mut self, definition: &'a Definition, inside: ScopeId) {
         let is_own = definition.name.span.source == 0;
-        if is_own && self.checked.insert(&definition.name.text) {
-            self.checks.extend(self.scopes[inside].outputs.values());
+        if is_own && self.names.checked.insert(&definition.name.text) {
+            self.names.checks.extend(self.names.scopes[inside].outputs.values());
         }
     }
 
     /// Evaluates what a part is connected to. A joint must join two different bodies.
     pub(super) fn connect(&mut self, id: usize) {
-        let (arguments, outer) = (self.instances[id].arguments.clone(), self.instances[id].outer);
+        let (arguments, outer) = (self.names.instances[id].arguments.clone(), self.names.instances[id].outer);
         let mut frames: Vec<FrameRef> = Vec::new();
         for slot in arguments {
-            let span = self.slots[slot].span;
+            let span = self.names.slots[slot].span;
             if let Ok(Value::Frame(frame)) = self.force(slot, outer, span) {
-                self.port(frame).used = true;
+                self.draft.port(frame).used = true;
                 frames.push(frame);
             }
         }
-        let instance = &self.instances[id];
+        let instance = &self.names.instances[id];
         let joins_itself = frames.len() > 1 && frames.iter().all(|frame| frame.body == frames[0].body);
         if instance.definition.is_joint && joins_itself {
             let (name, kind, span) = (&instance.name, &instance.definition.name.text, instance.span);
-            let body = frames[0].body.map_or("ground", |body| &self.bodies[body].name.text);
+            let body = frames[0].body.map_or("ground", |body| &self.draft.bodies[body].name.text);
             let message = format!("the {kind} joint `{name}` joins `{body}` with itself");
             self.error(outer, Code::SelfJoint, span, message);
         }
-        let (part, is_part) = (self.instances[id].part, self.instances[id].is_part);
+        let (part, is_part) = (self.names.instances[id].part, self.names.instances[id].is_part);
         if is_part {
-            self.parts[part].frames = frames;
+            self.draft.parts[part].frames = frames;
         }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use plm_cas::{Expr, algebra};
 
 use super::Resolver;
-use super::node::NodeState;
+use super::node::NodeDraft;
 use crate::diag::Code;
 use crate::model::{Load, Output, Side, State};
 use crate::span::Span;
@@ -28,7 +28,7 @@ impl Resolver<'_> {
         outputs: &mut [Output],
         sides: &mut [Side],
     ) {
-        if states.len() < self.states.len() || self.sink.has_errors() {
+        if states.len() < self.draft.states.len() || self.sink.has_errors() {
             return;
         }
         let mut late = self.late(states);
@@ -49,14 +49,14 @@ impl Resolver<'_> {
     }
 
     fn late(&mut self, states: &[State]) -> Vec<Late> {
-        let rates = self.states.iter().zip(states).map(|(state, found)| Late {
+        let rates = self.draft.states.iter().zip(states).map(|(state, found)| Late {
             symbol: state.stand_in,
             value: found.rate,
             what: format!("the rate of `{}`", found.name.text),
             span: found.name.span,
         });
         let mut late: Vec<Late> = rates.collect();
-        for node in &self.nodes {
+        for node in &self.draft.nodes {
             for through in &node.through {
                 let value = algebra::sum(&through.terms);
                 let what = format!("what acts on `{}`", node.name);
@@ -69,14 +69,15 @@ impl Resolver<'_> {
     /// Rates of sums, of those sums whose rate is read. What is read by one may be read by it alone.
     fn add_rates_of_sums(&mut self, roots: &[Expr], late: &mut Vec<Late>) {
         let mut open: Vec<(usize, usize)> = Vec::new();
-        for (node, state) in self.nodes.iter().enumerate() {
+        for (node, state) in self.draft.nodes.iter().enumerate() {
             open.extend((0..state.through.len()).map(|k| (node, k)));
         }
         loop {
             let mut read: Vec<Expr> = roots.to_vec();
             read.extend(late.iter().map(|of| of.value));
             let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
-            let is_read = |&(node, k): &(usize, usize)| read.contains(&self.nodes[node].through[k].rate);
+            let is_read =
+                |&(node, k): &(usize, usize)| read.contains(&self.draft.nodes[node].through[k].rate);
             let (now, later): (Vec<_>, Vec<_>) = open.into_iter().partition(is_read);
             if now.is_empty() {
                 return;
@@ -89,12 +90,12 @@ impl Resolver<'_> {
     }
 
     fn rate_of_sum(&mut self, node: usize, k: usize) -> Option<Late> {
-        let sum = algebra::sum(&self.nodes[node].through[k].terms);
-        let value = self.total_derivative(sum);
-        let NodeState { name, span, scope, .. } = &self.nodes[node];
+        let sum = algebra::sum(&self.draft.nodes[node].through[k].terms);
+        let value = self.calculus.total_derivative(sum);
+        let NodeDraft { name, span, scope, .. } = &self.draft.nodes[node];
         let (what, span, scope) = (format!("the rate of what acts on `{name}`"), *span, *scope);
-        let inputs = self.input_symbols.clone();
-        let accelerations: Vec<Expr> = self.bodies.iter().flat_map(|body| body.a).collect();
+        let inputs = self.calculus.held.clone();
+        let accelerations: Vec<Expr> = self.draft.bodies.iter().flat_map(|body| body.a).collect();
         if holds_any(sum, &inputs) {
             self.error(scope, Code::NoRate, span, format!("{what} is not known: it reads inputs"))
                 .note("inputs are held over a step; a `state` has a rate");
@@ -104,7 +105,7 @@ impl Resolver<'_> {
             self.error(scope, Code::Feedback, span, format!("{what} reads accelerations"));
             return None;
         }
-        Some(Late { symbol: self.nodes[node].through[k].rate, value, what, span })
+        Some(Late { symbol: self.draft.nodes[node].through[k].rate, value, what, span })
     }
 
     /// Frees the late values of the symbols of others. One may hold another: as many rounds as there are values reach the

@@ -4,8 +4,8 @@ use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
 use super::Resolver;
-use super::instance::InstanceState;
-use super::scope::ScopeId;
+use super::instance::PartInUse;
+use super::names::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar, nearest};
 use crate::model::FrameRef;
@@ -41,7 +41,7 @@ impl<'a> Resolver<'a> {
         let found = match value {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
             Value::Body(None) => {
-                let name = format!("{}{}", self.prefix(scope), self.key(scope, member)?);
+                let name = format!("{}{}", self.names.prefix(scope), self.key(scope, member)?);
                 self.body_member(None, &name)?
             }
             _ if !member.indices.is_empty() => None,
@@ -72,19 +72,19 @@ impl<'a> Resolver<'a> {
             "axis" => Value::Vector(geometry.rotation.axis(), number),
             "normal" => Value::Vector(geometry.rotation.axis().left(), number),
             "velocity" => {
-                let velocity = geometry.position.map(|x| self.total_derivative(x));
+                let velocity = geometry.position.map(|x| self.calculus.total_derivative(x));
                 Value::Vector(velocity, Nature::derived(Dimension::VELOCITY, moving(reads)))
             }
             "omega" => {
-                let omega = self.total_derivative(geometry.angle);
+                let omega = self.calculus.total_derivative(geometry.angle);
                 Value::Scalar(omega, Nature::derived(Dimension::ANGULAR_VELOCITY, moving(reads)))
             }
             "acceleration" => {
-                let acceleration = geometry.position.map(|x| self.second_derivative(x));
+                let acceleration = geometry.position.map(|x| self.calculus.second_derivative(x));
                 Value::Vector(acceleration, Nature::derived(Dimension::ACCELERATION, accelerating(reads)))
             }
             "alpha" => {
-                let alpha = self.second_derivative(geometry.angle);
+                let alpha = self.calculus.second_derivative(geometry.angle);
                 Value::Scalar(alpha, Nature::derived(Dimension::ANGULAR_ACCELERATION, accelerating(reads)))
             }
             "body" => Value::Body(frame.body),
@@ -93,11 +93,11 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn body_member(&mut self, body: Option<usize>, name: &str) -> Eval<Option<Value>> {
-        if let Some(port) = self.port_index(body, name) {
+        if let Some(port) = self.draft.port_index(body, name) {
             return Ok(Some(Value::Frame(FrameRef { body, port })));
         }
         let (q, v, a, rotation) = if let Some(body) = body {
-            let body = &self.bodies[body];
+            let body = &self.draft.bodies[body];
             (body.q, body.v, body.a, body.rotation)
         } else {
             let zero = [Expr::ZERO; 3];
@@ -133,8 +133,8 @@ impl<'a> Resolver<'a> {
     /// An output of a part in use, or a part that it contains.
     fn output_of(&mut self, scope: ScopeId, instance: usize, member: &'a IndexedName) -> Eval<Option<Value>> {
         let key = self.key(scope, member)?;
-        let inside = self.instances[instance].scope;
-        if let Some(slot) = self.scopes[inside].outputs.get(key.as_ref()).copied() {
+        let inside = self.names.instances[instance].scope;
+        if let Some(slot) = self.names.scopes[inside].outputs.get(key.as_ref()).copied() {
             return self.force(slot, scope, member.ident.span).map(Some);
         }
         Ok(self.part_inside(inside, &key))
@@ -142,8 +142,8 @@ impl<'a> Resolver<'a> {
 
     /// A part that a part contains.
     fn part_inside(&self, inside: ScopeId, key: &str) -> Option<Value> {
-        let is_it = |of: &InstanceState| self.home(of.outer) == inside && of.key == key;
-        self.instances.iter().position(is_it).map(Value::Instance)
+        let is_it = |of: &PartInUse| self.names.home(of.outer) == inside && of.key == key;
+        self.names.instances.iter().position(is_it).map(Value::Instance)
     }
 
     fn unknown_member(&mut self, scope: ScopeId, value: &Value, member: &'a IndexedName) -> Failed {
@@ -152,8 +152,8 @@ impl<'a> Resolver<'a> {
         let name = name.as_ref();
         match value {
             Value::Body(body) => {
-                let ports = self.port_names(*body);
-                let of = body.map_or("ground".to_string(), |body| self.bodies[body].name.text.clone());
+                let ports = self.draft.port_names(*body);
+                let of = body.map_or("ground".to_string(), |body| self.draft.bodies[body].name.text.clone());
                 let names: Vec<&str> = ports.iter().map(String::as_str).collect();
                 let message = format!("unknown port `{name}` of `{of}`");
                 let diagnostic = self.error(scope, Code::UnknownPort, span, message);
@@ -169,16 +169,16 @@ impl<'a> Resolver<'a> {
             }
             Value::Node(node) => {
                 let names = self.members_of_node(*node);
-                let message = format!("the node `{}` has no `{name}`", self.nodes[*node].name);
+                let message = format!("the node `{}` has no `{name}`", self.draft.nodes[*node].name);
                 let diagnostic = self.error(scope, Code::UnknownMember, span, message);
                 help_similar(diagnostic, name, "member", "members of the node", &names);
             }
             Value::Instance(instance) => {
-                let inside = self.instances[*instance].scope;
+                let inside = self.names.instances[*instance].scope;
                 let names: Vec<String> =
-                    self.scopes[inside].outputs.keys().map(ToString::to_string).collect();
+                    self.names.scopes[inside].outputs.keys().map(ToString::to_string).collect();
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
-                let of = self.instances[*instance].name.clone();
+                let of = self.names.instances[*instance].name.clone();
                 let message = format!("the part `{of}` has no output `{name}`");
                 let diagnostic = self.error(scope, Code::UnknownMember, span, message);
                 help_similar(diagnostic, name, "output", &format!("outputs of `{of}`"), &names);

@@ -7,7 +7,7 @@ use plm_cas::Expr;
 
 use super::Resolver;
 use super::expect::Wanted;
-use super::scope::{ScopeId, Thunk};
+use super::names::{ScopeId, Thunk};
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
@@ -15,7 +15,7 @@ use crate::syntax::ast::{self, Domain, Ident};
 
 /// A node.
 #[derive(Debug)]
-pub(super) struct NodeState<'a> {
+pub(super) struct NodeDraft<'a> {
     domain: &'a Domain,
     /// Full name, `cylinder.cap`.
     pub(super) name: String,
@@ -24,12 +24,12 @@ pub(super) struct NodeState<'a> {
     /// Its across quantity, once it has been evaluated; another name of a node has none.
     pub(super) across: Option<(Expr, Nature)>,
     /// In the order of its domain.
-    pub(super) through: Vec<ThroughState>,
+    pub(super) through: Vec<Through>,
 }
 
 /// A through quantity at a node.
 #[derive(Debug)]
-pub(super) struct ThroughState {
+pub(super) struct Through {
     /// Stands for the sum.
     pub(super) symbol: Expr,
     /// Stands for its rate.
@@ -53,15 +53,15 @@ impl<'a> Resolver<'a> {
             Ok(Wanted::Port(domain)) => {
                 let node = self.new_node(scope, domain, &key, span);
                 let wanted = Wanted::Node(node);
-                self.waiting_slot(span, Thunk { scope, expr: &ast.value, wanted })
+                self.names.waiting_slot(span, Thunk { scope, expr: &ast.value, wanted })
             }
-            Ok(wanted) => self.waiting_slot(span, Thunk { scope, expr: &ast.value, wanted }),
-            Err(Failed) => self.failed_slot(span),
+            Ok(wanted) => self.names.waiting_slot(span, Thunk { scope, expr: &ast.value, wanted }),
+            Err(Failed) => self.names.failed_slot(span),
         };
-        self.checks.push(slot);
-        let home = self.home(scope);
-        if self.scopes[home].instance.is_some() {
-            self.scopes[home].outputs.insert(key.clone(), slot);
+        self.names.checks.push(slot);
+        let home = self.names.home(scope);
+        if self.names.instance(scope).is_some() {
+            self.names.scopes[home].outputs.insert(key.clone(), slot);
         }
         self.bind(scope, &ast.name.ident, key, slot);
     }
@@ -86,25 +86,25 @@ impl<'a> Resolver<'a> {
     }
 
     fn domain_index(&mut self, domain: &'a Domain) -> usize {
-        let known = self.domains.iter().position(|known| std::ptr::eq(*known, domain));
+        let known = self.draft.domains.iter().position(|known| std::ptr::eq(*known, domain));
         known.unwrap_or_else(|| {
-            self.domains.push(domain);
-            self.domains.len() - 1
+            self.draft.domains.push(domain);
+            self.draft.domains.len() - 1
         })
     }
 
     fn new_node(&mut self, scope: ScopeId, domain: usize, key: &str, span: Span) -> usize {
-        let domain = self.domains[domain];
-        let name = format!("{}{key}", self.prefix(scope));
+        let domain = self.draft.domains[domain];
+        let name = format!("{}{key}", self.names.prefix(scope));
         let through = domain.through.iter().map(|quantity| {
             let symbol = Expr::symbol(format!("{}_of_{name}", quantity.name.text));
             let rate = Expr::symbol(format!("rate_{}_of_{name}", quantity.name.text));
-            self.directions.insert(symbol, rate);
-            ThroughState { symbol, rate, terms: Vec::new() }
+            self.calculus.changes(symbol, rate);
+            Through { symbol, rate, terms: Vec::new() }
         });
         let through = through.collect();
-        self.nodes.push(NodeState { domain, name, scope, span, across: None, through });
-        self.nodes.len() - 1
+        self.draft.nodes.push(NodeDraft { domain, name, scope, span, across: None, through });
+        self.draft.nodes.len() - 1
     }
 
     /// A node where a port of a domain is wanted.
@@ -116,8 +116,10 @@ impl<'a> Resolver<'a> {
         domain: usize,
     ) -> Eval<Value> {
         match value {
-            Value::Node(node) if std::ptr::eq(self.nodes[node].domain, self.domains[domain]) => Ok(value),
-            other => Err(self.not_of_domain(scope, expr, &other, self.domains[domain])),
+            Value::Node(node) if std::ptr::eq(self.draft.nodes[node].domain, self.draft.domains[domain]) => {
+                Ok(value)
+            }
+            other => Err(self.not_of_domain(scope, expr, &other, self.draft.domains[domain])),
         }
     }
 
@@ -129,14 +131,14 @@ impl<'a> Resolver<'a> {
         value: Value,
         node: usize,
     ) -> Eval<Value> {
-        let domain = self.nodes[node].domain;
+        let domain = self.draft.nodes[node].domain;
         match value {
-            Value::Node(other) if std::ptr::eq(self.nodes[other].domain, domain) => Ok(value),
+            Value::Node(other) if std::ptr::eq(self.draft.nodes[other].domain, domain) => Ok(value),
             Value::Scalar(..) => {
                 let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ALL);
                 if let Value::Scalar(across, nature) = self.wanted(scope, expr, value, wanted)? {
                     let nature = Nature::derived(nature.dimension, nature.reads);
-                    self.nodes[node].across = Some((across, nature));
+                    self.draft.nodes[node].across = Some((across, nature));
                 }
                 Ok(Value::Node(node))
             }
@@ -146,7 +148,9 @@ impl<'a> Resolver<'a> {
 
     fn not_of_domain(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value, domain: &Domain) -> Failed {
         let what = match found {
-            Value::Node(node) => format!("a port of the domain `{}`", self.nodes[*node].domain.name.text),
+            Value::Node(node) => {
+                format!("a port of the domain `{}`", self.draft.nodes[*node].domain.name.text)
+            }
             other => other.kind().to_string(),
         };
         let message = format!("expected a port of the domain `{}`, found {what}", domain.name.text);
@@ -170,15 +174,15 @@ impl<'a> Resolver<'a> {
 
     /// Names of the ports that a part shows, of one domain.
     fn ports_of_domain(&self, instance: usize, domain: &Domain) -> Vec<String> {
-        let prefix = format!("{}.", self.instances[instance].name);
-        let nodes = self.nodes.iter().filter(|node| std::ptr::eq(node.domain, domain));
+        let prefix = format!("{}.", self.names.instances[instance].name);
+        let nodes = self.draft.nodes.iter().filter(|node| std::ptr::eq(node.domain, domain));
         let names = nodes.filter_map(|node| node.name.strip_prefix(&prefix));
         names.filter(|name| !name.contains('.')).map(ToString::to_string).collect()
     }
 
     /// `node.pressure`, `node.flow`
     pub(super) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
-        let state = &self.nodes[node];
+        let state = &self.draft.nodes[node];
         if state.domain.across.name.text == name {
             return state.across.map(|(across, nature)| Value::Scalar(across, nature));
         }
@@ -189,7 +193,7 @@ impl<'a> Resolver<'a> {
 
     /// Names of the members of a node.
     pub(super) fn members_of_node(&self, node: usize) -> Vec<&'a str> {
-        let domain = self.nodes[node].domain;
+        let domain = self.draft.nodes[node].domain;
         let through = domain.through.iter().map(|quantity| quantity.name.text.as_str());
         std::iter::once(domain.across.name.text.as_str()).chain(through).collect()
     }
@@ -203,10 +207,12 @@ impl<'a> Resolver<'a> {
         node: usize,
     ) -> Eval<usize> {
         match value {
-            Value::Node(other) if std::ptr::eq(self.nodes[other].domain, self.nodes[node].domain) => {
+            Value::Node(other)
+                if std::ptr::eq(self.draft.nodes[other].domain, self.draft.nodes[node].domain) =>
+            {
                 Ok(other)
             }
-            found => Err(self.not_of_domain(scope, expr, &found, self.nodes[node].domain)),
+            found => Err(self.not_of_domain(scope, expr, &found, self.draft.nodes[node].domain)),
         }
     }
 
@@ -218,7 +224,7 @@ impl<'a> Resolver<'a> {
         node: usize,
         from: Option<usize>,
     ) -> Eval<()> {
-        let domain = self.nodes[node].domain;
+        let domain = self.draft.nodes[node].domain;
         let name = &ast.quantity;
         let Some(k) = domain.through.iter().position(|of| of.name.text == name.text) else {
             let names: Vec<&str> = domain.through.iter().map(|of| of.name.text.as_str()).collect();
@@ -229,9 +235,9 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         };
         let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ALL)?;
-        self.nodes[node].through[k].terms.push(value);
+        self.draft.nodes[node].through[k].terms.push(value);
         if let Some(from) = from {
-            self.nodes[from].through[k].terms.push(-value);
+            self.draft.nodes[from].through[k].terms.push(-value);
         }
         Ok(())
     }

@@ -10,8 +10,8 @@ use plm_cas::Expr;
 use plm_cas::algebra::{self, Vec2};
 
 use super::Resolver;
+use super::names::ScopeId;
 use super::row::Action;
-use super::scope::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::Code;
 use crate::model::{FrameRef, Name, Output};
@@ -59,7 +59,7 @@ impl<'a> Resolver<'a> {
     /// Adds to the outputs what is observed and not declared.
     pub(super) fn evaluate_observed(&mut self, outputs: &mut Vec<Output>) {
         let mut targets: Vec<(Value, Span)> = Vec::new();
-        for (scope, expr) in std::mem::take(&mut self.observed) {
+        for (scope, expr) in std::mem::take(&mut self.draft.observed) {
             // A mistake has been reported; the others are shown all the same.
             let _ = self.targets(scope, expr, &mut targets);
         }
@@ -86,12 +86,12 @@ impl<'a> Resolver<'a> {
     /// What an `observe` names; `all` is every body, the ground, every node and every part, those inside of parts too.
     fn targets(&mut self, scope: ScopeId, expr: &'a Written, targets: &mut Vec<(Value, Span)>) -> Eval<()> {
         let is_all = matches!(&expr.kind, ExprKind::Name(name) if name.ident.text == "all");
-        if is_all && self.find(scope, "all").is_none() {
+        if is_all && self.names.find(scope, "all").is_none() {
             // One that is another name of a node has no quantities of its own.
-            let nodes = (0..self.nodes.len()).filter(|&node| self.nodes[node].across.is_some());
+            let nodes = (0..self.draft.nodes.len()).filter(|&node| self.draft.nodes[node].across.is_some());
             let nodes = nodes.map(Value::Node);
-            let bodies = (0..self.bodies.len()).map(Some).chain([None]).map(Value::Body);
-            let parts = (0..self.instances.len()).map(Value::Instance);
+            let bodies = (0..self.draft.bodies.len()).map(Some).chain([None]).map(Value::Body);
+            let parts = (0..self.names.instances.len()).map(Value::Instance);
             targets.extend(bodies.chain(nodes).chain(parts).map(|target| (target, expr.span)));
             return Ok(());
         }
@@ -112,14 +112,14 @@ impl<'a> Resolver<'a> {
     /// A body and its ports; the ground has no more than ports.
     fn show_body(&mut self, body: Option<usize>, shown: &mut Shown) -> Eval<()> {
         if let Some(moving) = body {
-            let name = self.bodies[moving].name.text.clone();
+            let name = self.draft.bodies[moving].name.text.clone();
             for member in OF_CENTRE {
                 if let Some(value) = self.body_member(body, member)? {
                     shown.push(format!("{name}.{member}"), &value, String::new());
                 }
             }
         }
-        let ports = body.map_or(self.ground.len(), |body| self.bodies[body].ports.len());
+        let ports = body.map_or(self.draft.ground.len(), |body| self.draft.bodies[body].ports.len());
         (0..ports).try_for_each(|port| self.show_port(FrameRef { body, port }, shown))
     }
 
@@ -134,7 +134,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn show_node(&mut self, node: usize, shown: &mut Shown) {
-        let name = self.nodes[node].name.clone();
+        let name = self.draft.nodes[node].name.clone();
         for member in self.members_of_node(node) {
             if let Some(value) = self.node_member(node, member) {
                 shown.push(format!("{name}.{member}"), &value, String::new());
@@ -145,8 +145,8 @@ impl<'a> Resolver<'a> {
     /// What the definition of a part shows, in its order; then what it does to each of its frames. Its nodes are shown by
     /// themselves.
     fn show_part(&mut self, id: usize, actions: &Actions, shown: &mut Shown) -> Eval<()> {
-        let (inside, name) = (self.instances[id].scope, self.instances[id].name.clone());
-        let outputs = self.scopes[inside].outputs.iter();
+        let (inside, name) = (self.names.instances[id].scope, self.names.instances[id].name.clone());
+        let outputs = self.names.scopes[inside].outputs.iter();
         let mut outputs: Vec<_> = outputs.map(|(key, slot)| (*slot, key.to_string())).collect();
         outputs.sort_unstable();
         for (slot, key) in outputs {
@@ -156,9 +156,9 @@ impl<'a> Resolver<'a> {
         if actions.rows[id].is_empty() && actions.applied[id].is_empty() {
             return Ok(());
         }
-        let arguments = self.instances[id].definition.arguments.iter();
+        let arguments = self.names.instances[id].definition.arguments.iter();
         let ports: Vec<&'a str> = arguments.map(|argument| argument.name.text.as_str()).collect();
-        let slots = self.instances[id].arguments.clone();
+        let slots = self.names.instances[id].arguments.clone();
         for (port, slot) in ports.into_iter().zip(slots) {
             let Value::Frame(frame) = self.force(slot, inside, shown.span)? else { continue };
             let (force, torque) = self.action_on(frame, id, actions)?;
@@ -181,31 +181,22 @@ impl<'a> Resolver<'a> {
     }
 
     fn name_of_port(&mut self, frame: FrameRef) -> String {
-        let of = frame.body.map_or("ground".to_owned(), |body| self.bodies[body].name.text.clone());
-        format!("{of}.{}", self.port(frame).name)
+        let of = frame.body.map_or("ground".to_owned(), |body| self.draft.bodies[body].name.text.clone());
+        format!("{of}.{}", self.draft.port(frame).name)
     }
 
     fn actions(&self) -> Actions {
-        let count = self.instances.len();
+        let count = self.names.instances.len();
         let (mut rows, mut applied) = (vec![Vec::new(); count], vec![Vec::new(); count]);
-        for (row, state) in self.rows.iter().enumerate() {
-            self.each_around(state.scope, |part| rows[part].push(row));
+        for (row, state) in self.draft.rows.iter().enumerate() {
+            self.names.around(state.scope).for_each(|part: usize| rows[part].push(row));
         }
-        for action in &self.applied {
-            self.each_around(action.scope, |part| applied[part].push(*action));
+        for action in &self.draft.applied {
+            self.names.around(action.scope).for_each(|part: usize| applied[part].push(*action));
         }
-        let bodies = self.bodies.iter().enumerate();
+        let bodies = self.draft.bodies.iter().enumerate();
         let coordinates = bodies.flat_map(|(i, body)| (0..3).map(move |k| (body.q[k], (i, k)))).collect();
         Actions { rows, applied, coordinates }
-    }
-
-    /// The part that a scope is inside of, the part that contains that one, and so on.
-    fn each_around(&self, scope: ScopeId, mut each: impl FnMut(usize)) {
-        let mut part = self.scopes[self.home(scope)].instance;
-        while let Some(id) = part {
-            each(id);
-            part = self.scopes[self.home(self.instances[id].outer)].instance;
-        }
     }
 
     /// Force and torque of a part on the body of a frame, about the point of the frame.
@@ -236,13 +227,13 @@ impl<'a> Resolver<'a> {
         row: usize,
         coordinates: &BTreeMap<Expr, (usize, usize)>,
     ) -> Eval<[Expr; 3]> {
-        let (phi, lambda) = (self.row(row)?.phi, self.rows[row].lambda);
+        let (phi, lambda) = (self.row(row)?.phi, self.draft.rows[row].lambda);
         let mut terms = [const { Vec::new() }; 3];
         let held = algebra::symbols(&[phi]);
         let touched: BTreeSet<usize> =
             held.iter().filter_map(|symbol| coordinates.get(symbol)).map(|(i, _)| *i).collect();
         for i in touched.into_iter().filter(|i| body.is_none_or(|body| body == *i)) {
-            let q = self.bodies[i].q;
+            let q = self.draft.bodies[i].q;
             let [x, y, theta] = q.map(|symbol| phi.diff(symbol));
             // From the point to G.
             let arm = match body {

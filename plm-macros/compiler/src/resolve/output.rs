@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Eval, Failed, Form, Value};
 use crate::diag::Code;
 use crate::model::{Name, Output};
@@ -16,7 +16,7 @@ impl<'a> Resolver<'a> {
     pub(super) fn evaluate_outputs(&mut self) -> Vec<Output> {
         let mut outputs: Vec<Output> = Vec::new();
         let mut names: BTreeMap<String, Span> = BTreeMap::new();
-        for (scope, ast, docs) in std::mem::take(&mut self.outputs) {
+        for (scope, ast, docs) in std::mem::take(&mut self.draft.outputs) {
             let Ok(output) = self.output(scope, ast, docs) else { continue };
             let Name { text, span } = output.name.clone();
             if let Some(first) = names.get(&text) {
@@ -61,7 +61,7 @@ impl<'a> Resolver<'a> {
             (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == key,
             _ => false,
         };
-        let items = &self.instances[part].definition.items;
+        let items = &self.names.instances[part].definition.items;
         let item = items
             .iter()
             .find(|item| matches!(&item.kind, ast::ItemKind::Output(list) if list.iter().any(shows)));

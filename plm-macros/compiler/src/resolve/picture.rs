@@ -4,7 +4,7 @@ use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
 use super::Resolver;
-use super::scope::{ScopeId, SlotId};
+use super::names::{ScopeId, SlotId};
 use super::value::{Eval, Failed, Reads, Value, all};
 use crate::diag::Code;
 use crate::model::Size;
@@ -15,7 +15,7 @@ use crate::units::Dimension;
 
 /// A size of a part: its name, and the parameter.
 #[derive(Debug)]
-pub(super) struct SizeItem {
+pub(super) struct SizeDraft {
     name: String,
     slot: SlotId,
     scope: ScopeId,
@@ -25,15 +25,15 @@ pub(super) struct SizeItem {
 impl<'a> Resolver<'a> {
     /// `picture piston_diameter, …;` in a part.
     pub(super) fn declare_picture(&mut self, scope: ScopeId, names: &'a [IndexedName]) {
-        let home = self.home(scope);
+        let home = self.names.home(scope);
         for written in names {
             let Ok(key) = self.key(scope, written) else { continue };
             let span = written.ident.span;
-            let name = format!("{}{key}", self.prefix(scope));
-            match self.scopes[home].names.get(&key).copied() {
+            let name = format!("{}{key}", self.names.prefix(scope));
+            match self.names.scopes[home].names.get(&key).copied() {
                 Some(slot) => {
-                    self.slots[slot].is_read = true;
-                    self.sizes.push(SizeItem { name, slot, scope, span });
+                    self.names.slots[slot].is_read = true;
+                    self.draft.sizes.push(SizeDraft { name, slot, scope, span });
                 }
                 None => {
                     self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"))
@@ -45,8 +45,8 @@ impl<'a> Resolver<'a> {
 
     /// The sizes of all parts.
     pub(super) fn finish_sizes(&mut self) -> Eval<Vec<Size>> {
-        let sizes = std::mem::take(&mut self.sizes);
-        all(sizes.into_iter().map(|SizeItem { name, slot, scope, span }| {
+        let sizes = std::mem::take(&mut self.draft.sizes);
+        all(sizes.into_iter().map(|SizeDraft { name, slot, scope, span }| {
             match self.force(slot, scope, span)? {
                 Value::Scalar(value, nature) if nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => {
                     Ok(Size { name, value })
@@ -66,7 +66,7 @@ impl<'a> Resolver<'a> {
 
     /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
     pub(super) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
-        let (ast, scope) = (self.bodies[body].ast, self.bodies[body].scope);
+        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
         let (points, span) = match contour {
             Contour::Points(points) => {
@@ -74,7 +74,7 @@ impl<'a> Resolver<'a> {
                 let points = all(points.iter().map(|point| {
                     self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|(at, _)| at)
                 }));
-                (points?, span.unwrap_or(self.bodies[body].name.span))
+                (points?, span.unwrap_or(self.draft.bodies[body].name.span))
             }
             Contour::File(name, span) => (self.points_of_file(scope, name, *span)?, *span),
         };

@@ -1,9 +1,7 @@
 //! Rates: total derivatives with respect to time.
 
-use plm_cas::{Expr, algebra};
-
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::Code;
 use crate::syntax::ast;
@@ -15,11 +13,11 @@ impl<'a> Resolver<'a> {
         Ok(match self.eval(scope, argument)? {
             Value::Scalar(x, nature) => {
                 let nature = self.nature_of_rate(scope, argument, nature)?;
-                Value::Scalar(self.total_derivative(x), nature)
+                Value::Scalar(self.calculus.total_derivative(x), nature)
             }
             Value::Vector(v, nature) => {
                 let nature = self.nature_of_rate(scope, argument, nature)?;
-                Value::Vector(v.map(|x| self.total_derivative(x)), nature)
+                Value::Vector(v.map(|x| self.calculus.total_derivative(x)), nature)
             }
             other => return Err(self.wrong_kind(scope, argument, "a number or a vector", &other)),
         })
@@ -45,27 +43,5 @@ impl<'a> Resolver<'a> {
             reads = reads.and(Reads::ALL);
         }
         Ok(Nature::derived(nature.dimension.over(Dimension::TIME), reads))
-    }
-
-    pub(super) fn second_derivative(&mut self, expr: Expr) -> Expr {
-        let rate = self.total_derivative(expr);
-        self.total_derivative(rate)
-    }
-
-    /// The total derivative along q -> v -> a, t -> 1, state -> its rate. The rate of a state is a stand-in until all
-    /// rates are known.
-    pub(super) fn total_derivative(&mut self, expr: Expr) -> Expr {
-        if let Some(known) = self.rates.get(&expr) {
-            return *known;
-        }
-        let mut along = Vec::new();
-        for symbol in algebra::symbols(&[expr]) {
-            if let Some(direction) = self.directions.get(&symbol) {
-                along.push((symbol, *direction));
-            }
-        }
-        let rate = expr.directional(&along);
-        self.rates.insert(expr, rate);
-        rate
     }
 }

@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Condition, Eval, Failed, Reads};
 use crate::diag::Code;
 use crate::model::Side;
@@ -42,15 +42,15 @@ impl<'a> Resolver<'a> {
             return;
         }
         let Ok(key) = self.key(scope, name) else { return };
-        let (full, span) = (format!("{}{key}", self.prefix(scope)), name.ident.span);
-        if let Some(first) = self.requirements.iter().find(|known| known.name == full) {
+        let (full, span) = (format!("{}{key}", self.names.prefix(scope)), name.ident.span);
+        if let Some(first) = self.draft.requirements.iter().find(|known| known.name == full) {
             let first = first.span;
             self.duplicate(scope, &key, span, first);
             return;
         }
-        let set = self.scopes[self.home(scope)].instance.and_then(|instance| self.field(instance, &key));
+        let set = self.names.instance(scope).and_then(|instance| self.names.field(instance, &key));
         let is_off = set.is_some_and(|(_, field)| word(field) == Some("off"));
-        self.requirements.push(Requirement { scope, condition, name: full, span, is_off });
+        self.draft.requirements.push(Requirement { scope, condition, name: full, span, is_off });
     }
 
     /// `above_vacuum: off;` in the use of a part; `name` is the full name of the requirement.
@@ -59,13 +59,13 @@ impl<'a> Resolver<'a> {
             let message = "a requirement is switched `on` or `off`";
             self.error(scope, Code::UnknownOption, field.value.span, message);
         }
-        self.switched.push(Switched { scope, name, span: field.span() });
+        self.draft.switched.push(Switched { scope, name, span: field.span() });
     }
 
     /// With its indices a requirement must exist, which is known when all are declared.
     fn check_switched(&mut self) {
-        for Switched { scope, name, span } in std::mem::take(&mut self.switched) {
-            if !self.requirements.iter().any(|known| known.name == name) {
+        for Switched { scope, name, span } in std::mem::take(&mut self.draft.switched) {
+            if !self.draft.requirements.iter().any(|known| known.name == name) {
                 self.error(scope, Code::BadIndex, span, format!("there is no requirement `{name}`"));
             }
         }
@@ -75,7 +75,8 @@ impl<'a> Resolver<'a> {
     pub(super) fn finish_requirements(&mut self) -> Vec<Side> {
         self.check_switched();
         let mut sides = Vec::new();
-        for Requirement { scope, condition, name, is_off, .. } in std::mem::take(&mut self.requirements) {
+        for Requirement { scope, condition, name, is_off, .. } in std::mem::take(&mut self.draft.requirements)
+        {
             if is_off {
                 // Its mistakes are told all the same, and what it reads is not for nobody.
                 let _ = self.condition(scope, condition);

@@ -4,8 +4,9 @@ use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
 use super::Resolver;
-use super::scope::ScopeId;
-use super::value::{Eval, Failed, Lazy, Reads, Value};
+use super::lazy::Lazy;
+use super::names::ScopeId;
+use super::value::{Eval, Failed, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::model::{Declared, FrameRef, Load, Name, Part};
 use crate::span::Span;
@@ -14,7 +15,7 @@ use crate::units::Dimension;
 
 /// A constraint row on the way to its residual.
 #[derive(Debug)]
-pub(super) struct RowState<'a> {
+pub(super) struct RowDraft<'a> {
     pub(super) scope: ScopeId,
     left: &'a ast::Expr,
     right: &'a ast::Expr,
@@ -50,7 +51,7 @@ pub(super) struct Action {
 
 /// A force or a torque that was declared.
 #[derive(Debug)]
-pub(super) struct LoadItem<'a> {
+pub(super) struct LoadDraft<'a> {
     scope: ScopeId,
     ast: &'a ast::Load,
     part: usize,
@@ -69,21 +70,21 @@ impl<'a> Resolver<'a> {
             return;
         }
         let Ok(key) = self.key(scope, name) else { return };
-        let home = self.home(scope);
-        let full = format!("{}{key}", self.prefix(scope));
-        if let Some((_, first)) = self.scopes[home].rows.get(&key) {
+        let home = self.names.home(scope);
+        let full = format!("{}{key}", self.names.prefix(scope));
+        if let Some((_, first)) = self.names.scopes[home].rows.get(&key) {
             let first = *first;
             self.duplicate(scope, &key, name.ident.span, first);
             return;
         }
-        let span = match self.scopes[home].instance {
-            Some(_) => self.parts[part.unwrap_or(0)].name.span,
+        let span = match self.names.instance(scope) {
+            Some(_) => self.draft.parts[part.unwrap_or(0)].name.span,
             None => name.ident.span,
         };
         let part = part.unwrap_or_else(|| {
             let name = Name { text: full.clone(), span };
             let kind = "constraint".to_string();
-            self.parts.push(Part {
+            self.draft.parts.push(Part {
                 name,
                 kind,
                 pair: None,
@@ -91,35 +92,28 @@ impl<'a> Resolver<'a> {
                 frames: Vec::new(),
                 branch: None,
             });
-            self.parts.len() - 1
+            self.draft.parts.len() - 1
         });
         let lambda = Expr::symbol(format!("lambda_{full}"));
-        self.scopes[home].rows.insert(key, (self.rows.len(), name.ident.span));
+        self.names.scopes[home].rows.insert(key, (self.draft.rows.len(), name.ident.span));
         let residual = Lazy::Waiting;
-        self.rows.push(RowState { scope, left, right, name: full, part, span, lambda, residual });
+        self.draft.rows.push(RowDraft { scope, left, right, name: full, part, span, lambda, residual });
     }
 
     /// Where a row was written.
     pub(super) fn row_declared(&self, row: usize) -> Declared {
-        let RowState { scope, left, right, .. } = self.rows[row];
-        Declared { span: left.span.to(right.span), uses: self.uses(scope) }
+        let RowDraft { scope, left, right, .. } = self.draft.rows[row];
+        Declared { span: left.span.to(right.span), uses: self.names.uses(scope) }
     }
 
     /// The residual of a row, worked out at its first use.
     pub(super) fn row(&mut self, row: usize) -> Eval<Residual> {
-        match self.rows[row].residual {
-            Lazy::Known(residual) => return Ok(residual),
-            // A constraint that reads its own reaction is told so where it does.
-            Lazy::Busy | Lazy::Failed => return Err(Failed),
-            Lazy::Waiting => self.rows[row].residual = Lazy::Busy,
-        }
-        let residual = self.residual(row);
-        self.rows[row].residual = residual.map_or(Lazy::Failed, Lazy::Known);
-        residual
+        // A constraint that reads its own reaction is told so where it does.
+        self.lazy(|of| &mut of.draft.rows[row].residual, |_| (), |of| of.residual(row))
     }
 
     fn residual(&mut self, row: usize) -> Eval<Residual> {
-        let RowState { scope, left, right, .. } = self.rows[row];
+        let RowDraft { scope, left, right, .. } = self.draft.rows[row];
         let (a, b) = (self.eval_scalar(scope, left), self.eval_scalar(scope, right));
         let ((a, of_a), (b, of_b)) = (a?, b?);
         let nature = self.joined(scope, left.span.to(right.span), (&[a], of_a), (&[b], of_b))?;
@@ -145,14 +139,14 @@ impl<'a> Resolver<'a> {
 
     pub(super) fn declare_load(&mut self, scope: ScopeId, ast: &'a ast::Load, part: Option<usize>) {
         if let Some(part) = part {
-            self.loads.push(LoadItem { scope, ast, part });
+            self.draft.loads.push(LoadDraft { scope, ast, part });
         }
     }
 
     /// All loads, carried to the centres of gravity.
     pub(super) fn evaluate_loads(&mut self) -> Vec<Load> {
         let mut loads = Vec::new();
-        for LoadItem { scope, ast, part } in std::mem::take(&mut self.loads) {
+        for LoadDraft { scope, ast, part } in std::mem::take(&mut self.draft.loads) {
             // A mistake has been reported; what else is wrong is found all the same.
             let _ = self.load(scope, ast, part, &mut loads);
         }
@@ -226,7 +220,7 @@ impl<'a> Resolver<'a> {
             Applied::Torque(torque) => (Vec2::ZERO, torque),
             Applied::Force(force) => (force, Expr::ZERO),
         };
-        self.applied.push(Action { scope, body, arm, force, torque });
+        self.draft.applied.push(Action { scope, body, arm, force, torque });
         let moment = arm.cross(force);
         let force = [force.x, force.y, moment + torque];
         if let Some(body) = body.filter(|_| force != [Expr::ZERO; 3]) {

@@ -4,13 +4,12 @@
 //! the output of a part that stands below it.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use plm_cas::Expr;
 
 use super::Resolver;
-use super::expect::Wanted;
+use super::names::{ScopeId, Slot, SlotId, Thunk};
 use super::unknown::instead_of;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::{Code, help_similar};
@@ -18,99 +17,25 @@ use crate::span::Span;
 use crate::syntax::ast::{self, Ident, IndexedName};
 use crate::units::{Dimension, unit};
 
-pub(super) type ScopeId = usize;
-pub(super) type SlotId = usize;
-
-/// Names of one block.
-#[derive(Debug, Default)]
-pub(super) struct Scope<'a> {
-    /// Where to look next: from one turn of a repetition to what encloses it.
-    pub(super) parent: Option<ScopeId>,
-    /// Names of values, parts, bodies.
-    pub(super) names: BTreeMap<Cow<'a, str>, SlotId>,
-    /// Names of constraint rows.
-    pub(super) rows: BTreeMap<Cow<'a, str>, (usize, Span)>,
-    /// Outputs of a part.
-    pub(super) outputs: BTreeMap<Cow<'a, str>, SlotId>,
-    /// The part whose inside this is.
-    pub(super) instance: Option<usize>,
-}
-
-/// A named value.
-#[derive(Debug)]
-pub(super) struct Slot<'a> {
-    /// Where it was declared.
-    pub(super) span: Span,
-    /// Has an expression named it?
-    pub(super) is_read: bool,
-    state: SlotState<'a>,
-}
-
-#[derive(Debug)]
-enum SlotState<'a> {
-    Known(Value),
-    Waiting(Thunk<'a>),
-    Busy,
-    Failed,
-}
-
-/// An expression that waits for its first use.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Thunk<'a> {
-    pub(super) scope: ScopeId,
-    pub(super) expr: &'a ast::Expr,
-    pub(super) wanted: Wanted,
-}
-
 /// Names that the language has taken.
 const RESERVED: &[&str] = &["t", "pi", "gravity", "if", "then", "else", "and", "or", "not", "in", "ground"];
 
 impl<'a> Resolver<'a> {
-    pub(super) fn new_scope(&mut self, parent: Option<ScopeId>, instance: Option<usize>) -> ScopeId {
-        self.scopes.push(Scope { parent, instance, ..Scope::default() });
-        self.scopes.len() - 1
-    }
-
-    pub(super) fn known_slot(&mut self, span: Span, value: Value) -> SlotId {
-        self.slots.push(Slot { span, is_read: false, state: SlotState::Known(value) });
-        self.slots.len() - 1
-    }
-
-    pub(super) fn failed_slot(&mut self, span: Span) -> SlotId {
-        self.slots.push(Slot { span, is_read: false, state: SlotState::Failed });
-        self.slots.len() - 1
-    }
-
-    pub(super) fn waiting_slot(&mut self, span: Span, thunk: Thunk<'a>) -> SlotId {
-        self.slots.push(Slot { span, is_read: false, state: SlotState::Waiting(thunk) });
-        self.slots.len() - 1
-    }
-
     /// The value of a slot, worked out if this is its first use.
     pub(super) fn force(&mut self, slot: SlotId, user: ScopeId, at: Span) -> Eval<Value> {
-        match &self.slots[slot].state {
-            SlotState::Known(value) => return Ok(value.clone()),
-            SlotState::Failed => return Err(Failed),
-            SlotState::Busy => {
-                let declared = self.slots[slot].span;
-                self.error(user, Code::Cycle, at, "this value needs itself")
+        let Slot { span: declared, thunk, .. } = self.names.slots[slot];
+        self.lazy(
+            |of| &mut of.names.slots[slot].value,
+            |of| {
+                of.error(user, Code::Cycle, at, "this value needs itself")
                     .note_at(declared, "its definition stands here");
-                self.slots[slot].state = SlotState::Failed;
-                return Err(Failed);
-            }
-            SlotState::Waiting(_) => {}
-        }
-        let SlotState::Waiting(thunk) = std::mem::replace(&mut self.slots[slot].state, SlotState::Busy)
-        else {
-            return Err(Failed);
-        };
-        let value = self.eval(thunk.scope, thunk.expr);
-        let value = value.and_then(|value| self.wanted(thunk.scope, thunk.expr, value, thunk.wanted));
-        self.slots[slot].state = match &value {
-            Ok(value) => SlotState::Known(value.clone()),
-            Err(Failed) => SlotState::Failed,
-        };
-        value
+            },
+            |of| {
+                let Thunk { scope, expr, wanted } = thunk.ok_or(Failed)?;
+                let value = of.eval(scope, expr)?;
+                of.wanted(scope, expr, value, wanted)
+            },
+        )
     }
 
     /// The full text of a name: `bar`, `bar[3]`.
@@ -127,19 +52,19 @@ impl<'a> Resolver<'a> {
     /// Binds a name, unless it is taken. Names without index belong to the turn of the repetition that they stand in,
     /// names with one to what encloses it.
     pub(super) fn bind(&mut self, scope: ScopeId, ident: &Ident, key: Cow<'a, str>, slot: SlotId) {
-        let scope = if key.contains('[') { self.home(scope) } else { scope };
+        let scope = if key.contains('[') { self.names.home(scope) } else { scope };
         if RESERVED.contains(&key.as_ref()) {
             let message = format!("`{key}` is a word of the language");
             self.error(scope, Code::ReservedName, ident.span, message).help("choose another name");
             return;
         }
-        match self.scopes[scope].names.get(&key) {
+        match self.names.scopes[scope].names.get(&key) {
             Some(first) => {
-                let first = self.slots[*first].span;
+                let first = self.names.slots[*first].span;
                 self.duplicate(scope, &key, ident.span, first);
             }
             None => {
-                self.scopes[scope].names.insert(key, slot);
+                self.names.scopes[scope].names.insert(key, slot);
             }
         }
     }
@@ -160,38 +85,19 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The scope that a repetition stands in.
-    pub(super) fn home(&self, mut scope: ScopeId) -> ScopeId {
-        while let Some(parent) = self.scopes[scope].parent {
-            scope = parent;
-        }
-        scope
-    }
-
     /// The value of a name.
     pub(super) fn lookup(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Value> {
         let key = self.key(scope, name)?;
-        if let Some(slot) = self.find(scope, &key) {
-            self.slots[slot].is_read = true;
+        if let Some(slot) = self.names.find(scope, &key) {
+            self.names.slots[slot].is_read = true;
             return self.force(slot, scope, name.ident.span);
         }
         match key.as_ref() {
-            "t" => Ok(Value::Scalar(self.time, Nature::derived(Dimension::TIME, Reads::TIME))),
+            "t" => Ok(Value::Scalar(self.calculus.time, Nature::derived(Dimension::TIME, Reads::TIME))),
             "pi" => Ok(Value::Scalar(Expr::pi(), Nature::BARE)),
-            "gravity" => self.force(self.gravity, scope, name.ident.span),
+            "gravity" => self.gravity(scope, name.ident.span),
             _ => Err(self.unknown_name(scope, name, &key)),
         }
-    }
-
-    pub(super) fn find(&self, scope: ScopeId, key: &str) -> Option<SlotId> {
-        let mut next = Some(scope);
-        while let Some(scope) = next {
-            if let Some(slot) = self.scopes[scope].names.get(key) {
-                return Some(*slot);
-            }
-            next = self.scopes[scope].parent;
-        }
-        None
     }
 
     /// A constraint row of this part.
@@ -201,11 +107,11 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         };
         let key = self.key(scope, name)?;
-        let home = self.home(scope);
-        if let Some((row, _)) = self.scopes[home].rows.get(key.as_ref()) {
+        let home = self.names.home(scope);
+        if let Some((row, _)) = self.names.scopes[home].rows.get(key.as_ref()) {
             return Ok(*row);
         }
-        let rows: Vec<String> = self.scopes[home].rows.keys().map(ToString::to_string).collect();
+        let rows: Vec<String> = self.names.scopes[home].rows.keys().map(ToString::to_string).collect();
         let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
         let diagnostic =
             self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));

@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Eval, Nature, Reads, Value, all};
 use crate::syntax::ast;
 use crate::units::Dimension;

@@ -6,7 +6,7 @@ use plm_cas::algebra::Vec2;
 
 use super::Resolver;
 use super::expect::literal_text;
-use super::scope::SlotId;
+use super::names::SlotId;
 use super::value::Value;
 use crate::diag::Code;
 use crate::span::Span;
@@ -23,7 +23,7 @@ impl<'a> Resolver<'a> {
     /// Notes a param, an input or a `let` of the user's own. One whose name begins with `_` says that it is for nobody.
     pub(super) fn should_be_read(&mut self, what: &'static str, name: &ast::Ident, slot: SlotId) {
         if name.span.source == 0 && !name.text.starts_with('_') {
-            self.readable.push((name.text.clone(), Readable { what, slot }));
+            self.names.readable.push((name.text.clone(), Readable { what, slot }));
         }
     }
 
@@ -35,7 +35,7 @@ impl<'a> Resolver<'a> {
         self.warn_of_gravity(mechanism);
         self.warn_of_idle_parts();
         self.warn_of_unread_names(&declaration.carried);
-        self.sink.allow(&self.allowed);
+        self.sink.allow(&self.draft.settings.allowed);
     }
 
     fn warn_of_gravity(&mut self, mechanism: &'a Mechanism) {
@@ -49,7 +49,7 @@ impl<'a> Resolver<'a> {
         if !is_upwards || !x.is_zero() {
             return;
         }
-        let message = match self.force(self.gravity, 0, declared.span) {
+        let message = match self.gravity(0, declared.span) {
             Ok(Value::Vector(..)) => "this gravity points along y, so that it pulls upwards",
             _ => "gravity acts along -y, so that a negative one pulls upwards",
         };
@@ -61,21 +61,26 @@ impl<'a> Resolver<'a> {
     /// A part of forces and torques alone, all of which are zero whatever happens.
     fn warn_of_idle_parts(&mut self) {
         let mut acts: BTreeMap<usize, bool> = BTreeMap::new();
-        for action in &self.applied {
-            if let Some(instance) = self.outermost(action.scope) {
+        for action in &self.draft.applied {
+            if let Some(instance) = self.names.around(action.scope).last() {
                 let acts = acts.entry(instance).or_insert(false);
                 *acts |= !action.force.is_zero() || !action.torque.is_zero();
             }
         }
         // What ties or remembers something is not idle.
-        let others = self.rows.iter().map(|row| row.scope).chain(self.states.iter().map(|state| state.scope));
-        for scope in others.chain(self.nodes.iter().map(|node| node.scope)) {
-            if let Some(instance) = self.outermost(scope) {
+        let others = self
+            .draft
+            .rows
+            .iter()
+            .map(|row| row.scope)
+            .chain(self.draft.states.iter().map(|state| state.scope));
+        for scope in others.chain(self.draft.nodes.iter().map(|node| node.scope)) {
+            if let Some(instance) = self.names.around(scope).last() {
                 acts.insert(instance, true);
             }
         }
         for (instance, _) in acts.into_iter().filter(|(_, acts)| !acts) {
-            let state = &self.instances[instance];
+            let state = &self.names.instances[instance];
             let params: Vec<&str> = state.definition.items.iter().filter_map(settable).collect();
             let message = format!("`{}` does nothing: all that it applies is zero", state.name);
             let diagnostic = self.sink.warning(Code::Idle, state.span, message);
@@ -85,21 +90,12 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The part of the mechanism that a scope is inside of.
-    fn outermost(&self, scope: usize) -> Option<usize> {
-        let mut instance = self.scopes[self.home(scope)].instance?;
-        while let Some(outer) = self.scopes[self.home(self.instances[instance].outer)].instance {
-            instance = outer;
-        }
-        Some(instance)
-    }
-
     /// In a part that is used several times, and in a repetition, one reader is enough. Parts that were carried here are not
     /// for who uses them to mend.
     fn warn_of_unread_names(&mut self, carried: &[Span]) {
         let mut read: BTreeMap<Span, (String, &'static str, bool)> = BTreeMap::new();
-        for (name, Readable { what, slot }) in std::mem::take(&mut self.readable) {
-            let slot = &self.slots[slot];
+        for (name, Readable { what, slot }) in std::mem::take(&mut self.names.readable) {
+            let slot = &self.names.slots[slot];
             read.entry(slot.span).or_insert((name, what, false)).2 |= slot.is_read;
         }
         let is_carried = |span: Span| carried.iter().any(|of| (of.first..=of.last).contains(&span.first));

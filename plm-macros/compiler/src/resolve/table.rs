@@ -3,7 +3,7 @@
 use plm_cas::{Expr, Number};
 
 use super::Resolver;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::{Eval, Failed, Nature, Reads, Value};
 use crate::diag::Code;
 use crate::span::Span;

@@ -2,7 +2,7 @@
 
 use super::Resolver;
 use super::expect::text_of;
-use super::scope::ScopeId;
+use super::names::ScopeId;
 use super::value::Failed;
 use crate::diag::{Code, help_similar, nearest};
 use crate::library::of_manual;
@@ -36,7 +36,7 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
 impl Resolver<'_> {
     pub(super) fn unknown_name(&mut self, scope: ScopeId, name: &IndexedName, key: &str) -> Failed {
         let (text, span) = (&name.ident.text, name.ident.span);
-        let names = self.names_in(scope);
+        let names = self.names.visible(scope);
         let stem = format!("{text}[");
         let elements: Vec<&str> =
             names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
@@ -56,9 +56,9 @@ impl Resolver<'_> {
             self.error(scope, Code::UnitAsName, span, message).help(help);
             return Failed;
         }
-        let home = self.home(scope);
-        let is_row = self.scopes[home].rows.contains_key(key);
-        let outside = self.scopes[home].instance.is_some() && self.find(0, key).is_some();
+        let home = self.names.home(scope);
+        let is_row = self.names.scopes[home].rows.contains_key(key);
+        let outside = self.names.instance(scope).is_some() && self.names.find(0, key).is_some();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let is_near = nearest(key, names.iter().copied()).is_some();
         let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
@@ -83,24 +83,6 @@ impl Resolver<'_> {
             help_similar(diagnostic, key, "name", "names here", &names);
         }
         Failed
-    }
-
-    /// All names that can be seen, in natural order; constraints, which only `reaction` reads, behind the others.
-    fn names_in(&self, scope: ScopeId) -> Vec<String> {
-        let mut names: Vec<(String, usize)> = Vec::new();
-        let mut next = Some(scope);
-        while let Some(scope) = next {
-            let here = &self.scopes[scope];
-            names.extend(here.names.iter().map(|(name, slot)| (name.to_string(), *slot)));
-            next = here.parent;
-        }
-        names.sort_by_key(|(_, slot)| *slot);
-        let mut names: Vec<String> = names.into_iter().map(|(name, _)| name).collect();
-        let mut rows: Vec<(&str, usize)> =
-            self.scopes[self.home(scope)].rows.iter().map(|(name, row)| (name.as_ref(), row.0)).collect();
-        rows.sort_by_key(|(_, row)| *row);
-        names.extend(rows.into_iter().map(|(name, _)| name.to_string()));
-        names
     }
 
     pub(super) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {

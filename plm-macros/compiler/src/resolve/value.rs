@@ -197,13 +197,3 @@ pub(super) fn all<T>(results: impl Iterator<Item = Eval<T>>) -> Eval<Vec<T>> {
     let results: Vec<Eval<T>> = results.collect();
     results.into_iter().collect()
 }
-
-/// Something that is worked out at its first use.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Lazy<T> {
-    Waiting,
-    /// Being worked out: who asks for it now goes round in a circle.
-    Busy,
-    Known(T),
-    Failed,
-}
