@@ -6,7 +6,7 @@ use plm_cas::{Expr, Number};
 use super::Resolver;
 use super::frame::{Placement, PortDraft};
 use super::lazy::Lazy;
-use super::member::OF_BODY;
+use super::members::{Member, Owner};
 use super::names::ScopeId;
 use super::value::{Eval, Failed, Reads, Value};
 use crate::diag::{Code, help_similar};
@@ -68,10 +68,12 @@ impl<'a> Resolver<'a> {
 
     fn refuse_member_name(&mut self, scope: ScopeId, port: &ast::Port) {
         let text = &port.name.ident.text;
-        if OF_BODY.contains(&text.as_str()) {
+        if Member::named(Owner::Body, text).is_some() {
             let message = format!("a port cannot be called `{text}`");
-            self.error(scope, Code::ReservedName, port.name.ident.span, message)
-                .note(format!("every body has members of these names: {}", OF_BODY.join(", ")));
+            self.error(scope, Code::ReservedName, port.name.ident.span, message).note(format!(
+                "every body has members of these names: {}",
+                Member::names(Owner::Body).join(", ")
+            ));
         }
     }
 
@@ -181,7 +183,7 @@ impl<'a> Resolver<'a> {
             }
         };
         let centre = match self.body_field(body, "centre") {
-            Some(expr) => self.eval_vector(scope, expr, Dimension::LENGTH, Reads::FIXED)?.0,
+            Some(expr) => self.eval_vector(scope, expr, Dimension::LENGTH, Reads::FIXED)?.value,
             None => Vec2::ZERO,
         };
         let drawing_angle = match self.body_field(body, "drawing_angle") {

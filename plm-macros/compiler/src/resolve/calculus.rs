@@ -51,9 +51,8 @@ impl Calculus {
         self.known.insert(expr, derivative);
         derivative
     }
-    /// `d^2e/dt^2`.
-    pub(super) fn second_derivative(&mut self, expr: Expr) -> Expr {
-        let rate = self.total_derivative(expr);
-        self.total_derivative(rate)
+    /// The derivative of an order, `e` itself of order 0.
+    pub(super) fn derivative(&mut self, expr: Expr, order: u8) -> Expr {
+        (0..order).fold(expr, |derivative, _| self.total_derivative(derivative))
     }
 }

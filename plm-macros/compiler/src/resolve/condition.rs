@@ -1,11 +1,10 @@
 //! Conditions and what hangs on them.
 
 use plm_cas::Expr;
-use plm_cas::algebra::Vec2;
 
 use super::Resolver;
 use super::names::ScopeId;
-use super::value::{Condition, Eval, Failed, Nature, Reads, Value};
+use super::value::{Additive, Condition, Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Link, Operator};
@@ -43,16 +42,15 @@ impl<'a> Resolver<'a> {
         if matches!(operator, Operator::Equal | Operator::NotEqual) {
             return self.equality(scope, span, first, operand, *operator);
         }
-        let ((a, of_a), (b, of_b)) = (self.eval_scalar(scope, first)?, self.eval_scalar(scope, operand)?);
-        let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
-        let (low, high, negated) = match operator {
-            Operator::Less => (a, b, false),
-            Operator::Greater => (b, a, false),
-            Operator::LessEqual => (b, a, true),
-            _ => (a, b, true),
+        let (a, b) = (self.eval_scalar(scope, first)?, self.eval_scalar(scope, operand)?);
+        let nature = self.joined(scope, span, a, b)?;
+        let (a, b) = (a.value, b.value);
+        let condition = match operator {
+            Operator::Less => Condition::less(a, b),
+            Operator::Greater => Condition::less(b, a),
+            Operator::LessEqual => Condition::Not(Box::new(Condition::less(b, a))),
+            _ => Condition::Not(Box::new(Condition::less(a, b))),
         };
-        let less = less(low, high);
-        let condition = if negated { Condition::Not(Box::new(less)) } else { less };
         Ok(Value::Condition(condition, nature.reads))
     }
 
@@ -103,22 +101,18 @@ impl<'a> Resolver<'a> {
         no: &'a ast::Expr,
     ) -> Eval<Value> {
         let (condition, reads) = self.condition(scope, condition)?;
-        if let Some(holds) = known(&condition) {
+        if let Some(holds) = condition.known() {
             return self.eval(scope, if holds { yes } else { no });
         }
         let (on_yes, on_no) = (self.eval(scope, yes), self.eval(scope, no));
         match (on_yes?, on_no?) {
-            (Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
-                let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
-                let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
-                Ok(Value::Scalar(select(&condition, a, b), nature))
+            (Value::Scalar(yes), Value::Scalar(no)) => {
+                let nature = self.joined(scope, span, yes, no)?;
+                Ok(selected(&condition, reads, nature, [yes.value, no.value]).into())
             }
-            (Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
-                let nature = self.joined(scope, span, (&a.components(), of_a), (&b.components(), of_b))?;
-                let nature = Nature::derived(nature.dimension, nature.reads.and(reads));
-                let x = select(&condition, a.x, b.x);
-                let chosen = Vec2::new(x, select(&condition, a.y, b.y));
-                Ok(Value::Vector(chosen, nature))
+            (Value::Vector(yes), Value::Vector(no)) => {
+                let nature = self.joined(scope, span, yes, no)?;
+                Ok(selected(&condition, reads, nature, [yes.value, no.value]).into())
             }
             (a, b) => {
                 let message = format!("one branch is {}, the other {}", a.kind(), b.kind());
@@ -129,41 +123,55 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// The truth of a condition, if it is known at compile time.
-fn known(condition: &Condition) -> Option<bool> {
-    match condition {
-        Condition::Known(holds) => Some(*holds),
-        Condition::Less(..) => None,
-        Condition::Not(inner) => known(inner).map(|holds| !holds),
-        Condition::All(inner) => joined(inner, false),
-        Condition::Any(inner) => joined(inner, true),
+/// One of two values by a condition, which has been read too.
+fn selected<T: Additive>(
+    condition: &Condition,
+    reads: Reads,
+    nature: Nature,
+    [yes, no]: [T; 2],
+) -> Quantity<T> {
+    let value = T::select(condition, yes, no);
+    Quantity::new(value, Nature::derived(nature.dimension, nature.reads.and(reads)))
+}
+
+impl Condition {
+    /// `low < high`
+    fn less(low: Expr, high: Expr) -> Condition {
+        match (low.as_number(), high.as_number()) {
+            (Some(low), Some(high)) => Condition::Known(low.to_f64() < high.to_f64()),
+            _ => Condition::Less(low, high),
+        }
+    }
+
+    /// Its truth, if that is known at compile time.
+    fn known(&self) -> Option<bool> {
+        match self {
+            Condition::Known(holds) => Some(*holds),
+            Condition::Less(..) => None,
+            Condition::Not(inner) => inner.known().map(|holds| !holds),
+            Condition::All(inner) => decided(inner, false),
+            Condition::Any(inner) => decided(inner, true),
+        }
+    }
+
+    /// Selections that give `yes` where it holds, else `no`.
+    pub(super) fn select(&self, yes: Expr, no: Expr) -> Expr {
+        match self {
+            Condition::Known(true) => yes,
+            Condition::Known(false) => no,
+            Condition::Less(low, high) => low.less(*high).select(yes, no),
+            Condition::Not(inner) => inner.select(no, yes),
+            Condition::All(inner) => inner.iter().rev().fold(yes, |yes, one| one.select(yes, no)),
+            Condition::Any(inner) => inner.iter().rev().fold(no, |no, one| one.select(yes, no)),
+        }
     }
 }
 
-/// One that is `decisive` decides; else all must be known.
-fn joined(conditions: &[Condition], decisive: bool) -> Option<bool> {
-    let each: Vec<Option<bool>> = conditions.iter().map(known).collect();
+/// A single condition that is `decisive` decides; else all must be known.
+fn decided(conditions: &[Condition], decisive: bool) -> Option<bool> {
+    let each: Vec<Option<bool>> = conditions.iter().map(Condition::known).collect();
     if each.contains(&Some(decisive)) {
         return Some(decisive);
     }
     (!each.contains(&None)).then_some(!decisive)
-}
-
-fn less(low: Expr, high: Expr) -> Condition {
-    match (low.as_number(), high.as_number()) {
-        (Some(low), Some(high)) => Condition::Known(low.to_f64() < high.to_f64()),
-        _ => Condition::Less(low, high),
-    }
-}
-
-/// Selections that give `yes` where the condition holds.
-pub(super) fn select(condition: &Condition, yes: Expr, no: Expr) -> Expr {
-    match condition {
-        Condition::Known(true) => yes,
-        Condition::Known(false) => no,
-        Condition::Less(low, high) => low.less(*high).select(yes, no),
-        Condition::Not(inner) => select(inner, no, yes),
-        Condition::All(inner) => inner.iter().rev().fold(yes, |yes, one| select(one, yes, no)),
-        Condition::Any(inner) => inner.iter().rev().fold(no, |no, one| select(one, yes, no)),
-    }
 }

@@ -7,7 +7,7 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::expect::Wanted;
 use super::names::{ScopeId, Thunk};
-use super::value::{Nature, Reads, Value};
+use super::value::{Nature, Quantity, Reads};
 use crate::diag::Code;
 use crate::model::Name;
 use crate::syntax::ast::{self, ExprKind, Item, ItemKind};
@@ -70,7 +70,7 @@ impl<'a> Resolver<'a> {
         } else {
             let name = Name { text: key.to_string(), span };
             let symbol = Expr::symbol(&name.text);
-            let value = Value::Scalar(symbol, Nature::written(unit.dimension, kind));
+            let value = Quantity::new(symbol, Nature::written(unit.dimension, kind)).into();
             if kind == Reads::INPUT {
                 self.calculus.held.push(symbol);
             }
@@ -161,7 +161,7 @@ impl<'a> Resolver<'a> {
                 return;
             }
             let turn = self.names.new_scope(Some(scope), None);
-            let value = Value::Scalar(Expr::from(index), Nature::BARE);
+            let value = Quantity::new(Expr::from(index), Nature::BARE).into();
             let slot = self.names.known_slot(repeat.index.span, value);
             self.bind(turn, &repeat.index, Cow::Borrowed(&repeat.index.text), slot);
             self.declare(&repeat.items, turn, part);

@@ -5,7 +5,7 @@ use plm_cas::{Expr, Number};
 
 use super::Resolver;
 use super::names::ScopeId;
-use super::value::{Eval, Failed, Form, Nature, Reads, Value};
+use super::value::{Additive, Eval, Failed, Form, Nature, Quantity, Reads, Scalar, Value, Vector};
 use crate::diag::Code;
 use crate::syntax::ast::{self, ExprKind};
 use crate::units::Dimension;
@@ -76,16 +76,10 @@ impl<'a> Resolver<'a> {
             (Wanted::Node(node), _) => self.value_of_node(scope, expr, value, node),
             (
                 Wanted::Number(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
-                Value::Scalar(found, nature),
-            ) => {
-                self.fits(scope, expr, found.is_zero(), *nature, dimension)?;
-                self.reads_only(scope, expr, nature.reads, reads)?;
-                Ok(Value::Scalar(*found, Nature::written(dimension, nature.reads)))
-            }
-            (Wanted::NumberOrVector(dimension, reads), Value::Vector(found, nature)) => {
-                self.fits(scope, expr, found.is_zero(), *nature, dimension)?;
-                self.reads_only(scope, expr, nature.reads, reads)?;
-                Ok(Value::Vector(*found, Nature::written(dimension, nature.reads)))
+                Value::Scalar(found),
+            ) => Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into()),
+            (Wanted::NumberOrVector(dimension, reads), Value::Vector(found)) => {
+                Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into())
             }
             (Wanted::NumberOrVector(..), _) => {
                 Err(self.wrong_kind(scope, expr, "a number or a vector", &value))
@@ -94,7 +88,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// A number of a dimension.
+    /// A number of a dimension that reads no more than it may.
     pub(super) fn eval_number(
         &mut self,
         scope: ScopeId,
@@ -102,57 +96,64 @@ impl<'a> Resolver<'a> {
         dimension: Dimension,
         reads: Reads,
     ) -> Eval<Expr> {
-        self.eval_quantity(scope, expr, dimension, reads).map(|(found, _)| found)
+        self.eval_quantity(scope, expr, dimension, reads).map(|found| found.value)
     }
 
-    /// A number of a dimension, and what is known of it.
+    /// A number of a dimension that reads no more than it may, and what is known of it.
     pub(super) fn eval_quantity(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
         dimension: Dimension,
         reads: Reads,
-    ) -> Eval<(Expr, Nature)> {
-        let (found, nature) = self.eval_scalar(scope, expr)?;
-        self.fits(scope, expr, found.is_zero(), nature, dimension)?;
-        self.reads_only(scope, expr, nature.reads, reads)?;
-        Ok((found, nature))
+    ) -> Eval<Scalar> {
+        let found = self.eval_scalar(scope, expr)?;
+        self.suits(scope, expr, found, dimension, reads)
     }
 
-    /// A vector of a dimension, and what it reads.
+    /// A vector of a dimension that reads no more than it may, and what is known of it.
     pub(super) fn eval_vector(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
         dimension: Dimension,
         reads: Reads,
-    ) -> Eval<(Vec2, Reads)> {
-        let value = self.eval(scope, expr)?;
-        let (found, nature) = match value {
-            Value::Vector(found, nature) => (found, nature),
+    ) -> Eval<Vector> {
+        let found = match self.eval(scope, expr)? {
+            Value::Vector(found) => found,
             // `0` needs no unit, and no second component.
-            Value::Scalar(found, nature) if found.is_zero() && nature.form == Form::Bare => {
-                (Vec2::ZERO, nature)
-            }
+            Value::Scalar(found) if found.is_bare_zero() => found.map(|_| Vec2::ZERO),
             other => return Err(self.wrong_kind(scope, expr, "a vector", &other)),
         };
-        self.fits(scope, expr, found.is_zero(), nature, dimension)?;
-        self.reads_only(scope, expr, nature.reads, reads)?;
-        Ok((found, nature.reads))
+        self.suits(scope, expr, found, dimension, reads)
     }
 
     /// A number of any dimension.
-    pub(super) fn eval_scalar(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<(Expr, Nature)> {
+    pub(super) fn eval_scalar(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Scalar> {
         match self.eval(scope, expr)? {
-            Value::Scalar(found, nature) => Ok((found, nature)),
+            Value::Scalar(found) => Ok(found),
             other => Err(self.wrong_kind(scope, expr, "a number", &other)),
         }
     }
 
+    /// Has it the dimension, and does it read no more than it may?
+    fn suits<T: Additive>(
+        &mut self,
+        scope: ScopeId,
+        expr: &ast::Expr,
+        found: Quantity<T>,
+        dimension: Dimension,
+        reads: Reads,
+    ) -> Eval<Quantity<T>> {
+        self.fits(scope, expr, found, dimension)?;
+        self.reads_only(scope, expr, found.nature.reads, reads)?;
+        Ok(found)
+    }
+
     /// A whole number that is known now.
     pub(super) fn eval_int(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<i64> {
-        let (found, nature) = self.eval_scalar(scope, expr)?;
-        whole_number(found, nature).ok_or_else(|| {
+        let found = self.eval_scalar(scope, expr)?;
+        whole_number(found).ok_or_else(|| {
             let message = "a whole number is expected that is known here";
             self.error(scope, Code::NotInteger, expr.span, message);
             Failed
@@ -178,17 +179,16 @@ impl<'a> Resolver<'a> {
         Failed
     }
 
-    fn fits(
+    fn fits<T: Additive>(
         &mut self,
         scope: ScopeId,
         expr: &ast::Expr,
-        is_zero: bool,
-        found: Nature,
+        Quantity { value, nature: found }: Quantity<T>,
         wanted: Dimension,
     ) -> Eval<()> {
         let text = literal_text(expr);
         let expected = wanted.describe();
-        let (code, message, help) = match fit(wanted, found, is_zero) {
+        let (code, message, help) = match fit(wanted, found, value.is_zero()) {
             Fit::Fits => return Ok(()),
             Fit::Wrong => {
                 let is_rate = found.dimension.over(Dimension::TIME) == wanted;
@@ -277,8 +277,8 @@ fn blank(text: &str) -> &str {
     if text.starts_with("a ") { "1" } else { text }
 }
 
-pub(super) fn whole_number(found: Expr, nature: Nature) -> Option<i64> {
-    let number = found.as_number().filter(|_| nature.dimension == Dimension::NUMBER);
+pub(super) fn whole_number(found: Scalar) -> Option<i64> {
+    let number = found.value.as_number().filter(|_| found.nature.dimension == Dimension::NUMBER);
     number.and_then(Number::as_int)
 }
 

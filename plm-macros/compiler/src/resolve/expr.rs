@@ -6,7 +6,7 @@ use plm_cas::{Expr, Node, Number};
 use super::Resolver;
 use super::expect::whole_number;
 use super::names::ScopeId;
-use super::value::{Condition, Eval, Failed, Form, Nature, Reads, Value};
+use super::value::{Additive, Condition, Eval, Failed, Form, Nature, Quantity, Reads, Value};
 use crate::diag::Code;
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Link, Operator};
@@ -31,8 +31,8 @@ impl<'a> Resolver<'a> {
         self.depth -= 1;
         let value = value?;
         let is_finite = match &value {
-            Value::Scalar(x, _) => is_finite(*x),
-            Value::Vector(pair, _) => is_finite(pair.x) && is_finite(pair.y),
+            Value::Scalar(x) => is_finite(x.value),
+            Value::Vector(pair) => is_finite(pair.value.x) && is_finite(pair.value.y),
             _ => true,
         };
         if is_finite {
@@ -46,7 +46,7 @@ impl<'a> Resolver<'a> {
     fn eval_kind(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
         match &expr.kind {
             ExprKind::Unknown => Err(Failed),
-            ExprKind::Number(number) => Ok(Value::Scalar(Expr::from(*number), Nature::BARE)),
+            ExprKind::Number(number) => Ok(Quantity::new(Expr::from(*number), Nature::BARE).into()),
             ExprKind::Quantity(inner, unit) => self.quantity(scope, inner, unit),
             ExprKind::Pair(x, y) => self.pair(scope, expr.span, x, y),
             ExprKind::Name(name) => self.lookup(scope, name),
@@ -74,57 +74,51 @@ impl<'a> Resolver<'a> {
 
     /// A literal with a unit, in SI.
     fn quantity(&mut self, scope: ScopeId, inner: &'a ast::Expr, unit: &DisplayUnit) -> Eval<Value> {
-        let value = self.eval(scope, inner)?;
-        Ok(match value {
-            Value::Scalar(_, nature) if nature.dimension != Dimension::NUMBER => {
-                let message = format!("a unit behind {}", nature.dimension.describe());
+        match self.eval(scope, inner)? {
+            Value::Scalar(found) if found.nature.dimension != Dimension::NUMBER => {
+                let message = format!("a unit behind {}", found.nature.dimension.describe());
                 self.error(scope, Code::BadUnit, inner.span, message)
                     .help("it has a unit: leave this one out");
-                return Err(Failed);
+                Err(Failed)
             }
-            Value::Scalar(number, nature) => {
-                let nature = Nature::written(unit.dimension, nature.reads);
-                Value::Scalar(Expr::from(unit.factor) * number, nature)
+            Value::Scalar(number) => Ok(in_unit(unit, number).into()),
+            Value::Vector(pair) if pair.nature.dimension != Dimension::NUMBER => {
+                let message = format!(
+                    "a unit behind the pair, but its components are {}",
+                    pair.nature.dimension.describe()
+                );
+                let help = match super::expect::text_of(inner) {
+                    Some(pair) => format!("its components have their units: write `{pair}`"),
+                    None => "its components have their units: leave this out".to_string(),
+                };
+                self.error(scope, Code::BadUnit, inner.span, message).help(help);
+                Err(Failed)
             }
-            Value::Vector(pair, nature) => {
-                if nature.dimension != Dimension::NUMBER {
-                    let message = format!(
-                        "a unit behind the pair, but its components are {}",
-                        nature.dimension.describe()
-                    );
-                    let help = match super::expect::text_of(inner) {
-                        Some(pair) => format!("its components have their units: write `{pair}`"),
-                        None => "its components have their units: leave this out".to_string(),
-                    };
-                    self.error(scope, Code::BadUnit, inner.span, message).help(help);
-                    return Err(Failed);
-                }
-                Value::Vector(Expr::from(unit.factor) * pair, Nature::written(unit.dimension, nature.reads))
-            }
-            other => return Err(self.wrong_kind(scope, inner, "a number", &other)),
-        })
+            Value::Vector(pair) => Ok(in_unit(unit, pair).into()),
+            other => Err(self.wrong_kind(scope, inner, "a number", &other)),
+        }
     }
 
     fn pair(&mut self, scope: ScopeId, span: Span, x: &'a ast::Expr, y: &'a ast::Expr) -> Eval<Value> {
         let (x, y) = (self.eval_scalar(scope, x), self.eval_scalar(scope, y));
-        let ((x, of_x), (y, of_y)) = (x?, y?);
-        let nature = self.joined(scope, span, (&[x], of_x), (&[y], of_y))?;
-        Ok(Value::Vector(Vec2::new(x, y), nature))
+        let (x, y) = (x?, y?);
+        let nature = self.joined(scope, span, x, y)?;
+        Ok(Quantity::new(Vec2::new(x.value, y.value), nature).into())
     }
 
     fn negative(&mut self, scope: ScopeId, inner: &'a ast::Expr, value: Value) -> Eval<Value> {
-        Ok(match value {
-            Value::Scalar(x, nature) => Value::Scalar(-x, nature),
-            Value::Vector(pair, nature) => Value::Vector(-pair, nature),
-            other => return Err(self.wrong_kind(scope, inner, "a number or a vector", &other)),
-        })
+        match value {
+            Value::Scalar(x) => Ok(x.map(|x| -x).into()),
+            Value::Vector(v) => Ok(v.map(|v| -v).into()),
+            other => Err(self.wrong_kind(scope, inner, "a number or a vector", &other)),
+        }
     }
 
     /// Powers have whole exponents, so that dimensions and derivatives stay simple.
     fn power(&mut self, scope: ScopeId, base: &'a ast::Expr, exponent: &'a ast::Expr) -> Eval<Value> {
-        let (x, nature) = self.eval_scalar(scope, base)?;
-        let (n, of_n) = self.eval_scalar(scope, exponent)?;
-        let n = whole_number(n, of_n).and_then(|n| i32::try_from(n).ok());
+        let Quantity { value: x, nature } = self.eval_scalar(scope, base)?;
+        let n = self.eval_scalar(scope, exponent)?;
+        let n = whole_number(n).and_then(|n| i32::try_from(n).ok());
         let Some(n) = n.filter(|n| n.abs() <= MAX_EXPONENT) else {
             let message = format!("an exponent is a whole number up to {MAX_EXPONENT} that is known here");
             self.error(scope, Code::NotInteger, exponent.span, message)
@@ -135,7 +129,7 @@ impl<'a> Resolver<'a> {
             return Err(self.division_by_zero(scope, base.span));
         }
         let nature = Nature { dimension: nature.dimension.power(n), ..nature };
-        Ok(Value::Scalar(x.powi(n), nature))
+        Ok(Quantity::new(x.powi(n), nature).into())
     }
 
     fn chain(&mut self, scope: ScopeId, first: &'a ast::Expr, links: &'a [Link]) -> Eval<Value> {
@@ -163,33 +157,21 @@ impl<'a> Resolver<'a> {
     fn operate(&mut self, scope: ScopeId, span: Span, link: &Link, left: Value, right: Value) -> Eval<Value> {
         let kinds = (left.kind(), right.kind());
         match (link.operator, left, right) {
-            (Operator::Mul, Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
-                let nature = of_a.scaled(of_b, of_a.dimension.times(of_b.dimension));
-                Ok(Value::Scalar(a * b, nature))
-            }
-            (Operator::Mul, Value::Scalar(a, of_a), Value::Vector(v, of_v))
-            | (Operator::Mul, Value::Vector(v, of_v), Value::Scalar(a, of_a)) => {
-                let nature = of_a.scaled(of_v, of_a.dimension.times(of_v.dimension));
-                Ok(Value::Vector(a * v, nature))
-            }
-            (Operator::Div, _, Value::Scalar(b, _)) if b.is_zero() => {
+            (Operator::Mul, Value::Scalar(a), Value::Scalar(b)) => Ok(b.times(a).into()),
+            (Operator::Mul, Value::Scalar(a), Value::Vector(v))
+            | (Operator::Mul, Value::Vector(v), Value::Scalar(a)) => Ok(v.times(a).into()),
+            (Operator::Div, _, Value::Scalar(b)) if b.value.is_zero() => {
                 Err(self.division_by_zero(scope, link.operand.span))
             }
-            (Operator::Div, Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
-                let nature = of_a.scaled(of_b, of_a.dimension.over(of_b.dimension));
-                Ok(Value::Scalar(a / b, nature))
+            (Operator::Div, Value::Scalar(a), Value::Scalar(b)) => Ok(a.over(b).into()),
+            (Operator::Div, Value::Vector(v), Value::Scalar(b)) => Ok(v.over(b).into()),
+            (operator @ (Operator::Add | Operator::Sub), Value::Scalar(a), Value::Scalar(b)) => {
+                let nature = self.joined(scope, span, a, b)?;
+                Ok(Quantity::new(plus_minus(operator, a.value, b.value), nature).into())
             }
-            (Operator::Div, Value::Vector(v, of_v), Value::Scalar(b, of_b)) => {
-                let nature = of_v.scaled(of_b, of_v.dimension.over(of_b.dimension));
-                Ok(Value::Vector(v.map(|x| x / b), nature))
-            }
-            (operator @ (Operator::Add | Operator::Sub), Value::Scalar(a, of_a), Value::Scalar(b, of_b)) => {
-                let nature = self.joined(scope, span, (&[a], of_a), (&[b], of_b))?;
-                Ok(Value::Scalar(if operator == Operator::Sub { a - b } else { a + b }, nature))
-            }
-            (operator @ (Operator::Add | Operator::Sub), Value::Vector(a, of_a), Value::Vector(b, of_b)) => {
-                let nature = self.joined(scope, span, (&a.components(), of_a), (&b.components(), of_b))?;
-                Ok(Value::Vector(if operator == Operator::Sub { a - b } else { a + b }, nature))
+            (operator @ (Operator::Add | Operator::Sub), Value::Vector(a), Value::Vector(b)) => {
+                let nature = self.joined(scope, span, a, b)?;
+                Ok(Quantity::new(plus_minus(operator, a.value, b.value), nature).into())
             }
             (operator, ..) => {
                 let message = format!("`{}` does not join {} and {}", operator.text(), kinds.0, kinds.1);
@@ -209,20 +191,20 @@ impl<'a> Resolver<'a> {
     }
 
     /// The nature of a sum, a comparison, a minimum: both sides must have one dimension.
-    pub(super) fn joined(
+    pub(super) fn joined<T: Additive>(
         &mut self,
         scope: ScopeId,
         span: Span,
-        left: (&[Expr], Nature),
-        right: (&[Expr], Nature),
+        a: Quantity<T>,
+        b: Quantity<T>,
     ) -> Eval<Nature> {
-        let ((a, of_a), (b, of_b)) = (left, right);
-        let is_bare_zero = |xs: &[Expr], of: Nature| of.form == Form::Bare && xs.iter().all(|x| x.is_zero());
-        if is_bare_zero(a, of_a) {
-            return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_b });
+        let (of_a, of_b) = (a.nature, b.nature);
+        let reads = of_a.reads.and(of_b.reads);
+        if a.is_bare_zero() {
+            return Ok(Nature { reads, ..of_b });
         }
-        if is_bare_zero(b, of_b) {
-            return Ok(Nature { reads: of_a.reads.and(of_b.reads), ..of_a });
+        if b.is_bare_zero() {
+            return Ok(Nature { reads, ..of_a });
         }
         if of_a.dimension.same(of_b.dimension) {
             let bare_angle =
@@ -259,4 +241,13 @@ fn is_finite(x: Expr) -> bool {
         }
         _ => true,
     }
+}
+
+fn plus_minus<T: Additive>(operator: Operator, a: T, b: T) -> T {
+    if operator == Operator::Sub { a - b } else { a + b }
+}
+
+/// A bare number or pair with a unit, in SI.
+fn in_unit<T: Additive>(unit: &DisplayUnit, number: Quantity<T>) -> Quantity<T> {
+    number.map(|number| number.each(|x| Expr::from(unit.factor) * x)).written_as(unit.dimension)
 }

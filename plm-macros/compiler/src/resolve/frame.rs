@@ -11,7 +11,7 @@ use super::Resolver;
 use super::draft::Draft;
 use super::lazy::Lazy;
 use super::names::ScopeId;
-use super::value::{Eval, Reads};
+use super::value::{Eval, Nature, Quantity, Reads};
 use crate::diag::Code;
 use crate::model::FrameRef;
 use crate::syntax::ast;
@@ -104,13 +104,11 @@ impl<'a> Resolver<'a> {
     fn written(&mut self, scope: ScopeId, port: &'a ast::Port, reads: Reads) -> Eval<(Vec2, Expr, Reads)> {
         let at = self.eval_vector(scope, &port.at, Dimension::LENGTH, reads);
         let angle = match &port.angle {
-            Some(angle) => {
-                self.eval_quantity(scope, angle, Dimension::ANGLE, reads).map(|(x, of)| (x, of.reads))
-            }
-            None => Ok((Expr::ZERO, Reads::NOTHING)),
+            Some(angle) => self.eval_quantity(scope, angle, Dimension::ANGLE, reads),
+            None => Ok(Quantity::new(Expr::ZERO, Nature::BARE)),
         };
-        let ((at, of_at), (angle, of_angle)) = (at?, angle?);
-        Ok((at, angle, of_at.and(of_angle)))
+        let (at, angle) = (at?, angle?);
+        Ok((at.value, angle.value, at.nature.reads.and(angle.nature.reads)))
     }
 
     /// A port of the ground may move as the time goes.

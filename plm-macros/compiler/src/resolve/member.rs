@@ -4,35 +4,36 @@ use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
 use super::Resolver;
+use super::body::BodyDraft;
+use super::frame::FrameGeometry;
 use super::instance::PartInUse;
+use super::members::{Member, Of, Owner};
 use super::names::ScopeId;
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::{Code, help_similar, nearest};
 use crate::model::FrameRef;
 use crate::syntax::ast::IndexedName;
 use crate::units::Dimension;
 
-/// Members of a frame.
-const OF_FRAME: &[&str] =
-    &["x", "y", "angle", "position", "axis", "normal", "velocity", "omega", "acceleration", "alpha", "body"];
+/// What the members of a body, at its G, or of a frame are read from.
+struct Pose {
+    body: Option<usize>,
+    position: Vec2,
+    angle: Expr,
+    rotation: Rotation,
+    /// What it reads, what its rate reads, and what the rate of that reads.
+    reads: [Reads; 3],
+}
 
-/// Members of a body besides its ports; a port may not take their names.
-pub(super) const OF_BODY: &[&str] = &[
-    "x",
-    "y",
-    "angle",
-    "position",
-    "axis",
-    "normal",
-    "vx",
-    "vy",
-    "omega",
-    "velocity",
-    "ax",
-    "ay",
-    "alpha",
-    "acceleration",
-];
+impl Pose {
+    const GROUND: Pose = Pose {
+        body: None,
+        position: Vec2::ZERO,
+        angle: Expr::ZERO,
+        rotation: Rotation::IDENTITY,
+        reads: [Reads::NOTHING; 3],
+    };
+}
 
 impl<'a> Resolver<'a> {
     /// `value.name`
@@ -42,15 +43,15 @@ impl<'a> Resolver<'a> {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
             Value::Body(None) => {
                 let name = format!("{}{}", self.names.prefix(scope), self.key(scope, member)?);
-                self.body_member(None, &name)?
+                self.body_member(None, &name)
             }
             _ if !member.indices.is_empty() => None,
             Value::Frame(frame) => self.frame_member(*frame, name)?,
             Value::Node(node) => self.node_member(*node, name),
-            Value::Body(body) => self.body_member(*body, name)?,
-            Value::Vector(Vec2 { x, y }, nature) => match name {
-                "x" => Some(Value::Scalar(*x, *nature)),
-                "y" => Some(Value::Scalar(*y, *nature)),
+            Value::Body(body) => self.body_member(*body, name),
+            Value::Vector(vector) => match name {
+                "x" => Some(vector.map(|v| v.x).into()),
+                "y" => Some(vector.map(|v| v.y).into()),
                 _ => None,
             },
             Value::Scalar(..) | Value::Condition(..) | Value::Choice(_) => None,
@@ -59,75 +60,43 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn frame_member(&mut self, frame: FrameRef, name: &str) -> Eval<Option<Value>> {
-        let geometry = self.frame(frame)?;
-        let reads = geometry.reads;
-        let length = Nature::derived(Dimension::LENGTH, reads);
-        let number = Nature::derived(Dimension::NUMBER, reads);
-        let angle = Nature::derived(Dimension::ANGLE, reads);
-        Ok(Some(match name {
-            "x" => Value::Scalar(geometry.position.x, length),
-            "y" => Value::Scalar(geometry.position.y, length),
-            "angle" => Value::Scalar(geometry.angle, angle),
-            "position" => Value::Vector(geometry.position, length),
-            "axis" => Value::Vector(geometry.rotation.axis(), number),
-            "normal" => Value::Vector(geometry.rotation.axis().left(), number),
-            "velocity" => {
-                let velocity = geometry.position.map(|x| self.calculus.total_derivative(x));
-                Value::Vector(velocity, Nature::derived(Dimension::VELOCITY, moving(reads)))
-            }
-            "omega" => {
-                let omega = self.calculus.total_derivative(geometry.angle);
-                Value::Scalar(omega, Nature::derived(Dimension::ANGULAR_VELOCITY, moving(reads)))
-            }
-            "acceleration" => {
-                let acceleration = geometry.position.map(|x| self.calculus.second_derivative(x));
-                Value::Vector(acceleration, Nature::derived(Dimension::ACCELERATION, accelerating(reads)))
-            }
-            "alpha" => {
-                let alpha = self.calculus.second_derivative(geometry.angle);
-                Value::Scalar(alpha, Nature::derived(Dimension::ANGULAR_ACCELERATION, accelerating(reads)))
-            }
-            "body" => Value::Body(frame.body),
-            _ => return Ok(None),
-        }))
+        let FrameGeometry { position, angle, rotation, reads, .. } = self.frame(frame)?;
+        let reads = [reads, moving(reads), accelerating(reads)];
+        let pose = Pose { body: frame.body, position, angle, rotation, reads };
+        Ok(Member::named(Owner::Frame, name).map(|member| self.member_of(&pose, member)))
     }
 
-    pub(super) fn body_member(&mut self, body: Option<usize>, name: &str) -> Eval<Option<Value>> {
+    /// A port of a body or of the ground, or what its pose gives.
+    pub(super) fn body_member(&mut self, body: Option<usize>, name: &str) -> Option<Value> {
         if let Some(port) = self.draft.port_index(body, name) {
-            return Ok(Some(Value::Frame(FrameRef { body, port })));
+            return Some(Value::Frame(FrameRef { body, port }));
         }
-        let (q, v, a, rotation) = if let Some(body) = body {
-            let body = &self.draft.bodies[body];
-            (body.q, body.v, body.a, body.rotation)
-        } else {
-            let zero = [Expr::ZERO; 3];
-            (zero, zero, zero, Rotation::IDENTITY)
+        let pose = match body {
+            Some(index) => {
+                let BodyDraft { q: [x, y, angle], rotation, .. } = self.draft.bodies[index];
+                let reads = [Reads::POSITION, Reads::VELOCITY, Reads::ACCELERATION];
+                Pose { body, position: Vec2::new(x, y), angle, rotation, reads }
+            }
+            None => Pose::GROUND,
         };
-        let at = Reads::POSITION;
-        let of = |dimension, reads| {
-            Nature::derived(dimension, if body.is_some() { reads } else { Reads::NOTHING })
+        Member::named(Owner::Body, name).map(|member| self.member_of(&pose, member))
+    }
+
+    fn member_of(&mut self, pose: &Pose, member: &Member) -> Value {
+        let order = member.order;
+        let nature = |of: Dimension| {
+            Nature::derived(of.over(Dimension::TIME.power(order.into())), pose.reads[usize::from(order)])
         };
-        let scalar = |value: Expr, dimension, reads| Value::Scalar(value, of(dimension, reads));
-        let vector =
-            |[x, y, _]: [Expr; 3], dimension, reads| Value::Vector(Vec2::new(x, y), of(dimension, reads));
-        let axis = rotation.axis();
-        Ok(Some(match name {
-            "x" => scalar(q[0], Dimension::LENGTH, at),
-            "y" => scalar(q[1], Dimension::LENGTH, at),
-            "angle" => scalar(q[2], Dimension::ANGLE, at),
-            "position" => vector(q, Dimension::LENGTH, at),
-            "axis" => Value::Vector(axis, of(Dimension::NUMBER, at)),
-            "normal" => Value::Vector(axis.left(), of(Dimension::NUMBER, at)),
-            "vx" => scalar(v[0], Dimension::VELOCITY, Reads::VELOCITY),
-            "vy" => scalar(v[1], Dimension::VELOCITY, Reads::VELOCITY),
-            "omega" => scalar(v[2], Dimension::ANGULAR_VELOCITY, Reads::VELOCITY),
-            "velocity" => vector(v, Dimension::VELOCITY, Reads::VELOCITY),
-            "ax" => scalar(a[0], Dimension::ACCELERATION, Reads::ACCELERATION),
-            "ay" => scalar(a[1], Dimension::ACCELERATION, Reads::ACCELERATION),
-            "alpha" => scalar(a[2], Dimension::ANGULAR_ACCELERATION, Reads::ACCELERATION),
-            "acceleration" => vector(a, Dimension::ACCELERATION, Reads::ACCELERATION),
-            _ => return Ok(None),
-        }))
+        let mut derivative = |of: Expr| self.calculus.derivative(of, order);
+        match member.of {
+            Of::X => Quantity::new(derivative(pose.position.x), nature(Dimension::LENGTH)).into(),
+            Of::Y => Quantity::new(derivative(pose.position.y), nature(Dimension::LENGTH)).into(),
+            Of::Position => Quantity::new(pose.position.map(derivative), nature(Dimension::LENGTH)).into(),
+            Of::Angle => Quantity::new(derivative(pose.angle), nature(Dimension::ANGLE)).into(),
+            Of::Axis => Quantity::new(pose.rotation.axis(), nature(Dimension::NUMBER)).into(),
+            Of::Normal => Quantity::new(pose.rotation.axis().left(), nature(Dimension::NUMBER)).into(),
+            Of::Body => Value::Body(pose.body),
+        }
     }
 
     /// An output of a part in use, or a part that it contains.
@@ -159,13 +128,16 @@ impl<'a> Resolver<'a> {
                 let diagnostic = self.error(scope, Code::UnknownPort, span, message);
                 help_similar(diagnostic, name, "port", &format!("ports of `{of}`"), &names);
                 if body.is_some() && nearest(name, names.iter().copied()).is_none() {
-                    diagnostic.note(format!("beside its ports a body has {}", OF_BODY.join(", ")));
+                    diagnostic.note(format!(
+                        "beside its ports a body has {}",
+                        Member::names(Owner::Body).join(", ")
+                    ));
                 }
             }
             Value::Frame(_) => {
                 let diagnostic =
                     self.error(scope, Code::UnknownMember, span, format!("a frame has no `{name}`"));
-                help_similar(diagnostic, name, "member", "members of a frame", OF_FRAME);
+                help_similar(diagnostic, name, "member", "members of a frame", &Member::names(Owner::Frame));
             }
             Value::Node(node) => {
                 let names = self.members_of_node(*node);

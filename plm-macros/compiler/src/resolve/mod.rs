@@ -9,6 +9,7 @@
 mod body;
 mod branch;
 mod calculus;
+mod call;
 mod compliance;
 mod condition;
 mod declare;
@@ -18,11 +19,14 @@ mod expr;
 mod field;
 mod finish;
 mod frame;
-mod function;
+mod functions;
+mod inertia;
 mod instance;
+mod interpolation;
 mod late;
 mod lazy;
 mod member;
+mod members;
 mod names;
 mod node;
 mod observe;
@@ -33,10 +37,8 @@ mod require;
 mod row;
 mod scope;
 mod settings;
-mod shape;
 mod silence;
 mod state;
-mod table;
 mod unknown;
 mod value;
 
@@ -49,8 +51,9 @@ use crate::syntax::ast::Mechanism;
 use crate::token::Files;
 use calculus::Calculus;
 use draft::Draft;
+pub(crate) use functions::{CallShape, Function};
+pub(crate) use members::{Member, Owner};
 use names::{Names, ScopeId};
-pub(crate) use observe::{OF_CENTRE, OF_PORT};
 use value::Value;
 
 /// Binds the names of a mechanism; what it observes is left out unless it is asked for. `None` if it has errors; they are in the

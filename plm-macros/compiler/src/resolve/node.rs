@@ -8,7 +8,7 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::expect::Wanted;
 use super::names::{ScopeId, Thunk};
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Scalar, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
 use crate::syntax::ast::{self, Domain, Ident};
@@ -22,7 +22,7 @@ pub(super) struct NodeDraft<'a> {
     pub(super) scope: ScopeId,
     pub(super) span: Span,
     /// Its across quantity, once it has been evaluated; another name of a node has none.
-    pub(super) across: Option<(Expr, Nature)>,
+    pub(super) across: Option<Scalar>,
     /// In the order of its domain.
     pub(super) through: Vec<Through>,
 }
@@ -136,9 +136,9 @@ impl<'a> Resolver<'a> {
             Value::Node(other) if std::ptr::eq(self.draft.nodes[other].domain, domain) => Ok(value),
             Value::Scalar(..) => {
                 let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ALL);
-                if let Value::Scalar(across, nature) = self.wanted(scope, expr, value, wanted)? {
-                    let nature = Nature::derived(nature.dimension, nature.reads);
-                    self.draft.nodes[node].across = Some((across, nature));
+                if let Value::Scalar(across) = self.wanted(scope, expr, value, wanted)? {
+                    let nature = Nature::derived(across.nature.dimension, across.nature.reads);
+                    self.draft.nodes[node].across = Some(Quantity { nature, ..across });
                 }
                 Ok(Value::Node(node))
             }
@@ -184,11 +184,11 @@ impl<'a> Resolver<'a> {
     pub(super) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
         let state = &self.draft.nodes[node];
         if state.domain.across.name.text == name {
-            return state.across.map(|(across, nature)| Value::Scalar(across, nature));
+            return state.across.map(Value::Scalar);
         }
         let through = state.domain.through.iter().position(|quantity| quantity.name.text == name)?;
         let nature = Nature::derived(state.domain.through[through].unit.dimension, SUM);
-        Some(Value::Scalar(state.through[through].symbol, nature))
+        Some(Quantity::new(state.through[through].symbol, nature).into())
     }
 
     /// Names of the members of a node.

@@ -10,19 +10,15 @@ use plm_cas::Expr;
 use plm_cas::algebra::{self, Vec2};
 
 use super::Resolver;
+use super::members::{Member, Owner};
 use super::names::ScopeId;
 use super::row::Action;
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::Code;
 use crate::model::{FrameRef, Name, Output};
 use crate::span::Span;
 use crate::syntax::ast::{Expr as Written, ExprKind};
 use crate::units::{Dimension, DisplayUnit};
-
-/// What is shown of a body at its centre of gravity.
-pub(crate) const OF_CENTRE: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
-/// What is shown of a port.
-pub(crate) const OF_PORT: [&str; 4] = ["position", "angle", "velocity", "acceleration"];
 
 /// What the parts do, and to whom.
 struct Actions {
@@ -43,11 +39,7 @@ struct Shown {
 
 impl Shown {
     fn push(&mut self, text: String, value: &Value, docs: String) {
-        let (components, nature) = match value {
-            Value::Scalar(x, nature) => (vec![*x], nature),
-            Value::Vector(v, nature) => (v.components().to_vec(), nature),
-            _ => return,
-        };
+        let Some((components, nature)) = value.components() else { return };
         if self.names.insert(text.clone()) {
             let (name, unit) = (Name { text, span: self.span }, DisplayUnit::si(nature.dimension));
             self.outputs.push(Output { name, components, unit, declared: false, docs });
@@ -113,8 +105,8 @@ impl<'a> Resolver<'a> {
     fn show_body(&mut self, body: Option<usize>, shown: &mut Shown) -> Eval<()> {
         if let Some(moving) = body {
             let name = self.draft.bodies[moving].name.text.clone();
-            for member in OF_CENTRE {
-                if let Some(value) = self.body_member(body, member)? {
+            for Member { name: member, .. } in Member::observed(Owner::Body) {
+                if let Some(value) = self.body_member(body, member) {
                     shown.push(format!("{name}.{member}"), &value, String::new());
                 }
             }
@@ -125,7 +117,7 @@ impl<'a> Resolver<'a> {
 
     fn show_port(&mut self, frame: FrameRef, shown: &mut Shown) -> Eval<()> {
         let name = self.name_of_port(frame);
-        for member in OF_PORT {
+        for Member { name: member, .. } in Member::observed(Owner::Frame) {
             if let Some(value) = self.frame_member(frame, member)? {
                 shown.push(format!("{name}.{member}"), &value, String::new());
             }
@@ -166,12 +158,12 @@ impl<'a> Resolver<'a> {
             let nature = |dimension| Nature::derived(dimension, Reads::ALL);
             shown.push(
                 format!("{name}.force_on_{port}"),
-                &Value::Vector(force, nature(Dimension::FORCE)),
+                &Quantity::new(force, nature(Dimension::FORCE)).into(),
                 format!("What `{name}` does to its port `{port}`, which is `{of_frame}`: the force, absolute axes."),
             );
             shown.push(
                 format!("{name}.torque_on_{port}"),
-                &Value::Scalar(torque, nature(Dimension::TORQUE)),
+                &Quantity::new(torque, nature(Dimension::TORQUE)).into(),
                 format!(
                     "What `{name}` does to its port `{port}`, which is `{of_frame}`: the torque about it, positive to the left."
                 ),

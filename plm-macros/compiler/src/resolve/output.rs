@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use super::Resolver;
 use super::names::ScopeId;
-use super::value::{Eval, Failed, Form, Value};
+use super::value::{Eval, Failed, Form, Nature, Value};
 use crate::diag::Code;
 use crate::model::{Name, Output};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName};
-use crate::units::{Dimension, DisplayUnit};
+use crate::units::DisplayUnit;
 
 impl<'a> Resolver<'a> {
     /// All outputs, in the order of declaration.
@@ -33,13 +33,11 @@ impl<'a> Resolver<'a> {
         let name = self.output_name(scope, ast);
         let value = self.eval(scope, &ast.value);
         let (name, value) = (name?, value?);
-        let (components, nature) = match value {
-            Value::Scalar(x, nature) => (vec![x], nature),
-            Value::Vector(v, nature) => (v.components().to_vec(), nature),
-            other => return Err(self.not_a_quantity(scope, &ast.value, &other)),
+        let Some((components, nature)) = value.components() else {
+            return Err(self.not_a_quantity(scope, &ast.value, &value));
         };
         let unit = match &ast.unit {
-            Some((unit, span)) => self.shown_in(scope, *span, nature.dimension, nature.form, unit)?,
+            Some((unit, span)) => self.shown_in(scope, *span, nature, unit)?,
             None => DisplayUnit::si(nature.dimension),
         };
         let docs = if docs.is_empty() { self.docs_of_path(scope, &ast.value) } else { one_line(docs) };
@@ -85,8 +83,7 @@ impl<'a> Resolver<'a> {
         &mut self,
         scope: ScopeId,
         span: Span,
-        dimension: Dimension,
-        form: Form,
+        Nature { dimension, form, .. }: Nature,
         unit: &DisplayUnit,
     ) -> Eval<DisplayUnit> {
         let fits = dimension.same(unit.dimension)

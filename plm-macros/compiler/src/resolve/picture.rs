@@ -48,8 +48,8 @@ impl<'a> Resolver<'a> {
         let sizes = std::mem::take(&mut self.draft.sizes);
         all(sizes.into_iter().map(|SizeDraft { name, slot, scope, span }| {
             match self.force(slot, scope, span)? {
-                Value::Scalar(value, nature) if nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => {
-                    Ok(Size { name, value })
+                Value::Scalar(size) if size.nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => {
+                    Ok(Size { name, value: size.value })
                 }
                 _ => {
                     self.error(scope, Code::NotConstant, span, "a picture shows parameters alone");
@@ -72,7 +72,7 @@ impl<'a> Resolver<'a> {
             Contour::Points(points) => {
                 let span = points.first().zip(points.last()).map(|(first, last)| first.span.to(last.span));
                 let points = all(points.iter().map(|point| {
-                    self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|(at, _)| at)
+                    self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|at| at.value)
                 }));
                 (points?, span.unwrap_or(self.draft.bodies[body].name.span))
             }

@@ -2,7 +2,7 @@
 
 use super::Resolver;
 use super::names::ScopeId;
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::Code;
 use crate::syntax::ast;
 use crate::units::Dimension;
@@ -11,13 +11,13 @@ impl<'a> Resolver<'a> {
     /// `rate(expr)`
     pub(super) fn rate_of(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
         Ok(match self.eval(scope, argument)? {
-            Value::Scalar(x, nature) => {
-                let nature = self.nature_of_rate(scope, argument, nature)?;
-                Value::Scalar(self.calculus.total_derivative(x), nature)
+            Value::Scalar(x) => {
+                let nature = self.nature_of_rate(scope, argument, x.nature)?;
+                Quantity::new(self.calculus.total_derivative(x.value), nature).into()
             }
-            Value::Vector(v, nature) => {
-                let nature = self.nature_of_rate(scope, argument, nature)?;
-                Value::Vector(v.map(|x| self.calculus.total_derivative(x)), nature)
+            Value::Vector(v) => {
+                let nature = self.nature_of_rate(scope, argument, v.nature)?;
+                Quantity::new(v.value.map(|x| self.calculus.total_derivative(x)), nature).into()
             }
             other => return Err(self.wrong_kind(scope, argument, "a number or a vector", &other)),
         })

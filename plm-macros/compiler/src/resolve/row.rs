@@ -115,8 +115,8 @@ impl<'a> Resolver<'a> {
     fn residual(&mut self, row: usize) -> Eval<Residual> {
         let RowDraft { scope, left, right, .. } = self.draft.rows[row];
         let (a, b) = (self.eval_scalar(scope, left), self.eval_scalar(scope, right));
-        let ((a, of_a), (b, of_b)) = (a?, b?);
-        let nature = self.joined(scope, left.span.to(right.span), (&[a], of_a), (&[b], of_b))?;
+        let (a, b) = (a?, b?);
+        let nature = self.joined(scope, left.span.to(right.span), a, b)?;
         let beyond = nature.reads.beyond(Reads::GEOMETRY);
         if beyond != Reads::NOTHING {
             let message = format!("a constraint reads {}", beyond.describe());
@@ -128,7 +128,7 @@ impl<'a> Resolver<'a> {
             }
             return Err(Failed);
         }
-        let phi = a - b;
+        let phi = a.value - b.value;
         if phi.as_number().is_some() && !nature.reads.has(Reads::POSITION) {
             self.error(scope, Code::NotConstant, left.span, "a constraint that holds no position")
                 .help("it must tie the positions of bodies");
@@ -175,7 +175,7 @@ impl<'a> Resolver<'a> {
             }
             "force" => self
                 .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::ALL)
-                .map(|(force, _)| Applied::Force(force)),
+                .map(|force| Applied::Force(force.value)),
             other => {
                 let message = format!("`{other}` does not act on a frame");
                 let diagnostic = self.error(scope, Code::UnknownMember, ast.quantity.span, message);

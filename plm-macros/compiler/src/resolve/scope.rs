@@ -11,7 +11,7 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::names::{ScopeId, Slot, SlotId, Thunk};
 use super::unknown::instead_of;
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::{Code, help_similar};
 use crate::span::Span;
 use crate::syntax::ast::{self, Ident, IndexedName};
@@ -93,8 +93,10 @@ impl<'a> Resolver<'a> {
             return self.force(slot, scope, name.ident.span);
         }
         match key.as_ref() {
-            "t" => Ok(Value::Scalar(self.calculus.time, Nature::derived(Dimension::TIME, Reads::TIME))),
-            "pi" => Ok(Value::Scalar(Expr::pi(), Nature::BARE)),
+            "t" => {
+                Ok(Quantity::new(self.calculus.time, Nature::derived(Dimension::TIME, Reads::TIME)).into())
+            }
+            "pi" => Ok(Quantity::new(Expr::pi(), Nature::BARE).into()),
             "gravity" => self.gravity(scope, name.ident.span),
             _ => Err(self.unknown_name(scope, name, &key)),
         }

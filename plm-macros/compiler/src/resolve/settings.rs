@@ -6,7 +6,7 @@ use plm_cas::{Expr, Number};
 use super::Resolver;
 use super::expect::Wanted;
 use super::names::{ScopeId, SlotId, Thunk};
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::Code;
 use crate::model::{Rung, Stabilisation};
 use crate::span::Span;
@@ -87,7 +87,10 @@ impl<'a> Resolver<'a> {
     pub(super) fn gravity(&mut self, scope: ScopeId, span: Span) -> Eval<Value> {
         match self.draft.settings.gravity {
             Some(slot) => self.force(slot, scope, span),
-            None => Ok(Value::Scalar(Expr::ZERO, Nature::written(Dimension::ACCELERATION, Reads::NOTHING))),
+            None => {
+                let nature = Nature::written(Dimension::ACCELERATION, Reads::NOTHING);
+                Ok(Quantity::new(Expr::ZERO, nature).into())
+            }
         }
     }
 
@@ -96,8 +99,8 @@ impl<'a> Resolver<'a> {
         let Some(slot) = self.draft.settings.gravity else { return Ok(Vec2::ZERO) };
         let span = self.names.slots[slot].span;
         match self.force(slot, 0, span)? {
-            Value::Scalar(gravity, _) => Ok(Vec2::new(Expr::ZERO, -gravity)),
-            Value::Vector(gravity, _) => Ok(gravity),
+            Value::Scalar(down) => Ok(Vec2::new(Expr::ZERO, -down.value)),
+            Value::Vector(gravity) => Ok(gravity.value),
             _ => Err(Failed),
         }
     }

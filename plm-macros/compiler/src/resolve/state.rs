@@ -5,7 +5,7 @@ use plm_cas::Expr;
 use super::Resolver;
 use super::declare::dimension_of;
 use super::names::ScopeId;
-use super::value::{Nature, Reads, Value};
+use super::value::{Nature, Quantity, Reads, Value};
 use crate::diag::Code;
 use crate::model::{Name, State};
 use crate::syntax::ast::{self, IndexedName};
@@ -45,7 +45,7 @@ impl<'a> Resolver<'a> {
         let stand_in = Expr::symbol(format!("rate_{text}"));
         self.calculus.changes(symbol, stand_in);
         let name = Name { text, span: ast.name.ident.span };
-        let value = Value::Scalar(symbol, Nature::written(unit.dimension, Reads::STATE));
+        let value = Quantity::new(symbol, Nature::written(unit.dimension, Reads::STATE)).into();
         let set = self.names.instance(scope).and_then(|instance| self.names.field(instance, &key));
         let (start, locked) = match set {
             Some((outer, field)) => (Some((outer, &field.value)), field.locked.is_some()),
@@ -79,7 +79,7 @@ impl<'a> Resolver<'a> {
             let named = self.names.find(scope, &key).map(|slot| self.force(slot, scope, span));
             let state = match named {
                 Some(Err(_)) => continue,
-                Some(Ok(Value::Scalar(symbol, _))) => self.state_of(symbol),
+                Some(Ok(Value::Scalar(named))) => self.state_of(named.value),
                 _ => None,
             };
             let Some(state) = state else {

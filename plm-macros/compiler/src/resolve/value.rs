@@ -1,5 +1,7 @@
 //! What an expression of the language stands for.
 
+use core::ops::{Add, Neg, Sub};
+
 use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
@@ -136,13 +138,114 @@ impl Nature {
     }
 }
 
+/// A number or a vector, and what is known of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Quantity<T> {
+    pub(super) value: T,
+    pub(super) nature: Nature,
+}
+
+pub(super) type Scalar = Quantity<Expr>;
+pub(super) type Vector = Quantity<Vec2>;
+
+impl<T> Quantity<T> {
+    pub(super) const fn new(value: T, nature: Nature) -> Quantity<T> {
+        Quantity { value, nature }
+    }
+
+    /// Something else of the same nature.
+    pub(super) fn map<U>(self, of: impl FnOnce(T) -> U) -> Quantity<U> {
+        Quantity { value: of(self.value), nature: self.nature }
+    }
+}
+
+/// What can be added, compared with zero and chosen between: a number or a vector.
+pub(super) trait Additive:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
+{
+    fn is_zero(self) -> bool;
+
+    /// The same of each component.
+    fn each(self, of: impl FnMut(Expr) -> Expr) -> Self;
+
+    /// `yes` where the condition holds, else `no`.
+    fn select(condition: &Condition, yes: Self, no: Self) -> Self;
+}
+
+impl Additive for Expr {
+    fn is_zero(self) -> bool {
+        self.is_zero()
+    }
+
+    fn each(self, mut of: impl FnMut(Expr) -> Expr) -> Expr {
+        of(self)
+    }
+
+    fn select(condition: &Condition, yes: Expr, no: Expr) -> Expr {
+        condition.select(yes, no)
+    }
+}
+
+impl Additive for Vec2 {
+    fn is_zero(self) -> bool {
+        self.is_zero()
+    }
+
+    fn each(self, of: impl FnMut(Expr) -> Expr) -> Vec2 {
+        self.map(of)
+    }
+
+    fn select(condition: &Condition, yes: Vec2, no: Vec2) -> Vec2 {
+        let x = condition.select(yes.x, no.x);
+        Vec2::new(x, condition.select(yes.y, no.y))
+    }
+}
+
+impl<T: Additive> Quantity<T> {
+    /// A zero without a unit, which goes with every dimension.
+    pub(super) fn is_bare_zero(self) -> bool {
+        self.nature.form == Form::Bare && self.value.is_zero()
+    }
+
+    /// As one that is written in a dimension.
+    pub(super) fn written_as(self, dimension: Dimension) -> Quantity<T> {
+        Quantity::new(self.value, Nature::written(dimension, self.nature.reads))
+    }
+
+    /// `factor self`
+    pub(super) fn times(self, factor: Scalar) -> Quantity<T> {
+        let dimension = factor.nature.dimension.times(self.nature.dimension);
+        let value = self.value.each(|x| factor.value * x);
+        Quantity::new(value, factor.nature.scaled(self.nature, dimension))
+    }
+
+    /// `self/divisor`
+    pub(super) fn over(self, divisor: Scalar) -> Quantity<T> {
+        let dimension = self.nature.dimension.over(divisor.nature.dimension);
+        let value = self.value.each(|x| x / divisor.value);
+        Quantity::new(value, self.nature.scaled(divisor.nature, dimension))
+    }
+}
+
+impl From<Scalar> for Value {
+    fn from(scalar: Scalar) -> Value {
+        Value::Scalar(scalar)
+    }
+}
+
+impl From<Vector> for Value {
+    fn from(vector: Vector) -> Value {
+        Value::Vector(vector)
+    }
+}
+
 /// The value of an expression.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
     /// A number with its dimension.
-    Scalar(Expr, Nature),
+    Scalar(Scalar),
     /// A vector in absolute axes, or any pair of one dimension.
-    Vector(Vec2, Nature),
+    Vector(Vector),
     /// What `if` asks for.
     Condition(Condition, Reads),
     /// A frame of a body or of the ground.
@@ -158,6 +261,15 @@ pub(super) enum Value {
 }
 
 impl Value {
+    /// The components of a number or a vector, and what is known of them.
+    pub(super) fn components(&self) -> Option<(Vec<Expr>, Nature)> {
+        match self {
+            Value::Scalar(x) => Some((vec![x.value], x.nature)),
+            Value::Vector(v) => Some((v.value.components().to_vec(), v.nature)),
+            _ => None,
+        }
+    }
+
     /// With its article.
     pub(super) fn kind(&self) -> &'static str {
         match self {

@@ -4,50 +4,62 @@ use plm_cas::{Expr, Number};
 
 use super::Resolver;
 use super::names::ScopeId;
-use super::value::{Eval, Failed, Nature, Reads, Value};
+use super::value::{Eval, Failed, Nature, Quantity, Reads, Scalar, Value};
 use crate::diag::Code;
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind};
 
+/// How values go on between the points of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Interpolation {
+    /// Along straight lines.
+    Lines,
+    /// Along a smooth curve.
+    Spline,
+}
+
+/// A point of a table.
+#[derive(Clone, Copy)]
+struct Point {
+    x: Expr,
+    y: Expr,
+}
+
 impl<'a> Resolver<'a> {
-    /// Straight lines between points `(x, y)`, or a smooth curve through them; the values at the ends are held.
+    /// The value at the first argument of a table of points `(x, y)`; beyond the ends the values there are held.
     pub(super) fn table(
         &mut self,
         scope: ScopeId,
         span: Span,
-        name: &str,
+        how: Interpolation,
         arguments: &'a [ast::Expr],
     ) -> Eval<Value> {
-        let (x, of_x) = self.eval_scalar(scope, &arguments[0])?;
-        let mut points: Vec<(Expr, Expr)> = Vec::with_capacity(arguments.len() - 1);
-        let mut nature = None;
+        let x = self.eval_scalar(scope, &arguments[0])?;
+        let mut points: Vec<Point> = Vec::with_capacity(arguments.len() - 1);
+        let mut last: Option<Scalar> = None;
         for point in &arguments[1..] {
             let ExprKind::Pair(at, value) = &point.kind else {
                 self.error(scope, Code::BadTable, point.span, "a point of a table is a pair `(x, y)`");
                 return Err(Failed);
             };
-            let (at_x, of_at) = self.eval_scalar(scope, at)?;
-            self.joined(scope, at.span, (&[x], of_x), (&[at_x], of_at))?;
-            self.reads_fixed(scope, at, of_at)?;
-            let (y, of_y) = self.eval_scalar(scope, value)?;
-            nature = Some(match (nature, points.last()) {
-                (Some(nature), Some((_, last))) => {
-                    self.joined(scope, span, (&[*last], nature), (&[y], of_y))?
-                }
-                _ => of_y,
-            });
-            points.push((at_x, y));
+            let at_x = self.eval_scalar(scope, at)?;
+            self.joined(scope, at.span, x, at_x)?;
+            self.reads_fixed(scope, at, at_x.nature)?;
+            let y = self.eval_scalar(scope, value)?;
+            let nature = last.map_or(Ok(y.nature), |last| self.joined(scope, span, last, y))?;
+            last = Some(Quantity { nature, ..y });
+            points.push(Point { x: at_x.value, y: y.value });
         }
         self.ascending(scope, span, &points)?;
-        let nature = nature.unwrap_or(Nature::BARE);
-        let value = if name == "table" {
-            between(x, &points, |k| line(&points[k..]))
-        } else {
-            let knots: Vec<f64> = points.iter().map(|point| number_of(point.0)).collect();
-            let spline = Spline::new(&knots, &points);
-            between(x, &points, |k| spline.segment(k))
+        let nature = last.map_or(Nature::BARE, |last| last.nature);
+        let value = match how {
+            Interpolation::Lines => between(x.value, &points, |k| line(points[k], points[k + 1])),
+            Interpolation::Spline => {
+                let spline = Spline::new(&points);
+                between(x.value, &points, |k| spline.segment(k))
+            }
         };
-        Ok(Value::Scalar(value, Nature::derived(nature.dimension, nature.reads.and(of_x.reads))))
+        Ok(Quantity::new(value, Nature::derived(nature.dimension, nature.reads.and(x.nature.reads))).into())
     }
 
     fn reads_fixed(&mut self, scope: ScopeId, expr: &ast::Expr, nature: Nature) -> Eval<()> {
@@ -58,8 +70,8 @@ impl<'a> Resolver<'a> {
         Err(Failed)
     }
 
-    fn ascending(&mut self, scope: ScopeId, span: Span, points: &[(Expr, Expr)]) -> Eval<()> {
-        if points.windows(2).all(|pair| number_of(pair[0].0) < number_of(pair[1].0)) {
+    fn ascending(&mut self, scope: ScopeId, span: Span, points: &[Point]) -> Eval<()> {
+        if points.windows(2).all(|pair| number_of(pair[0].x) < number_of(pair[1].x)) {
             return Ok(());
         }
         self.error(scope, Code::BadTable, span, "the x values of a table ascend");
@@ -67,24 +79,22 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// The two ends are held; between, the nearest segment below counts: a polynomial in what lies behind its first point.
-fn between(x: Expr, points: &[(Expr, Expr)], segment: impl Fn(usize) -> Vec<Expr>) -> Expr {
-    let mut value = points[points.len() - 1].1;
+/// The value at x: of the first segment whose end lies above x, as a polynomial in the distance from its first point, its
+/// coefficients by ascending powers; before the first point and behind the last, the value there.
+fn between(x: Expr, points: &[Point], segment: impl Fn(usize) -> Vec<Expr>) -> Expr {
+    let mut value = points[points.len() - 1].y;
     for k in (0..points.len() - 1).rev() {
         let coefficients = segment(k);
-        let along = x - points[k].0;
+        let along = x - points[k].x;
         let curve = coefficients.into_iter().rev().reduce(|sum, coefficient| coefficient + sum * along);
-        let below = x.less(points[k + 1].0);
-        value = below.select(curve.unwrap_or(value), value);
+        value = x.less(points[k + 1].x).select(curve.unwrap_or(value), value);
     }
-    let before = x.less(points[0].0);
-    before.select(points[0].1, value)
+    x.less(points[0].x).select(points[0].y, value)
 }
 
-/// From the first of the points to the second.
-fn line(points: &[(Expr, Expr)]) -> Vec<Expr> {
-    let ((x0, y0), (x1, y1)) = (points[0], points[1]);
-    vec![y0, (y1 - y0) / (x1 - x0)]
+/// The straight line through two points.
+fn line(from: Point, to: Point) -> Vec<Expr> {
+    vec![from.y, (to.y - from.y) / (to.x - from.x)]
 }
 
 /// A curve through points that begins and ends at rest, with a continuous second derivative: cubics that have it so at the
@@ -98,9 +108,10 @@ struct Spline {
 }
 
 impl Spline {
-    fn new(knots: &[f64], points: &[(Expr, Expr)]) -> Spline {
+    fn new(points: &[Point]) -> Spline {
+        let knots: Vec<f64> = points.iter().map(|point| number_of(point.x)).collect();
         let runs: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let y: Vec<Expr> = points.iter().map(|point| point.1).collect();
+        let y: Vec<Expr> = points.iter().map(|point| point.y).collect();
         // Slopes are linear in the values: those of a value of 1 at one point, and 0 at all others, are its weights.
         let columns: Vec<Vec<f64>> = (0..y.len()).map(|of| slopes(&runs, of)).collect();
         let slope = |k: usize| y.iter().zip(&columns).map(|(&y, weights)| scaled(weights[k], y)).sum();
