@@ -7,6 +7,8 @@
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
+mod pair;
+
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 

@@ -7,14 +7,14 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use plm_cas::{Expr, Number, algebra};
+use plm_cas::{Expr, algebra};
 
 use super::Resolver;
 use super::names::ScopeId;
 use super::value::{Eval, Failed, Reads};
 use crate::diag::Code;
 use crate::model::{Limit, Load, Output, Row, State};
-use crate::syntax::ast::{self, Field};
+use crate::syntax::ast::Field;
 use crate::units::Dimension;
 
 const COMPLIANCE: &str = "compliance";
@@ -23,6 +23,15 @@ const RELAXATION: &str = "relaxation";
 
 /// Words that may be set where a joint is used, besides its own parameters.
 pub(super) const WORDS: [&str; 3] = [COMPLIANCE, ROTARY, RELAXATION];
+
+/// A word that is set where a joint is used.
+struct Word<'a> {
+    instance: usize,
+    name: &'static str,
+    /// Where the joint is used.
+    scope: ScopeId,
+    field: &'a Field,
+}
 
 /// The rows of one instance, by their places in the model.
 type OfInstance = Vec<usize>;
@@ -102,32 +111,29 @@ impl<'a> Resolver<'a> {
     fn compliances(
         &mut self,
         instance: usize,
-        word: &str,
+        word: &'static str,
         rows: &[Row],
         own: OfInstance,
     ) -> Eval<Vec<(usize, Expr)>> {
-        let Some((outer, field)) = self.names.word(instance, word) else { return Ok(Vec::new()) };
-        let expr = &field.value;
+        let Some(word) = self.word(instance, word) else { return Ok(Vec::new()) };
         if own.is_empty() {
-            let kind = if word == ROTARY { "an angle" } else { "a length" };
-            let of = self.names.instances[instance].name.clone();
-            let message = format!("`{of}` has no constraint that is {kind}, which could have a `{word}`");
-            self.error(outer, Code::UnknownField, field.span(), message);
+            let kind = if word.name == ROTARY { "an angle" } else { "a length" };
+            let (of, name) = (&self.names.instances[instance].name, word.name);
+            let message = format!("`{of}` has no constraint that is {kind}, which could have a `{name}`");
+            self.error(word.scope, Code::UnknownField, word.field.span(), message);
             return Err(Failed);
         }
         let mut known: BTreeMap<Dimension, Expr> = BTreeMap::new();
         for &row in &own {
             let dimension = rows[row].unit.dimension;
             // phi over lambda; phi lambda is an energy.
-            let wanted = if word == ROTARY {
+            let wanted = if word.name == ROTARY {
                 Dimension::ANGLE.over(Dimension::TORQUE)
             } else {
                 dimension.power(2).over(Dimension::TORQUE)
             };
             if let Entry::Vacant(unknown) = known.entry(dimension) {
-                let value = self.eval_number(outer, expr, wanted, Reads::FIXED)?;
-                self.above_zero((instance, outer), (word, expr), (value, wanted), false)?;
-                unknown.insert(value);
+                unknown.insert(self.positive(&word, wanted, false)?);
             }
         }
         Ok(own.into_iter().map(|row| (row, known[&rows[row].unit.dimension])).collect())
@@ -135,39 +141,33 @@ impl<'a> Resolver<'a> {
 
     /// The time in which a row that gives way settles.
     fn relaxation(&mut self, instance: usize) -> Eval<Option<(&'a Field, Expr)>> {
-        let Some((outer, field)) = self.names.word(instance, RELAXATION) else { return Ok(None) };
-        let expr = &field.value;
-        let value = self.eval_number(outer, expr, Dimension::TIME, Reads::FIXED)?;
-        self.above_zero((instance, outer), (RELAXATION, expr), (value, Dimension::TIME), true)?;
-        Ok(Some((field, value)))
+        let Some(word) = self.word(instance, RELAXATION) else { return Ok(None) };
+        let value = self.positive(&word, Dimension::TIME, true)?;
+        Ok(Some((word.field, value)))
     }
 
-    /// A number that is known now must be positive, or zero where that has a meaning; others are looked at when they are.
-    fn above_zero(
-        &mut self,
-        (instance, scope): (usize, ScopeId),
-        (word, expr): (&str, &ast::Expr),
-        (value, dimension): (Expr, Dimension),
-        or_zero: bool,
-    ) -> Eval<()> {
-        let wrong = |number: &Number| number.is_negative() || (number.is_zero() && !or_zero);
-        let number = value.as_number();
-        if number.is_none() {
-            let (part, unit) = (self.names.instances[instance].name.clone(), dimension.si_unit());
-            self.draft.limits.push(Limit {
-                part,
-                what: word.to_owned(),
-                value,
-                unit,
-                or_zero,
-                span: expr.span,
-            });
+    fn word(&self, instance: usize, name: &'static str) -> Option<Word<'a>> {
+        self.names.word(instance, name).map(|(scope, field)| Word { instance, name, scope, field })
+    }
+
+    /// The value of a word, which must be positive, or zero where that has a meaning. What depends on parameters is looked at when
+    /// they are known.
+    fn positive(&mut self, word: &Word<'a>, dimension: Dimension, or_zero: bool) -> Eval<Expr> {
+        let (scope, name, expr) = (word.scope, word.name, &word.field.value);
+        let value = self.eval_number(scope, expr, dimension, Reads::FIXED)?;
+        let Some(number) = value.as_number() else {
+            let (part, unit) = (self.names.instances[word.instance].name.clone(), dimension.si_unit());
+            let (what, span) = (name.to_owned(), expr.span);
+            self.draft.limits.push(Limit { part, what, value, unit, or_zero, span });
+            return Ok(value);
+        };
+        if !number.is_negative() && (or_zero || !number.is_zero()) {
+            return Ok(value);
         }
-        let Some(number) = number.filter(wrong) else { return Ok(()) };
         let found = super::expect::literal_text(expr).unwrap_or_else(|| number.to_f64().to_string());
         let wanted = if or_zero { "must not be negative" } else { "must be positive" };
         let diagnostic =
-            self.error(scope, Code::NotPositive, expr.span, format!("the {word} {wanted}, found {found}"));
+            self.error(scope, Code::NotPositive, expr.span, format!("the {name} {wanted}, found {found}"));
         if !or_zero {
             diagnostic.help("leave it out: without a compliance the joint is rigid");
         }

@@ -46,7 +46,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Ground(ports) => self.declare_ground(scope, ports),
                 ItemKind::Body(body) => self.declare_body(scope, body),
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),
-                ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, (left, right), part),
+                ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, [left, right], part),
                 ItemKind::Require(name, condition) => self.declare_requirement(scope, name, condition),
                 ItemKind::Load(load) => self.declare_load(scope, load, part),
                 ItemKind::Node(node) => self.declare_node(scope, node),

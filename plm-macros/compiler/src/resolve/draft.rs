@@ -3,11 +3,12 @@
 use super::body::BodyDraft;
 use super::declare::FieldDraft;
 use super::frame::PortDraft;
+use super::load::{Action, LoadDraft};
 use super::names::ScopeId;
 use super::node::NodeDraft;
 use super::picture::SizeDraft;
 use super::require::{Requirement, Switched};
-use super::row::{Action, LoadDraft, RowDraft};
+use super::row::RowDraft;
 use super::settings::Settings;
 use super::state::{RateDraft, StateDraft};
 use crate::model::{Limit, Part};

@@ -48,7 +48,7 @@ impl<'a> Resolver<'a> {
         let outer = self.names.instances[id].outer;
         let fields = self.names.instances[id].fields.clone();
         for (k, (path, field)) in fields.iter().enumerate() {
-            self.check_field(id, (path, field));
+            self.check_field(id, path, field);
             if let Some((_, first)) = fields[..k].iter().find(|(before, _)| before == path) {
                 let first = first.span();
                 self.error(outer, Code::RepeatedItem, field.span(), format!("`{path}` is set twice"))
@@ -57,7 +57,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn check_field(&mut self, id: usize, (path, field): (&str, &'a Field)) {
+    fn check_field(&mut self, id: usize, path: &str, field: &'a Field) {
         let Some((last, parts)) = field.path.split_last() else { return };
         let (mut definition, outer) = (self.names.instances[id].definition, self.names.instances[id].outer);
         for part in parts {

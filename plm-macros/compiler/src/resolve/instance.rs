@@ -135,10 +135,9 @@ impl<'a> Resolver<'a> {
             ItemKind::Pair(pair) => Some(pair),
             _ => None,
         })?;
-        let known = pair_named(&pair.text);
+        let known = Pair::named(&pair.text);
         if known.is_none() {
-            let names = ["revolute", "prismatic", "pin_slot", "weld"];
-            self.unknown_option(0, &pair.text, pair.span, &names);
+            self.unknown_option(0, &pair.text, pair.span, &Pair::ALL.map(Pair::name));
         }
         known.map(|known| (known, pair.span))
     }
@@ -275,15 +274,5 @@ impl<'a> Resolver<'a> {
         if is_part {
             self.draft.parts[part].frames = frames;
         }
-    }
-}
-
-fn pair_named(name: &str) -> Option<Pair> {
-    match name {
-        "revolute" => Some(Pair::Revolute),
-        "prismatic" => Some(Pair::Prismatic),
-        "pin_slot" => Some(Pair::PinSlot),
-        "weld" => Some(Pair::Weld),
-        _ => None,
     }
 }

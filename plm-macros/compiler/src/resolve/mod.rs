@@ -25,6 +25,7 @@ mod instance;
 mod interpolation;
 mod late;
 mod lazy;
+mod load;
 mod member;
 mod members;
 mod names;

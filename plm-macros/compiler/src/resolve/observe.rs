@@ -10,9 +10,9 @@ use plm_cas::Expr;
 use plm_cas::algebra::{self, Vec2};
 
 use super::Resolver;
+use super::load::Action;
 use super::members::{Member, Owner};
 use super::names::ScopeId;
-use super::row::Action;
 use super::value::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::diag::Code;
 use crate::model::{FrameRef, Name, Output};
