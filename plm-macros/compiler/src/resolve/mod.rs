@@ -4,44 +4,19 @@
 //! or to an expression that waits. Then everything that the model needs is evaluated; an expression that waits is
 //! worked out at its first use. So the order of declaration does not matter, a part may read the outputs of another,
 //! and only a true circle is an error. Last, rates of states and sums at nodes take the places of the symbols that stood for
-//! them (`stand_in`).
+//! them.
+//!
+//! * `names`: scopes, what is bound in them, what is said of a name that there is not.
+//! * `values`: what an expression means; members and functions, as tables.
+//! * `things`: what items declare (bodies, frames, parts, rows, loads, nodes, states), kept in the draft of the model.
+//! * `settle`: the model from the draft; stand-ins, compliances, outputs, what is observed, warnings.
+//! * `calculus`: symbols that change with time, and total derivatives.
 
-mod body;
-mod branch;
 mod calculus;
-mod call;
-mod compliance;
-mod condition;
-mod declare;
-mod draft;
-mod expect;
-mod expr;
-mod field;
-mod finish;
-mod frame;
-mod functions;
-mod inertia;
-mod instance;
-mod interpolation;
-mod late;
-mod lazy;
-mod load;
-mod member;
-mod members;
 mod names;
-mod node;
-mod observe;
-mod output;
-mod picture;
-mod rate;
-mod require;
-mod row;
-mod scope;
-mod settings;
-mod silence;
-mod state;
-mod unknown;
-mod value;
+mod settle;
+mod things;
+mod values;
 
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::front::Reading;
@@ -51,11 +26,11 @@ use crate::span::Span;
 use crate::syntax::ast::Mechanism;
 use crate::token::Files;
 use calculus::Calculus;
-use draft::Draft;
-pub(crate) use functions::{CallShape, Function};
-pub(crate) use members::{Member, Owner};
 use names::{Names, ScopeId};
-use value::Value;
+use things::Draft;
+use values::Value;
+pub(crate) use values::function_table::{CallShape, Function};
+pub(crate) use values::member_table::{Member, Owner};
 
 /// Binds the names of a mechanism; what it observes is left out unless it is asked for. `None` if it has errors; they are in the
 /// sink.
@@ -75,7 +50,7 @@ pub(crate) fn resolve(reading: &Reading, observes: bool, sink: &mut Diagnostics)
     if !observes {
         resolver.draft.observed.clear();
     }
-    resolver.finish(&reading.declaration, mechanism)
+    resolver.into_model(&reading.declaration, mechanism)
 }
 
 /// What names mean, how expressions change with time, and what is declared.
@@ -104,7 +79,7 @@ impl<'a> Resolver<'a> {
     fn evaluate(&mut self) {
         for slot in std::mem::take(&mut self.names.checks) {
             let span = self.names.slots[slot].span;
-            let _ = self.force(slot, 0, span);
+            let _ = self.slot_value(slot, 0, span);
         }
         for body in 0..self.draft.bodies.len() {
             self.check_body(body);
