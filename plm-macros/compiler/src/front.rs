@@ -44,10 +44,8 @@ impl Reading {
     }
 
     fn resolved(&self, observes: bool, sink: &mut Diagnostics) -> Option<Model> {
-        let mechanism = self.declaration.mechanism.as_ref()?;
         let mut graph = Graph::new();
-        let libraries = (&self.library, &self.files);
-        let model = graph.enter(|| resolve(&self.declaration, mechanism, libraries, observes, sink))?;
+        let model = graph.enter(|| resolve(self, observes, sink))?;
         Some(Model { graph, ..model })
     }
 }

@@ -8,9 +8,11 @@
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
 mod joint;
+mod pair;
 mod switch;
 
-use plm_cas::{Expr, Graph, algebra};
+use plm_cas::algebra::{self, Vec2};
+use plm_cas::{Expr, Graph};
 
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use switch::{Jump, Side, Steady};
@@ -38,8 +40,8 @@ pub struct Model {
     pub most_growth: Expr,
     /// Symbol of the part, one in so many, by which lengths that repeat each other may differ: the scalar's.
     pub agreement: Expr,
-    /// Acceleration of gravity along x and y, absolute axes, m/s^2.
-    pub gravity: [Expr; 2],
+    /// Acceleration of gravity, absolute axes, m/s^2.
+    pub gravity: Vec2,
     /// The rung that the user ordered, and where.
     pub rung: Option<(Rung, Span)>,
     /// How constraints are kept.
@@ -191,7 +193,7 @@ pub struct Body {
     /// Symbols of their accelerations: m/s^2, m/s^2, rad/s^2; only outputs may hold them.
     pub a: [Expr; 3],
     /// G in the body's axes, from its origin O, m; (0, 0) where drawing coordinates are used.
-    pub centre: [Expr; 2],
+    pub centre: Vec2,
     /// Ports in the order of declaration.
     pub ports: Vec<Port>,
     /// Start of (x, y, angle) of the origin O; with drawing coordinates O is G. m, m, rad.
@@ -199,7 +201,7 @@ pub struct Body {
     /// Start of (vx, vy, omega) of the origin O: m/s, m/s, rad/s.
     pub start_velocity: [Start; 3],
     /// Outline for pictures: points from G in the body's axes, m; empty if there is none.
-    pub contour: Vec<[Expr; 2]>,
+    pub contour: Vec<Vec2>,
     /// Depth for pictures, m.
     pub depth: Option<Expr>,
 }
@@ -219,7 +221,7 @@ pub struct Port {
     /// Its name.
     pub name: Name,
     /// Position from G in the body's axes, m.
-    pub at: [Expr; 2],
+    pub at: Vec2,
     /// Joint angle from the body's x axis, rad.
     pub angle: Expr,
     /// Is it used by any part?

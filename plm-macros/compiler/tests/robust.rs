@@ -31,7 +31,7 @@ const RIGHT: [&str; 3] = [
         revolute pivot(ground.d, rocker.d);
         force push(coupler.c) { axes: body; y: lift; }
         spring cord(ground.a, coupler.c) { stiffness: 10 N/m; free_length: 0.2 m; }
-        output drive.force, pin.force.x, crank.alpha, tip = coupler.c.position, rocker.angle in deg;
+        output drive.force, pin.force.x, crank.alpha, tip = coupler.c.position, seen = to_relative(coupler.c.position, (0, 0) m, crank.angle), rocker.angle in deg;
         observe all;
     }",
     "pub Rails {

@@ -45,7 +45,7 @@ fn moving_ports(model: &Model, row: usize) -> impl Iterator<Item = &Port> {
     let sides: Vec<Expr> = jumps.map(|jump| model.sides[jump.side].symbol).collect();
     let frames = model.parts[model.rows[row].part].frames.iter().filter(|frame| frame.body.is_none());
     frames.filter_map(|frame| model.ground.get(frame.port)).filter(move |port| {
-        let read = algebra::symbols(&[port.at[0], port.at[1], port.angle]);
+        let read = algebra::symbols(&[port.at.x, port.at.y, port.angle]);
         sides.iter().any(|side| read.contains(side))
     })
 }

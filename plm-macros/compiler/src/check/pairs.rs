@@ -139,7 +139,7 @@ impl<'a> Joint<'a> {
             Some(body) => &self.scene.model.bodies[body].ports[frame.port],
             None => &self.scene.model.ground[frame.port],
         };
-        (at.map(|component| value(component, fixed)), value(*angle, fixed))
+        (at.components().map(|component| value(component, fixed)), value(*angle, fixed))
     }
 
     fn report_row(&self, row: usize, by: f64, diagnostics: &mut Diagnostics) {

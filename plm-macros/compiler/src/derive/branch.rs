@@ -70,7 +70,7 @@ fn far_point(model: &Model, joints: &Joints, joint: usize, own: FrameRef) -> Opt
 
 /// A port of a body from G in its axes.
 fn port(model: &Model, frame: FrameRef) -> Option<Vec2> {
-    Some(model.bodies[frame.body?].ports.get(frame.port)?.at.into())
+    Some(model.bodies[frame.body?].ports.get(frame.port)?.at)
 }
 
 /// A point of a body in absolute axes, `r + R(theta) s` (manual, section 4.3.1), from `s` in the axes of the body.

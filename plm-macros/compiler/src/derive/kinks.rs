@@ -63,9 +63,8 @@ pub(super) fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
         row.phi = algebra::substitute(&[row.phi], pairs)[0];
     }
     for port in &mut model.ground {
-        let [x, y] = port.at;
-        let replaced = algebra::substitute(&[x, y, port.angle], pairs);
-        (port.at, port.angle) = ([replaced[0], replaced[1]], replaced[2]);
+        let replaced = algebra::substitute(&[port.at.x, port.at.y, port.angle], pairs);
+        (port.at, port.angle) = ([replaced[0], replaced[1]].into(), replaced[2]);
     }
 }
 

@@ -108,7 +108,7 @@ pub(crate) fn derive(model: &Model) -> Equations {
 fn applied_force(model: &Model) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); 3 * model.bodies.len()];
     for (i, body) in model.bodies.iter().enumerate() {
-        for (k, &gravity) in model.gravity.iter().enumerate() {
+        for (k, gravity) in model.gravity.components().into_iter().enumerate() {
             terms[3 * i + k].push(body.mass * gravity);
         }
     }

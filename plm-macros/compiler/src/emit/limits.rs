@@ -126,9 +126,8 @@ pub(crate) fn carried(emission: &Emission) -> String {
 fn shaping<'a>(emission: &'a Emission) -> Vec<&'a str> {
     let Emission { model, fields, .. } = emission;
     let mut roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
-    roots.extend(
-        model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre[0], body.centre[1]]),
-    );
+    roots
+        .extend(model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre.x, body.centre.y]));
     roots.extend(model.limits.iter().map(|limit| limit.value));
     roots.extend(model.sides.iter().map(|side| side.difference));
     let read = algebra::symbols(&roots);

@@ -13,7 +13,7 @@ pub(crate) fn emit(text: &mut String, emission: &Emission) {
         None => value(expr, &known),
     };
     let contours = model.bodies.iter().filter(|body| !body.contour.is_empty()).map(|body| {
-        let points = body.contour.iter().map(|at| format!("[{:?}, {:?}]", number(at[0]), number(at[1])));
+        let points = body.contour.iter().map(|at| format!("[{:?}, {:?}]", number(at.x), number(at.y)));
         format!("({:?}, &[{}])", body.name.text, points.collect::<Vec<_>>().join(", "))
     });
     constant(

@@ -82,7 +82,8 @@ fn placed(text: &mut String, emission: &Emission) {
     let bindings = emission.parameters();
     let mut lines = String::new();
     for (k, (body, field)) in model.bodies.iter().zip(&fields.bodies).enumerate() {
-        let [x, y] = body.centre.map(|component| defaults::inline(emission, component, &bindings));
+        let [x, y] =
+            body.centre.components().map(|component| defaults::inline(emission, component, &bindings));
         let (q, v) = (3 * k, nq + 3 * k);
         let triple = |first: usize| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2);
         push(

@@ -378,7 +378,8 @@ fn starts(text: &mut String, emission: &Emission) {
     let bindings = emission.parameters();
     let list = |method: &str, angle: bool| {
         let entries = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
-            let [x, y] = body.centre.map(|component| defaults::inline(emission, component, &bindings));
+            let [x, y] =
+                body.centre.components().map(|component| defaults::inline(emission, component, &bindings));
             let angle = if angle { format!(", q[{}]", 3 * k + 2) } else { String::new() };
             format!("                self.start.{field}.{method}([{x}, {y}]{angle}),\n")
         });

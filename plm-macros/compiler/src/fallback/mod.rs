@@ -6,6 +6,7 @@
 mod observe;
 mod shape;
 
+use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Graph};
 use std::fmt::Write;
 
@@ -53,7 +54,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         time: Expr::symbol("t"),
         most_growth: Expr::symbol("most_growth"),
         agreement: Expr::symbol("agreement"),
-        gravity: [Expr::ZERO; 2],
+        gravity: Vec2::ZERO,
         rung: None,
         stabilisation: Stabilisation::Projection,
         params,
@@ -297,7 +298,7 @@ fn body(name: Name) -> Body {
         q,
         v,
         a,
-        centre: [zero; 2],
+        centre: Vec2::ZERO,
         ports: Vec::new(),
         contour: Vec::new(),
         depth: None,

@@ -4,7 +4,7 @@ use plm_cas::Expr;
 
 use super::{Names, name, no_unit};
 use crate::model::{Name, Output};
-use crate::resolve::{OF_CENTRE, OF_PORT};
+use crate::resolve::{Member, Owner};
 use crate::span::Span;
 use crate::syntax::ast::{self, Definition, ExprKind, ItemKind};
 
@@ -48,22 +48,20 @@ impl<'a> Names<'a> {
     fn show(&mut self, of: &str, thing: Thing<'a>, span: Span) {
         match thing {
             Thing::Body(body) => {
-                for member in OF_CENTRE {
-                    self.push(format!("{of}.{member}"), false, span);
-                }
+                self.show_members(of, Owner::Body, span);
                 for port in &body.ports {
-                    self.show_port(&format!("{of}.{}", port.name.ident.text), span);
+                    self.show_members(&format!("{of}.{}", port.name.ident.text), Owner::Frame, span);
                 }
             }
-            Thing::Port => self.show_port(of, span),
+            Thing::Port => self.show_members(of, Owner::Frame, span),
             Thing::Node(node) => self.show_node(of, node, span),
             Thing::Part(definition) => self.show_part(of, definition, span),
         }
     }
 
-    fn show_port(&mut self, of: &str, span: Span) {
-        for member in OF_PORT {
-            self.push(format!("{of}.{member}"), member != "angle", span);
+    fn show_members(&mut self, of: &str, owner: Owner, span: Span) {
+        for member in Member::observed(owner) {
+            self.push(format!("{of}.{}", member.name), member.is_vector(), span);
         }
     }
 

@@ -3,10 +3,9 @@
 use std::cell::Cell;
 
 use crate::library::Library;
+use crate::resolve::{CallShape, Function, Member};
 use crate::syntax::ast::{Expr, ExprKind, IndexedName, Item, ItemKind, Operator};
 
-/// Members of bodies and frames that are vectors.
-const VECTORS: &[&str] = &["position", "velocity", "acceleration", "axis", "normal"];
 /// Definitions that are followed for one answer, in all and one inside the other: they may form circles.
 const MAX_STEPS: u32 = 1000;
 const MAX_DEPTH: u32 = 8;
@@ -47,11 +46,14 @@ impl<'a> Shapes<'a> {
                     links.iter().any(|link| link.operator.precedence() < Operator::Add.precedence());
                 !compares && (self.of(items, first) || links.iter().any(|link| self.of(items, &link.operand)))
             }
-            ExprKind::Call(function, arguments) => match function.text.as_str() {
-                "turn" => true,
-                "reaction" => arguments.len() == 2,
-                "rate" => arguments.first().is_some_and(|argument| self.of(items, argument)),
-                _ => false,
+            ExprKind::Call(function, arguments) => match Function::named(&function.text).map(Function::shape)
+            {
+                Some(CallShape::Vector) => true,
+                Some(CallShape::OfCount) => arguments.len() == 2,
+                Some(CallShape::OfArgument) => {
+                    arguments.first().is_some_and(|argument| self.of(items, argument))
+                }
+                Some(CallShape::Number) | None => false,
             },
             ExprKind::Name(name) if name.ident.text == "gravity" => {
                 let mut declared = self.items.iter().filter_map(|item| match &item.kind {
@@ -83,7 +85,7 @@ impl<'a> Shapes<'a> {
         let last = members.last().map_or("", |member| member.ident.text.as_str());
         let Some(definition) = instance.and_then(|instance| self.library.get(&instance.kind.text)) else {
             // Of a part that is not known, a force is taken for a vector.
-            return VECTORS.contains(&last) || (instance.is_some() && last == "force");
+            return Member::names_vector(last) || (instance.is_some() && last == "force");
         };
         let outputs = all(&definition.items).filter_map(|item| match &item.kind {
             ItemKind::Output(list) => Some(list),

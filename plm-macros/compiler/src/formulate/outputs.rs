@@ -66,7 +66,7 @@ fn kinetic_energy(equations: &Equations) -> Expr {
 
 /// `-sum m g . r`.
 fn gravity_energy(model: &Model) -> Expr {
-    let g = Vec2::from(model.gravity);
+    let g = model.gravity;
     let of_body = |body: &Body| (body.mass * g).dot(Vec2::new(body.q[0], body.q[1]));
     -model.bodies.iter().map(of_body).sum::<Expr>()
 }

@@ -129,7 +129,7 @@ fn start_velocity(scene: &Scene, q: &[f64]) -> Start {
 
 /// G from O in absolute axes.
 fn centre(body: &Body, values: &[(Expr, f64)], angle: f64) -> [f64; 2] {
-    let [x, y] = body.centre.map(|component| value(component, values));
+    let [x, y] = body.centre.components().map(|component| value(component, values));
     let (sin, cos) = plm_math::f64::sin_cos(angle);
     [cos * x - sin * y, sin * x + cos * y]
 }

@@ -55,7 +55,7 @@ fn length(model: &Model, values: &[(Expr, f64)]) -> f64 {
     let mut length: f64 = 0.0;
     for body in &model.bodies {
         for port in &body.ports {
-            for component in port.at {
+            for component in port.at.components() {
                 length = length.max(value(component, values).abs());
             }
         }

@@ -139,7 +139,7 @@ fn times(dense: &Dense, u: &[Expr]) -> Vec<Expr> {
 /// The acceleration with which the ground would have to move instead of gravity. Where it lies along an axis its size is left
 /// as a factor of whole sums.
 fn against_gravity(model: &Model) -> Term {
-    let against = -Vec2::from(model.gravity);
+    let against = -model.gravity;
     let (factor, vector) = match (against.x.is_zero(), against.y.is_zero()) {
         (true, _) => (against.y, Vec2::Y),
         (_, true) => (against.x, Vec2::X),

@@ -240,7 +240,7 @@ impl Coordinates {
     /// From G (on the ground: from the origin) to a port, in the axes of the class.
     pub(crate) fn arm(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
         let heading = self.heading(frame);
-        (heading.class, Rotation::by(heading.offset) * Vec2::from(port(model, frame).at))
+        (heading.class, Rotation::by(heading.offset) * port(model, frame).at)
     }
 
     /// The x axis of a port, in the axes of the class.

@@ -7,7 +7,7 @@ pub(crate) mod solution;
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
-use crate::formulate::reduced::joints::coordinates::{Coordinates, Heading, Hold, Unknown};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Heading, Hold, Unknown, port};
 use crate::formulate::reduced::motion::bases::{Bases, Products};
 use crate::formulate::reduced::motion::solution::Solution;
 use crate::model::{FrameRef, Model};
@@ -277,7 +277,7 @@ pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown
             let between = end - start;
             let heading = coordinates.heading(a);
             let own = a.body.map_or(heading.offset, |body| model.bodies[body].q[2]);
-            let angle = own + crate::formulate::reduced::joints::coordinates::port(model, a).angle;
+            let angle = own + port(model, a).angle;
             between.dot(Rotation::by(angle).axis())
         }
     }
@@ -285,7 +285,7 @@ pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown
 
 /// Absolute position of a port as a function of the pose.
 fn point(model: &Model, frame: FrameRef) -> Vec2 {
-    let at = Vec2::from(crate::formulate::reduced::joints::coordinates::port(model, frame).at);
+    let at = port(model, frame).at;
     let Some(body) = frame.body else { return at };
     let [x, y, theta] = model.bodies[body].q;
     Vec2::new(x, y) + Rotation::by(theta) * at

@@ -63,7 +63,7 @@ pub(crate) fn accelerations(
     let coordinates = motion.coordinates;
     let squares = motion.omega.iter().map(|omega| omega.squared().named("omega_squared")).collect();
     let mut work = Elimination { model, coordinates, motion, squares, trace: Vec::new() };
-    let against_gravity = Spatial::new(-Vec2::from(model.gravity), Expr::ZERO);
+    let against_gravity = Spatial::new(-model.gravity, Expr::ZERO);
     let bodies = 0..model.bodies.len();
     let mut answers: Vec<Answer> = bodies.map(|body| work.alone(body, Spatial(force[body]))).collect();
     let mut held = Vec::new();

@@ -114,7 +114,7 @@ fn known(
     for hold in coordinates.order.iter().rev() {
         let body = hold.body;
         let [fx, fy, _] = applied[body];
-        let inertial = model.bodies[body].mass * (reached[body] - Vec2::from(model.gravity));
+        let inertial = model.bodies[body].mass * (reached[body] - model.gravity);
         let force = (passed[body] + (inertial - Vec2::new(fx, fy))).named("force");
         inward.extend(force.components());
         pairs.extend(unknowns.forces[body].components().into_iter().zip(force.components()));

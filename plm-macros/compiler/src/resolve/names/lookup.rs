@@ -1,0 +1,134 @@
+//! Scopes: which name means what, and values that are worked out at their first use.
+//!
+//! Names are bound before anything is evaluated, so that the order of declaration does not matter: a force may read
+//! the output of a part that stands below it.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+
+use plm_cas::Expr;
+
+use crate::diag::{Code, help_similar};
+use crate::resolve::Resolver;
+use crate::resolve::names::unknown::instead_of;
+use crate::resolve::names::{ScopeId, Slot, SlotId, Thunk};
+use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
+use crate::span::Span;
+use crate::syntax::ast::{self, Ident, IndexedName};
+use crate::units::{Dimension, unit};
+
+/// Names that the language has taken.
+const RESERVED: &[&str] = &["t", "pi", "gravity", "if", "then", "else", "and", "or", "not", "in", "ground"];
+
+impl<'a> Resolver<'a> {
+    /// The value of a slot, worked out if this is its first use.
+    pub(in crate::resolve) fn slot_value(&mut self, slot: SlotId, user: ScopeId, at: Span) -> Eval<Value> {
+        let Slot { span: declared, thunk, .. } = self.names.slots[slot];
+        self.lazy(
+            |of| &mut of.names.slots[slot].value,
+            |of| {
+                of.error(user, Code::Cycle, at, "this value needs itself")
+                    .note_at(declared, "its definition stands here");
+            },
+            |of| {
+                let Thunk { scope, expr, wanted } = thunk.ok_or(Failed)?;
+                let value = of.eval(scope, expr)?;
+                of.wanted(scope, expr, value, wanted)
+            },
+        )
+    }
+
+    /// The full text of a name: `bar`, `bar[3]`.
+    pub(in crate::resolve) fn key(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Cow<'a, str>> {
+        let mut key = Cow::Borrowed(name.ident.text.as_str());
+        for index in &name.indices {
+            let value = self.eval_int(scope, index)?;
+            // Writing to a string does not fail.
+            let _ = write!(key.to_mut(), "[{value}]");
+        }
+        Ok(key)
+    }
+
+    /// Binds a name, unless it is taken. Names without index belong to the turn of the repetition that they stand in,
+    /// names with one to what encloses it.
+    pub(in crate::resolve) fn bind(
+        &mut self,
+        scope: ScopeId,
+        ident: &Ident,
+        key: Cow<'a, str>,
+        slot: SlotId,
+    ) {
+        let scope = if key.contains('[') { self.names.home(scope) } else { scope };
+        if RESERVED.contains(&key.as_ref()) {
+            let message = format!("`{key}` is a word of the language");
+            self.error(scope, Code::ReservedName, ident.span, message).help("choose another name");
+            return;
+        }
+        match self.names.scopes[scope].names.get(&key) {
+            Some(first) => {
+                let first = self.names.slots[*first].span;
+                self.duplicate(scope, &key, ident.span, first);
+            }
+            None => {
+                self.names.scopes[scope].names.insert(key, slot);
+            }
+        }
+    }
+
+    pub(in crate::resolve) fn duplicate(&mut self, scope: ScopeId, name: &str, span: Span, first: Span) {
+        let message = format!("`{name}` is declared twice");
+        self.error(scope, Code::DuplicateName, span, message).note_at(first, "it is declared first here");
+    }
+
+    /// A name that stands for a number may not be the name of a unit: `10 N/m` could not be told apart.
+    /// What it is to stand for tells which name would do.
+    pub(in crate::resolve) fn refuse_unit_name(
+        &mut self,
+        scope: ScopeId,
+        name: &IndexedName,
+        of: Option<Dimension>,
+    ) {
+        let text = &name.ident.text;
+        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
+            let message = format!("`{text}` is {}", unit.word);
+            let help = format!("try `{}`", instead_of(of.unwrap_or(unit.dimension)));
+            self.error(scope, Code::UnitAsName, name.ident.span, message).help(help);
+        }
+    }
+
+    /// The value of a name.
+    pub(in crate::resolve) fn lookup(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Value> {
+        let key = self.key(scope, name)?;
+        if let Some(slot) = self.names.find(scope, &key) {
+            self.names.slots[slot].is_read = true;
+            return self.slot_value(slot, scope, name.ident.span);
+        }
+        match key.as_ref() {
+            "t" => {
+                Ok(Quantity::new(self.calculus.time, Nature::derived(Dimension::TIME, Reads::TIME)).into())
+            }
+            "pi" => Ok(Quantity::new(Expr::pi(), Nature::BARE).into()),
+            "gravity" => self.gravity(scope, name.ident.span),
+            _ => Err(self.unknown_name(scope, name, &key)),
+        }
+    }
+
+    /// A constraint row of this part.
+    pub(in crate::resolve) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<usize> {
+        let ast::ExprKind::Name(name) = &expr.kind else {
+            self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
+            return Err(Failed);
+        };
+        let key = self.key(scope, name)?;
+        let home = self.names.home(scope);
+        if let Some((row, _)) = self.names.scopes[home].rows.get(key.as_ref()) {
+            return Ok(*row);
+        }
+        let rows: Vec<String> = self.names.scopes[home].rows.keys().map(ToString::to_string).collect();
+        let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+        let diagnostic =
+            self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));
+        help_similar(diagnostic, &key, "row", "rows here", &rows);
+        Err(Failed)
+    }
+}

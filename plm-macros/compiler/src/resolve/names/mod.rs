@@ -1,0 +1,154 @@
+//! Names: what is bound in which scope, and which part a scope is the inside of.
+
+mod lookup;
+pub(super) mod unknown;
+
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::diag::Use;
+use crate::resolve::settle::warnings::Readable;
+use crate::resolve::things::part::PartInUse;
+use crate::resolve::values::Value;
+use crate::resolve::values::expect::Wanted;
+use crate::resolve::values::lazy::Lazy;
+use crate::span::Span;
+use crate::syntax::ast;
+
+/// Index of a scope; that of the mechanism is 0.
+pub(super) type ScopeId = usize;
+/// Index of a named value.
+pub(super) type SlotId = usize;
+
+/// Scopes, and what is named in them.
+#[derive(Default)]
+pub(super) struct Names<'a> {
+    pub(super) scopes: Vec<Scope<'a>>,
+    pub(super) slots: Vec<Slot<'a>>,
+    /// Parts in use, those inside of others too.
+    pub(super) instances: Vec<PartInUse<'a>>,
+    /// What is chosen, and between what.
+    pub(super) choices: Vec<(&'a str, Vec<&'a str>)>,
+    /// Slots to evaluate even if nothing reads them: their mistakes count.
+    pub(super) checks: Vec<SlotId>,
+    /// Params, inputs and `let`s of the user's own, with their names.
+    pub(super) readable: Vec<(String, Readable)>,
+    /// Definitions whose outputs are among the checks already.
+    pub(super) checked: BTreeSet<&'a str>,
+}
+
+/// Names of one block.
+#[derive(Debug, Default)]
+pub(super) struct Scope<'a> {
+    /// Where to look next: from one turn of a repetition to what encloses it.
+    pub(super) parent: Option<ScopeId>,
+    /// Names of values, parts, bodies.
+    pub(super) names: BTreeMap<Cow<'a, str>, SlotId>,
+    /// Names of constraint rows.
+    pub(super) rows: BTreeMap<Cow<'a, str>, (usize, Span)>,
+    /// Outputs of a part.
+    pub(super) outputs: BTreeMap<Cow<'a, str>, SlotId>,
+    /// The part whose inside this is.
+    instance: Option<usize>,
+}
+
+/// A named value.
+#[derive(Debug)]
+pub(super) struct Slot<'a> {
+    /// Where it was declared.
+    pub(super) span: Span,
+    /// Has an expression named it?
+    pub(super) is_read: bool,
+    /// What its value is worked out from.
+    pub(super) thunk: Option<Thunk<'a>>,
+    pub(super) value: Lazy<Value>,
+}
+
+/// An expression that waits for its first use.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Thunk<'a> {
+    pub(super) scope: ScopeId,
+    pub(super) expr: &'a ast::Expr,
+    pub(super) wanted: Wanted,
+}
+
+impl<'a> Names<'a> {
+    pub(super) fn new_scope(&mut self, parent: Option<ScopeId>, instance: Option<usize>) -> ScopeId {
+        self.scopes.push(Scope { parent, instance, ..Scope::default() });
+        self.scopes.len() - 1
+    }
+
+    /// A slot whose value is known.
+    pub(super) fn known_slot(&mut self, span: Span, value: Value) -> SlotId {
+        self.new_slot(span, None, Lazy::Known(value))
+    }
+
+    /// A slot of which the mistake has been told already.
+    pub(super) fn failed_slot(&mut self, span: Span) -> SlotId {
+        self.new_slot(span, None, Lazy::Failed)
+    }
+
+    /// A slot whose value is worked out at its first use.
+    pub(super) fn waiting_slot(&mut self, span: Span, thunk: Thunk<'a>) -> SlotId {
+        self.new_slot(span, Some(thunk), Lazy::Waiting)
+    }
+
+    fn new_slot(&mut self, span: Span, thunk: Option<Thunk<'a>>, value: Lazy<Value>) -> SlotId {
+        self.slots.push(Slot { span, is_read: false, thunk, value });
+        self.slots.len() - 1
+    }
+
+    /// The scope that a repetition stands in.
+    pub(super) fn home(&self, mut scope: ScopeId) -> ScopeId {
+        while let Some(parent) = self.scopes[scope].parent {
+            scope = parent;
+        }
+        scope
+    }
+
+    /// The part that a scope is inside of.
+    pub(super) fn instance(&self, scope: ScopeId) -> Option<usize> {
+        self.scopes[self.home(scope)].instance
+    }
+
+    /// The part that a scope is inside of, the part that contains that one, and so on.
+    pub(super) fn around(&self, scope: ScopeId) -> impl Iterator<Item = usize> {
+        std::iter::successors(self.instance(scope), |part| self.instance(self.instances[*part].outer))
+    }
+
+    /// The uses that lead to a scope, from the declaration inwards.
+    pub(super) fn uses(&self, scope: ScopeId) -> Vec<Use> {
+        let mut uses: Vec<Use> = self.around(scope).map(|part| self.instances[part].as_use()).collect();
+        uses.reverse();
+        uses
+    }
+
+    /// The path of the part that a scope is inside of, as a prefix of names: empty at the top, else `arm.spring.`.
+    pub(super) fn prefix(&self, scope: ScopeId) -> String {
+        self.instance(scope).map_or_else(String::new, |part| format!("{}.", self.instances[part].name))
+    }
+
+    /// The slot of a name that can be seen in a scope.
+    pub(super) fn find(&self, scope: ScopeId, key: &str) -> Option<SlotId> {
+        self.outwards(scope).find_map(|scope| self.scopes[scope].names.get(key).copied())
+    }
+
+    /// A scope and those that enclose it, up to the inside of the part.
+    fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = ScopeId> {
+        std::iter::successors(Some(scope), |scope| self.scopes[*scope].parent)
+    }
+
+    /// All names that can be seen, in the order of declaration; constraints, which only `reaction` reads, behind the others.
+    pub(super) fn visible(&self, scope: ScopeId) -> Vec<String> {
+        let scopes = self.outwards(scope);
+        let mut names: Vec<(&str, SlotId)> = scopes
+            .flat_map(|scope| &self.scopes[scope].names)
+            .map(|(name, slot)| (name.as_ref(), *slot))
+            .collect();
+        names.sort_by_key(|(_, slot)| *slot);
+        let rows = &self.scopes[self.home(scope)].rows;
+        let mut rows: Vec<(&str, usize)> = rows.iter().map(|(name, row)| (name.as_ref(), row.0)).collect();
+        rows.sort_by_key(|(_, row)| *row);
+        names.into_iter().chain(rows).map(|(name, _)| name.to_string()).collect()
+    }
+}

@@ -1,0 +1,151 @@
+//! What is said of a name that there is not.
+
+use crate::diag::{Code, help_similar, nearest};
+use crate::library::of_manual;
+use crate::resolve::Resolver;
+use crate::resolve::names::ScopeId;
+use crate::resolve::values::Failed;
+use crate::resolve::values::expect::text_of;
+use crate::syntax::ast::{self, IndexedName};
+use crate::syntax::{CONSTANTS, unit_help};
+use crate::units::{Dimension, unit};
+
+/// Parts by the names that they have elsewhere (of the manual's, how they begin), and what they are here.
+const ELSEWHERE: &[(&[&str], &str)] = &[
+    (&["hinge", "pin", "pivot", "rotary", "bearing", "joint"], "a joint that turns is `revolute`"),
+    (&["slider", "slide", "translational", "rail", "guide"], "a joint that slides is `prismatic`"),
+    (&["fixed", "fix", "rigid", "lock", "clamp"], "a joint that holds is `weld`"),
+    (&["slot", "slotted", "pin_in_slot"], "a pin that slides in a slot is `pin_slot`"),
+    (
+        &["motor", "actuator", "drive", "servo"],
+        "a joint is driven by its `drive`: `revolute name(a, b) { drive: 1 N*m; }`",
+    ),
+    (&["damper", "dashpot", "spring_damper"], "a damper is a `spring` with a `damping`"),
+    (&["gear", "gears", "rack", "belt"], "a gear is a row: `constraint name: b.angle = ratio*a.angle;`"),
+    (&["torque", "moment", "couple"], "a torque on a body is `force name(body.port) { torque: 1 N*m; }`"),
+    (&["load", "wrench", "thruster"], "a force at a port is `force`"),
+    (&["mass", "link", "bar", "rod", "rigid_body"], "what has a mass is a `body`"),
+    (&["fn", "def", "function"], "a formula is a `let`, and what acts on bodies a `part`"),
+    (&["plmbod"], "the manual's bodies are `body name { … }`"),
+    (&["plmemb"], "the manual's embedding is a port of `ground { … }`"),
+    (&["plmzer"], "a port that no part uses is free: leave this out"),
+    (&["plmassembly"], "a mechanism is assembled at every start: leave this out"),
+    (&["plmcalcul"], "points change axes by `to_absolute` and `to_relative`"),
+];
+
+impl Resolver<'_> {
+    pub(in crate::resolve) fn unknown_name(
+        &mut self,
+        scope: ScopeId,
+        name: &IndexedName,
+        key: &str,
+    ) -> Failed {
+        let (text, span) = (&name.ident.text, name.ident.span);
+        let names = self.names.visible(scope);
+        let stem = format!("{text}[");
+        let elements: Vec<&str> =
+            names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
+        if let (Some(first), Some(last)) = (elements.first(), elements.last()) {
+            let note = format!("there is `{first}` to `{last}`");
+            let (code, message) = if name.indices.is_empty() {
+                (Code::NeedsIndex, format!("`{text}` needs an index"))
+            } else {
+                (Code::BadIndex, format!("there is no `{key}`"))
+            };
+            self.error(scope, code, span, message).note(note);
+            return Failed;
+        }
+        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
+            let message = format!("`{text}` is {}, and a unit follows a number", unit.word);
+            let help = format!("write `1 {text}`, or choose a name like `{}`", instead_of(unit.dimension));
+            self.error(scope, Code::UnitAsName, span, message).help(help);
+            return Failed;
+        }
+        let home = self.names.home(scope);
+        let is_row = self.names.scopes[home].rows.contains_key(key);
+        let outside = self.names.instance(scope).is_some() && self.names.find(0, key).is_some();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let is_near = nearest(key, names.iter().copied()).is_some();
+        let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
+        if is_row {
+            diagnostic.help(format!("`{key}` is a constraint: what holds it is `reaction({key})`"));
+            return Failed;
+        }
+        if outside {
+            diagnostic.help("a part sees only its own names: hand it over as a param or an input");
+        }
+        let meant = match text.as_str() {
+            "PI" => Some("write `pi`".to_string()),
+            "time" => Some("the time is `t`".to_string()),
+            _ if is_constant(text) && !is_near => Some(CONSTANTS.to_string()),
+            _ => unit_help(text),
+        };
+        let is_meant = meant.is_some();
+        if let Some(help) = meant {
+            diagnostic.help(help);
+        }
+        if !is_meant || is_near {
+            help_similar(diagnostic, key, "name", "names here", &names);
+        }
+        Failed
+    }
+
+    pub(in crate::resolve) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {
+        let kind = &ast.kind.text;
+        let mut names: Vec<&str> = self.library.kinds().collect();
+        names.sort_unstable();
+        names.dedup();
+        let lower = kind.to_lowercase();
+        let elsewhere = ELSEWHERE.iter().find(|(words, _)| {
+            words.iter().any(|word| *word == lower || (word.starts_with("plm") && lower.starts_with(word)))
+        });
+        let manual = of_manual(kind);
+        let near = nearest(kind, names.iter().copied());
+        let diagnostic =
+            self.error(scope, Code::UnknownPart, ast.kind.span, format!("unknown part `{kind}`"));
+        // The library is long: all of it is shown only to who is far off.
+        match (elsewhere, near) {
+            (Some((_, help)), _) => diagnostic.help(*help),
+            _ if !manual.is_empty() => {
+                diagnostic.help(format!("the manual's {kind} is `{}` here", manual.join("` or `")))
+            }
+            (_, Some(near)) => diagnostic.help(format!("a part with a similar name exists: `{near}`")),
+            _ => diagnostic.note(format!("parts: {}", names.join(", "))),
+        };
+    }
+}
+
+/// What functions of other languages are here.
+pub(in crate::resolve) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<String> {
+    Some(match (name, arguments) {
+        ("pow" | "powi" | "powf", [base, exponent]) => match (text_of(base), text_of(exponent)) {
+            (Some(base), Some(exponent)) => format!("write `{base}^{exponent}`"),
+            _ => "a power is written `x^2`".to_string(),
+        },
+        ("atan" | "arctan", _) => "write `atan2(y, x)`".to_string(),
+        ("der" | "derivative" | "diff" | "ddt", _) => "the derivative with time is `rate(x)`".to_string(),
+        ("deg" | "degrees" | "radians" | "rad", _) => "an angle has a unit: `30 deg`".to_string(),
+        ("log", _) => "the natural logarithm is `ln(x)`".to_string(),
+        _ => return None,
+    })
+}
+
+/// In the manner of Rust's constants.
+fn is_constant(name: &str) -> bool {
+    name.len() > 1 && name.chars().all(|c| c.is_uppercase() || c.is_ascii_digit() || c == '_')
+}
+
+/// A name that one could choose for a quantity of this dimension.
+pub(in crate::resolve) fn instead_of(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::LENGTH => "length",
+        Dimension::MASS => "mass",
+        Dimension::INERTIA => "inertia",
+        Dimension::TIME => "time",
+        Dimension::ANGLE => "angle",
+        Dimension::VELOCITY | Dimension::ANGULAR_VELOCITY => "speed",
+        Dimension::FORCE => "load",
+        Dimension::TORQUE => "energy",
+        _ => "value",
+    }
+}

@@ -1,0 +1,140 @@
+//! Rates of states and sums at nodes are known last. Until then symbols stand in for them; here each symbol is replaced by its
+//! value.
+
+use std::collections::BTreeSet;
+
+use plm_cas::{Expr, algebra};
+
+use crate::diag::Code;
+use crate::model::{Load, Output, Side, State};
+use crate::resolve::Resolver;
+use crate::resolve::things::node::NodeDraft;
+use crate::span::Span;
+
+/// A value that a symbol stood for.
+struct StandIn {
+    symbol: Expr,
+    value: Expr,
+    /// What it is, for messages.
+    what: String,
+    span: Span,
+}
+
+impl Resolver<'_> {
+    /// Puts rates and sums where symbols stood for them.
+    pub(in crate::resolve) fn replace_stand_ins(
+        &mut self,
+        states: &mut [State],
+        loads: &mut [Load],
+        outputs: &mut [Output],
+        sides: &mut [Side],
+    ) {
+        if states.len() < self.draft.states.len() || self.sink.has_errors() {
+            return;
+        }
+        let mut stand_ins = self.stand_ins(states);
+        let mut places: Vec<&mut Expr> = Vec::new();
+        places.extend(states.iter_mut().map(|state| &mut state.rate));
+        places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
+        places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
+        places.extend(sides.iter_mut().map(|side| &mut side.difference));
+        let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
+        self.add_rates_of_sums(&roots, &mut stand_ins);
+        if stand_ins.is_empty() || !self.free_of_each_other(&mut stand_ins) {
+            return;
+        }
+        let pairs: Vec<(Expr, Expr)> = stand_ins.iter().map(|of| (of.symbol, of.value)).collect();
+        for (place, root) in places.into_iter().zip(algebra::substitute(&roots, &pairs)) {
+            *place = root;
+        }
+    }
+
+    fn stand_ins(&mut self, states: &[State]) -> Vec<StandIn> {
+        let rates = self.draft.states.iter().zip(states).map(|(state, found)| StandIn {
+            symbol: state.stand_in,
+            value: found.rate,
+            what: format!("the rate of `{}`", found.name.text),
+            span: found.name.span,
+        });
+        let mut stand_ins: Vec<StandIn> = rates.collect();
+        for node in &self.draft.nodes {
+            for through in &node.through {
+                let value = algebra::sum(&through.terms);
+                let what = format!("what acts on `{}`", node.name);
+                stand_ins.push(StandIn { symbol: through.symbol, value, what, span: node.span });
+            }
+        }
+        stand_ins
+    }
+
+    /// Rates of sums, of those sums whose rate is read. What is read by one may be read by it alone.
+    fn add_rates_of_sums(&mut self, roots: &[Expr], stand_ins: &mut Vec<StandIn>) {
+        let mut open: Vec<(usize, usize)> = Vec::new();
+        for (node, state) in self.draft.nodes.iter().enumerate() {
+            open.extend((0..state.through.len()).map(|k| (node, k)));
+        }
+        loop {
+            let mut read: Vec<Expr> = roots.to_vec();
+            read.extend(stand_ins.iter().map(|of| of.value));
+            let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
+            let is_read =
+                |&(node, k): &(usize, usize)| read.contains(&self.draft.nodes[node].through[k].rate);
+            let (now, later): (Vec<_>, Vec<_>) = open.into_iter().partition(is_read);
+            if now.is_empty() {
+                return;
+            }
+            open = later;
+            for (node, k) in now {
+                stand_ins.extend(self.rate_of_sum(node, k));
+            }
+        }
+    }
+
+    fn rate_of_sum(&mut self, node: usize, k: usize) -> Option<StandIn> {
+        let sum = algebra::sum(&self.draft.nodes[node].through[k].terms);
+        let value = self.calculus.total_derivative(sum);
+        let NodeDraft { name, span, scope, .. } = &self.draft.nodes[node];
+        let (what, span, scope) = (format!("the rate of what acts on `{name}`"), *span, *scope);
+        let inputs = self.calculus.held.clone();
+        let accelerations: Vec<Expr> = self.draft.bodies.iter().flat_map(|body| body.a).collect();
+        if holds_any(sum, &inputs) {
+            self.error(scope, Code::NoRate, span, format!("{what} is not known: it reads inputs"))
+                .note("inputs are held over a step; a `state` has a rate");
+            return None;
+        }
+        if holds_any(value, &accelerations) {
+            self.error(scope, Code::Feedback, span, format!("{what} reads accelerations"));
+            return None;
+        }
+        Some(StandIn { symbol: self.draft.nodes[node].through[k].rate, value, what, span })
+    }
+
+    /// Frees the stand_ins values of the symbols of others. One may hold another: as many rounds as there are values reach the
+    /// last in a row. False if one needs itself.
+    fn free_of_each_other(&mut self, stand_ins: &mut [StandIn]) -> bool {
+        let symbols: Vec<Expr> = stand_ins.iter().map(|of| of.symbol).collect();
+        let mut values: Vec<Expr> = stand_ins.iter().map(|of| of.value).collect();
+        for _ in 0..symbols.len() {
+            let pairs: Vec<(Expr, Expr)> = symbols.iter().copied().zip(values.iter().copied()).collect();
+            let next = algebra::substitute(&values, &pairs);
+            if next == values {
+                break;
+            }
+            values = next;
+        }
+        let circle = |k: &usize| holds_any(values[*k], &symbols[*k..=*k]);
+        if let Some(k) = (0..values.len()).find(circle) {
+            let message = format!("{} needs itself", stand_ins[k].what);
+            self.error(0, Code::Cycle, stand_ins[k].span, message);
+            return false;
+        }
+        for (of, value) in stand_ins.iter_mut().zip(values) {
+            of.value = value;
+        }
+        true
+    }
+}
+
+fn holds_any(expr: Expr, symbols: &[Expr]) -> bool {
+    algebra::symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
+}

@@ -1,0 +1,121 @@
+//! What pictures show of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
+
+use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
+
+use crate::diag::Code;
+use crate::model::Size;
+use crate::outline;
+use crate::resolve::Resolver;
+use crate::resolve::names::{ScopeId, SlotId};
+use crate::resolve::values::{Eval, Failed, Reads, Value, all};
+use crate::span::Span;
+use crate::syntax::ast::{self, Contour, IndexedName};
+use crate::units::Dimension;
+
+/// A size of a part: its name, and the parameter.
+#[derive(Debug)]
+pub(in crate::resolve) struct SizeDraft {
+    name: String,
+    slot: SlotId,
+    scope: ScopeId,
+    span: Span,
+}
+
+impl<'a> Resolver<'a> {
+    /// `picture piston_diameter, …;` in a part.
+    pub(in crate::resolve) fn declare_picture(&mut self, scope: ScopeId, names: &'a [IndexedName]) {
+        let home = self.names.home(scope);
+        for written in names {
+            let Ok(key) = self.key(scope, written) else { continue };
+            let span = written.ident.span;
+            let name = format!("{}{key}", self.names.prefix(scope));
+            match self.names.scopes[home].names.get(&key).copied() {
+                Some(slot) => {
+                    self.names.slots[slot].is_read = true;
+                    self.draft.sizes.push(SizeDraft { name, slot, scope, span });
+                }
+                None => {
+                    self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"))
+                        .note("a picture shows parameters that stand above it");
+                }
+            }
+        }
+    }
+
+    /// The sizes of all parts.
+    pub(in crate::resolve) fn evaluate_sizes(&mut self) -> Eval<Vec<Size>> {
+        let sizes = std::mem::take(&mut self.draft.sizes);
+        all(sizes.into_iter().map(|SizeDraft { name, slot, scope, span }| {
+            match self.slot_value(slot, scope, span)? {
+                Value::Scalar(size) if size.nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => {
+                    Ok(Size { name, value: size.value })
+                }
+                _ => {
+                    self.error(scope, Code::NotConstant, span, "a picture shows parameters alone");
+                    Err(Failed)
+                }
+            }
+        }))
+    }
+
+    /// A depth, m; only pictures know of it.
+    pub(in crate::resolve) fn depth(
+        &mut self,
+        scope: ScopeId,
+        depth: Option<&'a ast::Expr>,
+    ) -> Eval<Option<Expr>> {
+        depth.map(|expr| self.eval_number(scope, expr, Dimension::LENGTH, Reads::FIXED)).transpose()
+    }
+
+    /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
+    pub(in crate::resolve) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
+        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
+        let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
+        let (points, span) = match contour {
+            Contour::Points(points) => {
+                let span = points.first().zip(points.last()).map(|(first, last)| first.span.to(last.span));
+                let points = all(points.iter().map(|point| {
+                    self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|at| at.value)
+                }));
+                (points?, span.unwrap_or(self.draft.bodies[body].name.span))
+            }
+            Contour::File(name, span) => (self.points_of_file(scope, name, *span)?, *span),
+        };
+        if points.len() < 3 {
+            let message = format!("a contour has three points at least, found {}", points.len());
+            self.error(scope, Code::BadContour, span, message);
+            return Err(Failed);
+        }
+        let placement = self.placement(body)?;
+        Ok(points.into_iter().map(|at| placement.place(at)).collect())
+    }
+
+    fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<Vec2>> {
+        let content = match self.files.get(name) {
+            Some(Ok(content)) => content,
+            Some(Err(reason)) => {
+                let message = format!("the contour `{name}` cannot be read: {reason}");
+                return Err(self.bad_file(scope, span, message));
+            }
+            None => {
+                let message = format!("the contour `{name}` cannot be read here");
+                return Err(self.bad_file(scope, span, message));
+            }
+        };
+        match outline::read(content) {
+            Ok(points) => Ok(points.into_iter().map(|at| Vec2::from(at.map(Expr::from))).collect()),
+            Err(outline::Problem { line, column, what }) => {
+                let message = format!("`{name}`, line {line}, column {column}: {what}");
+                Err(self.bad_file(scope, span, message))
+            }
+        }
+    }
+
+    fn bad_file(&mut self, scope: ScopeId, span: Span, message: String) -> Failed {
+        self.error(scope, Code::BadContour, span, message)
+            .note("two numbers a line, `0.1, 0.2`, in metres or as a first line `x (mm), y (mm)` says")
+            .note("the path counts from the folder of Cargo.toml");
+        Failed
+    }
+}

@@ -1,0 +1,132 @@
+//! What is said once of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
+
+use plm_cas::algebra::Vec2;
+use plm_cas::{Expr, Number};
+
+use crate::diag::Code;
+use crate::model::{Rung, Stabilisation};
+use crate::resolve::Resolver;
+use crate::resolve::names::{ScopeId, SlotId, Thunk};
+use crate::resolve::values::expect::Wanted;
+use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
+use crate::span::Span;
+use crate::syntax::ast::{self, Ident, Item};
+use crate::units::Dimension;
+
+/// What has been said so far.
+#[derive(Default)]
+pub(in crate::resolve) struct Settings<'a> {
+    gravity: Option<SlotId>,
+    /// The method and its time constant.
+    stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
+    pub(in crate::resolve) rung: Option<(Rung, Span)>,
+    /// Codes of warnings.
+    pub(in crate::resolve) allowed: Vec<String>,
+}
+
+impl<'a> Resolver<'a> {
+    /// `gravity: 9.81 m/s^2;`
+    pub(in crate::resolve) fn declare_gravity(
+        &mut self,
+        scope: ScopeId,
+        item: &'a Item,
+        expr: &'a ast::Expr,
+    ) {
+        if let Some(first) = self.draft.settings.gravity {
+            let first = self.names.slots[first].span;
+            self.said_twice(scope, item.span, "gravity", first);
+            return;
+        }
+        let reads = Reads::SCHEDULED.and(Reads::INPUT);
+        let wanted = Wanted::NumberOrVector(Dimension::ACCELERATION, reads);
+        let slot = self.names.waiting_slot(item.span, Thunk { scope, expr, wanted });
+        self.draft.settings.gravity = Some(slot);
+        self.names.checks.push(slot);
+    }
+
+    /// `stabilisation: baumgarte(0.1 s);`
+    pub(in crate::resolve) fn declare_stabilisation(
+        &mut self,
+        scope: ScopeId,
+        method: &'a Ident,
+        time: Option<&'a ast::Expr>,
+    ) {
+        if let Some((first, _)) = self.draft.settings.stabilisation {
+            self.said_twice(scope, method.span, "the stabilisation", first.span);
+        } else if method.text == "projection" || method.text == "baumgarte" {
+            self.draft.settings.stabilisation = Some((method, time));
+        } else {
+            self.unknown_option(scope, &method.text, method.span, &["projection", "baumgarte"]);
+        }
+    }
+
+    /// `rung: tree;`
+    pub(in crate::resolve) fn declare_rung(&mut self, scope: ScopeId, rung: &'a Ident) {
+        if let Some((_, first)) = self.draft.settings.rung {
+            self.said_twice(scope, rung.span, "the rung", first);
+        } else if let Some(known) = Rung::named(&rung.text) {
+            self.draft.settings.rung = Some((known, rung.span));
+        } else {
+            self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map(|(name, _)| name));
+        }
+    }
+
+    /// `allow: W0002;`
+    pub(in crate::resolve) fn declare_allowed(&mut self, codes: &'a [Ident]) {
+        for code in codes {
+            if Code::ALL.iter().any(|known| known.id() == code.text && known.id().starts_with('W')) {
+                self.draft.settings.allowed.push(code.text.clone());
+            } else {
+                let message = format!("there is no warning `{}` to allow", code.text);
+                self.sink.warning(Code::UnknownCode, code.span, message);
+            }
+        }
+    }
+
+    fn said_twice(&mut self, scope: ScopeId, span: Span, what: &str, first: Span) {
+        self.error(scope, Code::RepeatedItem, span, format!("{what} is declared twice"))
+            .note_at(first, "it is declared first here");
+    }
+
+    /// Gravity as it was written; zero if it was not.
+    pub(in crate::resolve) fn gravity(&mut self, scope: ScopeId, span: Span) -> Eval<Value> {
+        if let Some(slot) = self.draft.settings.gravity {
+            return self.slot_value(slot, scope, span);
+        }
+        let nature = Nature::written(Dimension::ACCELERATION, Reads::NOTHING);
+        Ok(Quantity::new(Expr::ZERO, nature).into())
+    }
+
+    /// The acceleration of gravity in absolute axes. Where a number was written, it points along -y.
+    pub(in crate::resolve) fn evaluate_gravity(&mut self) -> Eval<Vec2> {
+        let Some(slot) = self.draft.settings.gravity else { return Ok(Vec2::ZERO) };
+        let span = self.names.slots[slot].span;
+        match self.slot_value(slot, 0, span)? {
+            Value::Scalar(down) => Ok(Vec2::new(Expr::ZERO, -down.value)),
+            Value::Vector(gravity) => Ok(gravity.value),
+            _ => Err(Failed),
+        }
+    }
+
+    /// How constraints are kept over a run.
+    pub(in crate::resolve) fn evaluate_stabilisation(&mut self) -> Eval<Stabilisation> {
+        let Some((method, time)) = self.draft.settings.stabilisation else {
+            return Ok(Stabilisation::Projection);
+        };
+        match time {
+            None if method.text == "projection" => Ok(Stabilisation::Projection),
+            // The time constant that the manual's own integrator was found to need (issue 2, point 5).
+            None => {
+                let tenth = Number::rational(1, 10).ok_or(Failed)?;
+                Ok(Stabilisation::Baumgarte(Expr::from(tenth)))
+            }
+            Some(time) if method.text == "projection" => {
+                self.error(0, Code::UnexpectedToken, time.span, "projection has no time constant");
+                Err(Failed)
+            }
+            Some(time) => {
+                self.eval_number(0, time, Dimension::TIME, Reads::FIXED).map(Stabilisation::Baumgarte)
+            }
+        }
+    }
+}
