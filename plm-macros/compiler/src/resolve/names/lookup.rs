@@ -22,7 +22,7 @@ const RESERVED: &[&str] = &["t", "pi", "gravity", "if", "then", "else", "and", "
 
 impl<'a> Resolver<'a> {
     /// The value of a slot, worked out if this is its first use.
-    pub(in crate::resolve) fn slot_value(&mut self, slot: SlotId, user: ScopeId, at: Span) -> Eval<Value> {
+    pub(crate) fn slot_value(&mut self, slot: SlotId, user: ScopeId, at: Span) -> Eval<Value> {
         let Slot { span: declared, thunk, .. } = self.names.slots[slot];
         self.lazy(
             |of| &mut of.names.slots[slot].value,
@@ -39,7 +39,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The full text of a name: `bar`, `bar[3]`.
-    pub(in crate::resolve) fn key(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Cow<'a, str>> {
+    pub(crate) fn key(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Cow<'a, str>> {
         let mut key = Cow::Borrowed(name.ident.text.as_str());
         for index in &name.indices {
             let value = self.eval_int(scope, index)?;
@@ -51,13 +51,7 @@ impl<'a> Resolver<'a> {
 
     /// Binds a name, unless it is taken. Names without index belong to the turn of the repetition that they stand in,
     /// names with one to what encloses it.
-    pub(in crate::resolve) fn bind(
-        &mut self,
-        scope: ScopeId,
-        ident: &Ident,
-        key: Cow<'a, str>,
-        slot: SlotId,
-    ) {
+    pub(crate) fn bind(&mut self, scope: ScopeId, ident: &Ident, key: Cow<'a, str>, slot: SlotId) {
         let scope = if key.contains('[') { self.names.home(scope) } else { scope };
         if RESERVED.contains(&key.as_ref()) {
             let message = format!("`{key}` is a word of the language");
@@ -75,19 +69,14 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    pub(in crate::resolve) fn duplicate(&mut self, scope: ScopeId, name: &str, span: Span, first: Span) {
+    pub(crate) fn duplicate(&mut self, scope: ScopeId, name: &str, span: Span, first: Span) {
         let message = format!("`{name}` is declared twice");
         self.error(scope, Code::DuplicateName, span, message).note_at(first, "it is declared first here");
     }
 
     /// A name that stands for a number may not be the name of a unit: `10 N/m` could not be told apart.
     /// What it is to stand for tells which name would do.
-    pub(in crate::resolve) fn refuse_unit_name(
-        &mut self,
-        scope: ScopeId,
-        name: &IndexedName,
-        of: Option<Dimension>,
-    ) {
+    pub(crate) fn refuse_unit_name(&mut self, scope: ScopeId, name: &IndexedName, of: Option<Dimension>) {
         let text = &name.ident.text;
         if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
             let message = format!("`{text}` is {}", unit.word);
@@ -97,7 +86,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The value of a name.
-    pub(in crate::resolve) fn lookup(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Value> {
+    pub(crate) fn lookup(&mut self, scope: ScopeId, name: &'a IndexedName) -> Eval<Value> {
         let key = self.key(scope, name)?;
         if let Some(slot) = self.names.find(scope, &key) {
             self.names.slots[slot].is_read = true;
@@ -114,7 +103,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A constraint row of this part.
-    pub(in crate::resolve) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<usize> {
+    pub(crate) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<usize> {
         let ast::ExprKind::Name(name) = &expr.kind else {
             self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
             return Err(Failed);

@@ -16,80 +16,80 @@ use crate::span::Span;
 use crate::syntax::ast;
 
 /// Index of a scope; that of the mechanism is 0.
-pub(super) type ScopeId = usize;
+pub(crate) type ScopeId = usize;
 /// Index of a named value.
-pub(super) type SlotId = usize;
+pub(crate) type SlotId = usize;
 
 /// Scopes, and what is named in them.
 #[derive(Default)]
-pub(super) struct Names<'a> {
-    pub(super) scopes: Vec<Scope<'a>>,
-    pub(super) slots: Vec<Slot<'a>>,
+pub(crate) struct Names<'a> {
+    pub(crate) scopes: Vec<Scope<'a>>,
+    pub(crate) slots: Vec<Slot<'a>>,
     /// Parts in use, those inside of others too.
-    pub(super) instances: Vec<PartInUse<'a>>,
+    pub(crate) instances: Vec<PartInUse<'a>>,
     /// What is chosen, and between what.
-    pub(super) choices: Vec<(&'a str, Vec<&'a str>)>,
+    pub(crate) choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
-    pub(super) checks: Vec<SlotId>,
+    pub(crate) checks: Vec<SlotId>,
     /// Params, inputs and `let`s of the user's own, with their names.
-    pub(super) readable: Vec<(String, Readable)>,
+    pub(crate) readable: Vec<(String, Readable)>,
     /// Definitions whose outputs are among the checks already.
-    pub(super) checked: BTreeSet<&'a str>,
+    pub(crate) checked: BTreeSet<&'a str>,
 }
 
 /// Names of one block.
 #[derive(Debug, Default)]
-pub(super) struct Scope<'a> {
+pub(crate) struct Scope<'a> {
     /// Where to look next: from one turn of a repetition to what encloses it.
-    pub(super) parent: Option<ScopeId>,
+    pub(crate) parent: Option<ScopeId>,
     /// Names of values, parts, bodies.
-    pub(super) names: BTreeMap<Cow<'a, str>, SlotId>,
+    pub(crate) names: BTreeMap<Cow<'a, str>, SlotId>,
     /// Names of constraint rows.
-    pub(super) rows: BTreeMap<Cow<'a, str>, (usize, Span)>,
+    pub(crate) rows: BTreeMap<Cow<'a, str>, (usize, Span)>,
     /// Outputs of a part.
-    pub(super) outputs: BTreeMap<Cow<'a, str>, SlotId>,
+    pub(crate) outputs: BTreeMap<Cow<'a, str>, SlotId>,
     /// The part whose inside this is.
     instance: Option<usize>,
 }
 
 /// A named value.
 #[derive(Debug)]
-pub(super) struct Slot<'a> {
+pub(crate) struct Slot<'a> {
     /// Where it was declared.
-    pub(super) span: Span,
+    pub(crate) span: Span,
     /// Has an expression named it?
-    pub(super) is_read: bool,
+    pub(crate) is_read: bool,
     /// What its value is worked out from.
-    pub(super) thunk: Option<Thunk<'a>>,
-    pub(super) value: Lazy<Value>,
+    pub(crate) thunk: Option<Thunk<'a>>,
+    pub(crate) value: Lazy<Value>,
 }
 
 /// An expression that waits for its first use.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Thunk<'a> {
-    pub(super) scope: ScopeId,
-    pub(super) expr: &'a ast::Expr,
-    pub(super) wanted: Wanted,
+pub(crate) struct Thunk<'a> {
+    pub(crate) scope: ScopeId,
+    pub(crate) expr: &'a ast::Expr,
+    pub(crate) wanted: Wanted,
 }
 
 impl<'a> Names<'a> {
-    pub(super) fn new_scope(&mut self, parent: Option<ScopeId>, instance: Option<usize>) -> ScopeId {
+    pub(crate) fn new_scope(&mut self, parent: Option<ScopeId>, instance: Option<usize>) -> ScopeId {
         self.scopes.push(Scope { parent, instance, ..Scope::default() });
         self.scopes.len() - 1
     }
 
     /// A slot whose value is known.
-    pub(super) fn known_slot(&mut self, span: Span, value: Value) -> SlotId {
+    pub(crate) fn known_slot(&mut self, span: Span, value: Value) -> SlotId {
         self.new_slot(span, None, Lazy::Known(value))
     }
 
     /// A slot of which the mistake has been told already.
-    pub(super) fn failed_slot(&mut self, span: Span) -> SlotId {
+    pub(crate) fn failed_slot(&mut self, span: Span) -> SlotId {
         self.new_slot(span, None, Lazy::Failed)
     }
 
     /// A slot whose value is worked out at its first use.
-    pub(super) fn waiting_slot(&mut self, span: Span, thunk: Thunk<'a>) -> SlotId {
+    pub(crate) fn waiting_slot(&mut self, span: Span, thunk: Thunk<'a>) -> SlotId {
         self.new_slot(span, Some(thunk), Lazy::Waiting)
     }
 
@@ -99,7 +99,7 @@ impl<'a> Names<'a> {
     }
 
     /// The scope that a repetition stands in.
-    pub(super) fn home(&self, mut scope: ScopeId) -> ScopeId {
+    pub(crate) fn home(&self, mut scope: ScopeId) -> ScopeId {
         while let Some(parent) = self.scopes[scope].parent {
             scope = parent;
         }
@@ -107,29 +107,29 @@ impl<'a> Names<'a> {
     }
 
     /// The part that a scope is inside of.
-    pub(super) fn instance(&self, scope: ScopeId) -> Option<usize> {
+    pub(crate) fn instance(&self, scope: ScopeId) -> Option<usize> {
         self.scopes[self.home(scope)].instance
     }
 
     /// The part that a scope is inside of, the part that contains that one, and so on.
-    pub(super) fn around(&self, scope: ScopeId) -> impl Iterator<Item = usize> {
+    pub(crate) fn around(&self, scope: ScopeId) -> impl Iterator<Item = usize> {
         std::iter::successors(self.instance(scope), |part| self.instance(self.instances[*part].outer))
     }
 
     /// The uses that lead to a scope, from the declaration inwards.
-    pub(super) fn uses(&self, scope: ScopeId) -> Vec<Use> {
+    pub(crate) fn uses(&self, scope: ScopeId) -> Vec<Use> {
         let mut uses: Vec<Use> = self.around(scope).map(|part| self.instances[part].as_use()).collect();
         uses.reverse();
         uses
     }
 
     /// The path of the part that a scope is inside of, as a prefix of names: empty at the top, else `arm.spring.`.
-    pub(super) fn prefix(&self, scope: ScopeId) -> String {
+    pub(crate) fn prefix(&self, scope: ScopeId) -> String {
         self.instance(scope).map_or_else(String::new, |part| format!("{}.", self.instances[part].name))
     }
 
     /// The slot of a name that can be seen in a scope.
-    pub(super) fn find(&self, scope: ScopeId, key: &str) -> Option<SlotId> {
+    pub(crate) fn find(&self, scope: ScopeId, key: &str) -> Option<SlotId> {
         self.outwards(scope).find_map(|scope| self.scopes[scope].names.get(key).copied())
     }
 
@@ -139,7 +139,7 @@ impl<'a> Names<'a> {
     }
 
     /// All names that can be seen, in the order of declaration; constraints, which only `reaction` reads, behind the others.
-    pub(super) fn visible(&self, scope: ScopeId) -> Vec<String> {
+    pub(crate) fn visible(&self, scope: ScopeId) -> Vec<String> {
         let scopes = self.outwards(scope);
         let mut names: Vec<(&str, SlotId)> = scopes
             .flat_map(|scope| &self.scopes[scope].names)

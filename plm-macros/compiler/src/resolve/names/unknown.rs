@@ -34,12 +34,7 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
 ];
 
 impl Resolver<'_> {
-    pub(in crate::resolve) fn unknown_name(
-        &mut self,
-        scope: ScopeId,
-        name: &IndexedName,
-        key: &str,
-    ) -> Failed {
+    pub(crate) fn unknown_name(&mut self, scope: ScopeId, name: &IndexedName, key: &str) -> Failed {
         let (text, span) = (&name.ident.text, name.ident.span);
         let names = self.names.visible(scope);
         let stem = format!("{text}[");
@@ -90,7 +85,7 @@ impl Resolver<'_> {
         Failed
     }
 
-    pub(in crate::resolve) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {
+    pub(crate) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {
         let kind = &ast.kind.text;
         let mut names: Vec<&str> = self.library.kinds().collect();
         names.sort_unstable();
@@ -116,7 +111,7 @@ impl Resolver<'_> {
 }
 
 /// What functions of other languages are here.
-pub(in crate::resolve) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<String> {
+pub(crate) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<String> {
     Some(match (name, arguments) {
         ("pow" | "powi" | "powf", [base, exponent]) => match (text_of(base), text_of(exponent)) {
             (Some(base), Some(exponent)) => format!("write `{base}^{exponent}`"),
@@ -136,7 +131,7 @@ fn is_constant(name: &str) -> bool {
 }
 
 /// A name that one could choose for a quantity of this dimension.
-pub(in crate::resolve) fn instead_of(dimension: Dimension) -> &'static str {
+pub(crate) fn instead_of(dimension: Dimension) -> &'static str {
     match dimension {
         Dimension::LENGTH => "length",
         Dimension::MASS => "mass",

@@ -22,7 +22,7 @@ const ROTARY: &str = "rotary_compliance";
 const RELAXATION: &str = "relaxation";
 
 /// Words that may be set where a joint is used, besides its own parameters.
-pub(in crate::resolve) const WORDS: [&str; 3] = [COMPLIANCE, ROTARY, RELAXATION];
+pub(crate) const WORDS: [&str; 3] = [COMPLIANCE, ROTARY, RELAXATION];
 
 /// A word that is set where a joint is used.
 struct Word<'a> {
@@ -38,7 +38,7 @@ type OfInstance = Vec<usize>;
 
 impl<'a> Resolver<'a> {
     /// Makes forces of the rows of joints with a compliance; what is left are constraints. Gives both.
-    pub(in crate::resolve) fn apply_compliances(
+    pub(crate) fn apply_compliances(
         &mut self,
         mut rows: Vec<Row>,
         loads: &mut Vec<Load>,

@@ -19,7 +19,7 @@ use crate::units::{Dimension, DisplayUnit};
 
 impl<'a> Resolver<'a> {
     /// Evaluates what is left and puts the model together. `None` if there is an error.
-    pub(super) fn into_model(
+    pub(crate) fn into_model(
         mut self,
         declaration: &ast::Declaration,
         mechanism: &'a Mechanism,

@@ -24,7 +24,7 @@ use crate::units::{Dimension, DisplayUnit};
 struct Actions {
     /// Rows of each part, with those of the parts that it contains.
     rows: Vec<Vec<usize>>,
-    /// Forces and torques of each part, likewise.
+    /// Forces and torques of each part, with those of the parts that it contains.
     applied: Vec<Vec<Action>>,
     /// Whose coordinate a symbol is.
     coordinates: BTreeMap<Expr, (usize, usize)>,
@@ -49,7 +49,7 @@ impl Shown {
 
 impl<'a> Resolver<'a> {
     /// Adds to the outputs what is observed and not declared.
-    pub(in crate::resolve) fn evaluate_observed(&mut self, outputs: &mut Vec<Output>) {
+    pub(crate) fn evaluate_observed(&mut self, outputs: &mut Vec<Output>) {
         let mut targets: Vec<(Value, Span)> = Vec::new();
         for (scope, expr) in std::mem::take(&mut self.draft.observed) {
             // A mistake has been reported; the others are shown all the same.

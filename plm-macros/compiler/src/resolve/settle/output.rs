@@ -13,7 +13,7 @@ use crate::units::DisplayUnit;
 
 impl<'a> Resolver<'a> {
     /// All outputs, in the order of declaration.
-    pub(in crate::resolve) fn evaluate_outputs(&mut self) -> Vec<Output> {
+    pub(crate) fn evaluate_outputs(&mut self) -> Vec<Output> {
         let mut outputs: Vec<Output> = Vec::new();
         let mut names: BTreeMap<String, Span> = BTreeMap::new();
         for (scope, ast, docs) in std::mem::take(&mut self.draft.outputs) {
@@ -54,7 +54,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// What the definition of a part says of an output.
-    pub(in crate::resolve) fn docs_of_output(&self, part: usize, key: &str) -> String {
+    pub(crate) fn docs_of_output(&self, part: usize, key: &str) -> String {
         let shows = |output: &ast::Output| match (&output.name, &output.value.kind) {
             (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == key,
             _ => false,

@@ -22,7 +22,7 @@ struct StandIn {
 
 impl Resolver<'_> {
     /// Puts rates and sums where symbols stood for them.
-    pub(in crate::resolve) fn replace_stand_ins(
+    pub(crate) fn replace_stand_ins(
         &mut self,
         states: &mut [State],
         loads: &mut [Load],

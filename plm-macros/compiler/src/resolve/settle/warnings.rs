@@ -14,21 +14,21 @@ use crate::syntax::ast::{self, ExprKind, ItemKind, Mechanism};
 
 /// A name that should be read.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) struct Readable {
+pub(crate) struct Readable {
     what: &'static str,
     slot: SlotId,
 }
 
 impl<'a> Resolver<'a> {
     /// Notes a param, an input or a `let` of the user's own. One whose name begins with `_` says that it is for nobody.
-    pub(in crate::resolve) fn should_be_read(&mut self, what: &'static str, name: &ast::Ident, slot: SlotId) {
+    pub(crate) fn should_be_read(&mut self, what: &'static str, name: &ast::Ident, slot: SlotId) {
         if name.span.source == 0 && !name.text.starts_with('_') {
             self.names.readable.push((name.text.clone(), Readable { what, slot }));
         }
     }
 
     /// Warns of what is silent, when all has been evaluated. After errors much has not been.
-    pub(in crate::resolve) fn warn(&mut self, declaration: &ast::Declaration, mechanism: &'a Mechanism) {
+    pub(crate) fn warn(&mut self, declaration: &ast::Declaration, mechanism: &'a Mechanism) {
         if self.sink.has_errors() {
             return;
         }

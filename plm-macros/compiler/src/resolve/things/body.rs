@@ -17,33 +17,34 @@ use crate::units::Dimension;
 
 /// A body on the way to the model.
 #[derive(Debug)]
-pub(in crate::resolve) struct BodyDraft<'a> {
-    pub(in crate::resolve) ast: &'a ast::Body,
-    pub(in crate::resolve) scope: ScopeId,
-    pub(in crate::resolve) name: Name,
-    pub(in crate::resolve) q: [Expr; 3],
-    pub(in crate::resolve) v: [Expr; 3],
-    pub(in crate::resolve) a: [Expr; 3],
-    /// By `theta`.
-    pub(in crate::resolve) rotation: Rotation,
-    pub(in crate::resolve) ports: Vec<PortDraft<'a>>,
+pub(crate) struct BodyDraft<'a> {
+    pub(crate) ast: &'a ast::Body,
+    pub(crate) scope: ScopeId,
+    pub(crate) name: Name,
+    /// Symbols of `(x, y, theta)` of G.
+    pub(crate) q: [Expr; 3],
+    /// Symbols of the rates of `q`.
+    pub(crate) v: [Expr; 3],
+    /// Symbols of the rates of `v`.
+    pub(crate) a: [Expr; 3],
+    /// From its axes to the absolute ones: by `theta`.
+    pub(crate) rotation: Rotation,
+    pub(crate) ports: Vec<PortDraft<'a>>,
     placement: Lazy<Placement>,
 }
 
 /// Coordinates that can start somewhere: those of the position, then those of the velocity.
-const COORDINATES: [&str; 6] = ["x", "y", "angle", "vx", "vy", "omega"];
-
-const DIMENSIONS: [Dimension; 6] = [
-    Dimension::LENGTH,
-    Dimension::LENGTH,
-    Dimension::ANGLE,
-    Dimension::VELOCITY,
-    Dimension::VELOCITY,
-    Dimension::ANGULAR_VELOCITY,
+const COORDINATES: [(&str, Dimension); 6] = [
+    ("x", Dimension::LENGTH),
+    ("y", Dimension::LENGTH),
+    ("angle", Dimension::ANGLE),
+    ("vx", Dimension::VELOCITY),
+    ("vy", Dimension::VELOCITY),
+    ("omega", Dimension::ANGULAR_VELOCITY),
 ];
 
 impl<'a> Resolver<'a> {
-    pub(in crate::resolve) fn declare_ground(&mut self, scope: ScopeId, ports: &'a [ast::Port]) {
+    pub(crate) fn declare_ground(&mut self, scope: ScopeId, ports: &'a [ast::Port]) {
         for port in ports {
             if self.needs_index(scope, &port.name) {
                 continue;
@@ -77,7 +78,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    pub(in crate::resolve) fn declare_body(&mut self, scope: ScopeId, ast: &'a ast::Body) {
+    pub(crate) fn declare_body(&mut self, scope: ScopeId, ast: &'a ast::Body) {
         if self.needs_index(scope, &ast.name) {
             return;
         }
@@ -128,7 +129,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A field of a body; said twice, the first counts.
-    pub(in crate::resolve) fn body_field(&mut self, body: usize, name: &str) -> Option<&'a ast::Expr> {
+    pub(crate) fn body_field(&mut self, body: usize, name: &str) -> Option<&'a ast::Expr> {
         let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let mut fields = ast.fields.iter().filter(|(ident, _)| ident.text == name);
         let (first, value) = fields.next()?;
@@ -140,7 +141,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The mass or the inertia, and where it stands. An assumed value keeps a mistake from causing others.
-    pub(in crate::resolve) fn body_quantity(
+    pub(crate) fn body_quantity(
         &mut self,
         body: usize,
         name: &str,
@@ -166,7 +167,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Where the origin of a body's coordinates is, worked out at its first use.
-    pub(in crate::resolve) fn placement(&mut self, body: usize) -> Eval<Placement> {
+    pub(crate) fn placement(&mut self, body: usize) -> Eval<Placement> {
         // Ports are looked at first, and tell of a circle.
         self.lazy(|of| &mut of.draft.bodies[body].placement, |_| (), |of| of.evaluate_placement(body))
     }
@@ -204,14 +205,15 @@ impl<'a> Resolver<'a> {
     }
 
     /// Reports what is wrong with a body, whether or not anything reads it.
-    pub(in crate::resolve) fn check_body(&mut self, body: usize) {
+    pub(crate) fn check_body(&mut self, body: usize) {
         let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         for (k, start) in ast.starts.iter().enumerate() {
             let (text, span) = (start.coordinate.text.as_str(), start.coordinate.span);
-            if !COORDINATES.contains(&text) {
+            let names = COORDINATES.map(|(name, _)| name);
+            if !names.contains(&text) {
                 let diagnostic =
                     self.error(scope, Code::UnknownItem, span, format!("`{text}` cannot start anywhere"));
-                help_similar(diagnostic, text, "coordinate", "coordinates", &COORDINATES);
+                help_similar(diagnostic, text, "coordinate", "coordinates", &names);
             }
             if let Some(first) = ast.starts[..k].iter().find(|before| before.coordinate.text == text) {
                 let first = first.coordinate.span;
@@ -226,23 +228,21 @@ impl<'a> Resolver<'a> {
 
     /// Starts of (x, y, angle) and (vx, vy, omega) of the origin. A body in drawing coordinates stands where it was
     /// drawn unless it is told otherwise.
-    pub(in crate::resolve) fn starts(&mut self, body: usize) -> Eval<[Start; 6]> {
+    pub(crate) fn starts(&mut self, body: usize) -> Eval<[Start; 6]> {
         let placement = self.placement(body)?;
         let zero = Expr::ZERO;
         let Vec2 { x, y } = placement.centre;
         let drawn = [x, y, placement.drawing_angle, zero, zero, zero];
+        let default = if placement.drawing { drawn } else { [zero; 6] };
         let span = self.draft.bodies[body].name.span;
-        let mut starts = [0, 1, 2, 3, 4, 5].map(|i| {
-            let value = if placement.drawing { drawn[i] } else { zero };
-            Start { value, locked: false, given: false, span }
-        });
+        let mut starts = default.map(|value| Start { value, locked: false, given: false, span });
         let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let mut result = Ok(());
         for start in &ast.starts {
-            let Some(i) = COORDINATES.iter().position(|name| *name == start.coordinate.text) else {
+            let Some(i) = COORDINATES.iter().position(|(name, _)| *name == start.coordinate.text) else {
                 continue;
             };
-            match self.eval_number(scope, &start.value, DIMENSIONS[i], Reads::FIXED) {
+            match self.eval_number(scope, &start.value, COORDINATES[i].1, Reads::FIXED) {
                 Ok(value) => {
                     let span = start.coordinate.span.to(start.value.span);
                     starts[i] = Start { value, locked: start.locked, given: true, span };

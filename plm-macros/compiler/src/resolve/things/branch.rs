@@ -6,16 +6,16 @@ use crate::resolve::Resolver;
 use crate::syntax::ast::{Definition, ExprKind, ItemKind};
 
 /// The word that asks for it.
-pub(in crate::resolve) const BRANCH: &str = "branch";
+pub(crate) const BRANCH: &str = "branch";
 
 /// Is it a joint that turns, whose turn may tell mirror images apart?
-pub(in crate::resolve) fn tells_branches(definition: &Definition) -> bool {
+pub(crate) fn tells_branches(definition: &Definition) -> bool {
     definition.items.iter().any(|item| matches!(&item.kind, ItemKind::Pair(pair) if pair.text == "revolute"))
 }
 
 impl Resolver<'_> {
     /// `{ branch: left; }`; where no branch can be asked for, that has been told.
-    pub(in crate::resolve) fn ask_for_branch(&mut self, id: usize) {
+    pub(crate) fn ask_for_branch(&mut self, id: usize) {
         let Some((outer, field)) = self.names.word(id, BRANCH) else { return };
         if !tells_branches(self.names.instances[id].definition) {
             return;

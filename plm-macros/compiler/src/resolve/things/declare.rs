@@ -14,13 +14,13 @@ use crate::syntax::ast::{self, ExprKind, Item, ItemKind};
 use crate::units::{Dimension, DisplayUnit};
 
 /// A `param` or an `input` of the mechanism: a field of an emitted type.
-pub(in crate::resolve) struct FieldDraft<'a> {
-    pub(in crate::resolve) ast: &'a ast::Value,
-    pub(in crate::resolve) docs: &'a [String],
-    pub(in crate::resolve) scope: ScopeId,
-    pub(in crate::resolve) name: Name,
-    pub(in crate::resolve) symbol: Expr,
-    pub(in crate::resolve) unit: DisplayUnit,
+pub(crate) struct FieldDraft<'a> {
+    pub(crate) ast: &'a ast::Value,
+    pub(crate) docs: &'a [String],
+    pub(crate) scope: ScopeId,
+    pub(crate) name: Name,
+    pub(crate) symbol: Expr,
+    pub(crate) unit: DisplayUnit,
 }
 
 /// All repetitions together may have so many turns.
@@ -28,7 +28,7 @@ const MAX_TURNS: usize = 4096;
 
 impl<'a> Resolver<'a> {
     /// Binds what items declare, in a scope; inside a part, with the index of the mechanism's part that it belongs to.
-    pub(in crate::resolve) fn declare(&mut self, items: &'a [Item], scope: ScopeId, part: Option<usize>) {
+    pub(crate) fn declare(&mut self, items: &'a [Item], scope: ScopeId, part: Option<usize>) {
         for item in items {
             match &item.kind {
                 ItemKind::Gravity(value) => self.declare_gravity(scope, item, value),
@@ -84,7 +84,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The key and the unit of a declared value. Without a unit, that of its default counts.
-    pub(in crate::resolve) fn name_and_unit(
+    pub(crate) fn name_and_unit(
         &mut self,
         scope: ScopeId,
         ast: &'a ast::Value,
@@ -169,7 +169,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// In a repetition a name that the rest of the mechanism can see needs an index.
-    pub(in crate::resolve) fn needs_index(&mut self, scope: ScopeId, name: &ast::IndexedName) -> bool {
+    pub(crate) fn needs_index(&mut self, scope: ScopeId, name: &ast::IndexedName) -> bool {
         let repeated = self.names.scopes[scope].parent.is_some() && name.indices.is_empty();
         if repeated {
             let text = &name.ident.text;
@@ -186,10 +186,7 @@ impl<'a> Resolver<'a> {
 }
 
 /// The dimension that a declaration shows, by its unit or by a literal.
-pub(in crate::resolve) fn dimension_of(
-    unit: Option<&DisplayUnit>,
-    value: Option<&ast::Expr>,
-) -> Option<Dimension> {
+pub(crate) fn dimension_of(unit: Option<&DisplayUnit>, value: Option<&ast::Expr>) -> Option<Dimension> {
     match (unit, value) {
         (Some(unit), _) | (None, Some(ast::Expr { kind: ExprKind::Quantity(_, unit), .. })) => {
             Some(unit.dimension)

@@ -10,7 +10,7 @@ use crate::syntax::ast::{Field, Instance, Item, ItemKind};
 
 impl<'a> Names<'a> {
     /// What the uses around a part set for a name inside it. The outermost has the last word.
-    pub(in crate::resolve) fn field(&self, part: usize, name: &str) -> Option<(ScopeId, &'a Field)> {
+    pub(crate) fn field(&self, part: usize, name: &str) -> Option<(ScopeId, &'a Field)> {
         let mut path = name.to_string();
         let mut found = None;
         for part in std::iter::once(part).chain(self.around(self.instances[part].outer)) {
@@ -23,7 +23,7 @@ impl<'a> Names<'a> {
     }
 
     /// What the use of a joint sets for a word of the language, unless its definition has a parameter of that name.
-    pub(in crate::resolve) fn word(&self, joint: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
+    pub(crate) fn word(&self, joint: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
         let definition = self.instances[joint].definition;
         let is_parameter = definition.items.iter().any(|item| field_name(&item.kind) == Some(word));
         if definition.is_joint && !is_parameter { self.field(joint, word) } else { None }
@@ -32,11 +32,7 @@ impl<'a> Names<'a> {
 
 impl<'a> Resolver<'a> {
     /// The fields of a use with their paths as text.
-    pub(in crate::resolve) fn fields_of(
-        &mut self,
-        scope: ScopeId,
-        ast: &'a Instance,
-    ) -> Vec<(String, &'a Field)> {
+    pub(crate) fn fields_of(&mut self, scope: ScopeId, ast: &'a Instance) -> Vec<(String, &'a Field)> {
         let mut fields = Vec::with_capacity(ast.fields.len());
         for field in &ast.fields {
             let keys: Vec<_> = field.path.iter().map(|name| self.key(scope, name)).collect();
@@ -48,7 +44,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Every field that is set must exist, and be set once.
-    pub(in crate::resolve) fn check_fields(&mut self, id: usize) {
+    pub(crate) fn check_fields(&mut self, id: usize) {
         let outer = self.names.instances[id].outer;
         let fields = self.names.instances[id].fields.clone();
         for (k, (path, field)) in fields.iter().enumerate() {

@@ -19,73 +19,73 @@ use crate::units::Dimension;
 
 /// A port on the way from its declaration to its frame.
 #[derive(Debug)]
-pub(in crate::resolve) struct PortDraft<'a> {
-    pub(in crate::resolve) ast: &'a ast::Port,
+pub(crate) struct PortDraft<'a> {
+    pub(crate) ast: &'a ast::Port,
     /// Its name; of a ground port in a part, with the path of the part.
-    pub(in crate::resolve) name: String,
-    pub(in crate::resolve) scope: ScopeId,
-    pub(in crate::resolve) used: bool,
-    pub(in crate::resolve) frame: Lazy<FrameGeometry>,
+    pub(crate) name: String,
+    pub(crate) scope: ScopeId,
+    pub(crate) used: bool,
+    pub(crate) frame: Lazy<FrameGeometry>,
 }
 
 /// Where a frame is.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) struct FrameGeometry {
+pub(crate) struct FrameGeometry {
     /// Its point from G, in the axes of the body; on the ground from the origin.
-    pub(in crate::resolve) local: Vec2,
+    pub(crate) local: Vec2,
     /// Its angle against the x axis of the body, or of the ground.
-    pub(in crate::resolve) turn: Expr,
+    pub(crate) turn: Expr,
     /// Its point from G, in absolute axes; on the ground from the origin.
-    pub(in crate::resolve) arm: Vec2,
+    pub(crate) arm: Vec2,
     /// Its point from the origin, in absolute axes.
-    pub(in crate::resolve) position: Vec2,
+    pub(crate) position: Vec2,
     /// Its angle against the absolute x axis.
-    pub(in crate::resolve) angle: Expr,
-    /// By that angle, from the absolute axes to its own.
-    pub(in crate::resolve) rotation: Rotation,
+    pub(crate) angle: Expr,
+    /// By its angle: takes the absolute axes to its own.
+    pub(crate) rotation: Rotation,
     /// What position and angle depend on.
-    pub(in crate::resolve) reads: Reads,
+    pub(crate) reads: Reads,
 }
 
 /// Where the origin of a body's coordinates is, and how they are turned.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) struct Placement {
+pub(crate) struct Placement {
     /// Are they those of the assembled drawing (manual, section 4.3.2: absolute)?
-    pub(in crate::resolve) drawing: bool,
+    pub(crate) drawing: bool,
     /// Angle of the body in the drawing.
-    pub(in crate::resolve) drawing_angle: Expr,
+    pub(crate) drawing_angle: Expr,
     /// G as it was written.
-    pub(in crate::resolve) centre: Vec2,
+    pub(crate) centre: Vec2,
 }
 
 impl<'a> Draft<'a> {
     /// Ports of a body or, without one, of the ground.
-    pub(in crate::resolve) fn ports(&self, body: Option<usize>) -> &[PortDraft<'a>] {
+    pub(crate) fn ports(&self, body: Option<usize>) -> &[PortDraft<'a>] {
         match body {
             Some(body) => &self.bodies[body].ports,
             None => &self.ground,
         }
     }
 
-    pub(in crate::resolve) fn port(&mut self, frame: FrameRef) -> &mut PortDraft<'a> {
+    pub(crate) fn port(&mut self, frame: FrameRef) -> &mut PortDraft<'a> {
         match frame.body {
             Some(body) => &mut self.bodies[body].ports[frame.port],
             None => &mut self.ground[frame.port],
         }
     }
 
-    pub(in crate::resolve) fn port_index(&self, body: Option<usize>, name: &str) -> Option<usize> {
+    pub(crate) fn port_index(&self, body: Option<usize>, name: &str) -> Option<usize> {
         self.ports(body).iter().position(|port| port.name == name)
     }
 
-    pub(in crate::resolve) fn port_names(&self, body: Option<usize>) -> Vec<String> {
+    pub(crate) fn port_names(&self, body: Option<usize>) -> Vec<String> {
         self.ports(body).iter().map(|port| port.name.clone()).collect()
     }
 }
 
 impl<'a> Resolver<'a> {
     /// The frame of a port, worked out at its first use.
-    pub(in crate::resolve) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
+    pub(crate) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
         let port = self.draft.port(frame);
         let (ast, scope) = (port.ast, port.scope);
         self.lazy(
@@ -141,7 +141,7 @@ impl<'a> Resolver<'a> {
 
 impl Placement {
     /// A point as it was written, from G in the axes of the body.
-    pub(in crate::resolve) fn place(&self, at: Vec2) -> Vec2 {
+    pub(crate) fn place(&self, at: Vec2) -> Vec2 {
         let from_centre = at - self.centre;
         if self.drawing { Rotation::by(-self.drawing_angle) * from_centre } else { from_centre }
     }

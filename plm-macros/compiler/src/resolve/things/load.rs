@@ -13,41 +13,37 @@ use crate::units::Dimension;
 
 /// What a part applies to a body or to the ground.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) struct Action {
+pub(crate) struct Action {
     /// Where it was declared.
-    pub(in crate::resolve) scope: ScopeId,
+    pub(crate) scope: ScopeId,
     /// `None` is the ground.
-    pub(in crate::resolve) body: Option<usize>,
+    pub(crate) body: Option<usize>,
     /// Where the force acts: from G of the body in absolute axes; on the ground from the origin.
-    pub(in crate::resolve) arm: Vec2,
-    /// Absolute axes.
-    pub(in crate::resolve) force: Vec2,
-    /// Beside that of the force.
-    pub(in crate::resolve) torque: Expr,
+    pub(crate) arm: Vec2,
+    /// The force in absolute axes, N.
+    pub(crate) force: Vec2,
+    /// The torque that is applied beside the moment of the force, N m.
+    pub(crate) torque: Expr,
 }
 
 /// A force or a torque that was declared.
 #[derive(Debug)]
-pub(in crate::resolve) struct LoadDraft<'a> {
+pub(crate) struct LoadDraft<'a> {
     scope: ScopeId,
     ast: &'a ast::Load,
     part: usize,
 }
 
 impl<'a> Resolver<'a> {
-    pub(in crate::resolve) fn declare_load(
-        &mut self,
-        scope: ScopeId,
-        ast: &'a ast::Load,
-        part: Option<usize>,
-    ) {
+    /// `force on port from port: value;` of a part.
+    pub(crate) fn declare_load(&mut self, scope: ScopeId, ast: &'a ast::Load, part: Option<usize>) {
         if let Some(part) = part {
             self.draft.loads.push(LoadDraft { scope, ast, part });
         }
     }
 
     /// All loads, carried to the centres of gravity.
-    pub(in crate::resolve) fn evaluate_loads(&mut self) -> Vec<Load> {
+    pub(crate) fn evaluate_loads(&mut self) -> Vec<Load> {
         let mut loads = Vec::new();
         for load in std::mem::take(&mut self.draft.loads) {
             // A mistake has been reported; what else is wrong is found all the same.

@@ -30,38 +30,38 @@ use crate::syntax::ast;
 
 /// What is declared.
 #[derive(Default)]
-pub(super) struct Draft<'a> {
-    pub(super) settings: Settings<'a>,
-    pub(super) params: Vec<FieldDraft<'a>>,
-    pub(super) inputs: Vec<FieldDraft<'a>>,
-    pub(super) states: Vec<StateDraft<'a>>,
+pub(crate) struct Draft<'a> {
+    pub(crate) settings: Settings<'a>,
+    pub(crate) params: Vec<FieldDraft<'a>>,
+    pub(crate) inputs: Vec<FieldDraft<'a>>,
+    pub(crate) states: Vec<StateDraft<'a>>,
     /// Rates, which are given to their states when all states are declared.
-    pub(super) rates: Vec<RateDraft<'a>>,
+    pub(crate) rates: Vec<RateDraft<'a>>,
     /// Ports of the ground.
-    pub(super) ground: Vec<PortDraft<'a>>,
-    pub(super) bodies: Vec<BodyDraft<'a>>,
+    pub(crate) ground: Vec<PortDraft<'a>>,
+    pub(crate) bodies: Vec<BodyDraft<'a>>,
     /// Domains of nodes, in the order in which they are met.
-    pub(super) domains: Vec<&'a ast::Domain>,
-    pub(super) nodes: Vec<NodeDraft<'a>>,
+    pub(crate) domains: Vec<&'a ast::Domain>,
+    pub(crate) nodes: Vec<NodeDraft<'a>>,
     /// The parts of the mechanism; what they contain counts as theirs, but for joints.
-    pub(super) parts: Vec<Part>,
-    pub(super) rows: Vec<RowDraft<'a>>,
-    pub(super) requirements: Vec<Requirement<'a>>,
+    pub(crate) parts: Vec<Part>,
+    pub(crate) rows: Vec<RowDraft<'a>>,
+    pub(crate) requirements: Vec<Requirement<'a>>,
     /// Requirements that uses of parts switch on or off.
-    pub(super) switched: Vec<Switched>,
+    pub(crate) switched: Vec<Switched>,
     /// Values that must be positive when parameters are known.
-    pub(super) limits: Vec<Limit>,
-    pub(super) loads: Vec<LoadDraft<'a>>,
+    pub(crate) limits: Vec<Limit>,
+    pub(crate) loads: Vec<LoadDraft<'a>>,
     /// What parts apply to bodies and to the ground, for who observes them.
-    pub(super) applied: Vec<Action>,
+    pub(crate) applied: Vec<Action>,
     /// Outputs of the mechanism, with the documentation of their items.
-    pub(super) outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
+    pub(crate) outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
     /// What `observe` names.
-    pub(super) observed: Vec<(ScopeId, &'a ast::Expr)>,
+    pub(crate) observed: Vec<(ScopeId, &'a ast::Expr)>,
     /// Sizes of parts for pictures.
-    pub(super) sizes: Vec<SizeDraft>,
+    pub(crate) sizes: Vec<SizeDraft>,
     /// Turns of repetitions so far.
-    pub(super) turns: usize,
+    pub(crate) turns: usize,
     /// It has been said that there are too many parts.
-    pub(super) too_many: bool,
+    pub(crate) too_many: bool,
 }

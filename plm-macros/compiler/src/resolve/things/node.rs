@@ -15,27 +15,27 @@ use crate::syntax::ast::{self, Domain, Ident};
 
 /// A node.
 #[derive(Debug)]
-pub(in crate::resolve) struct NodeDraft<'a> {
+pub(crate) struct NodeDraft<'a> {
     domain: &'a Domain,
     /// Full name, `cylinder.cap`.
-    pub(in crate::resolve) name: String,
-    pub(in crate::resolve) scope: ScopeId,
-    pub(in crate::resolve) span: Span,
+    pub(crate) name: String,
+    pub(crate) scope: ScopeId,
+    pub(crate) span: Span,
     /// Its across quantity, once it has been evaluated; another name of a node has none.
-    pub(in crate::resolve) across: Option<Scalar>,
+    pub(crate) across: Option<Scalar>,
     /// In the order of its domain.
-    pub(in crate::resolve) through: Vec<Through>,
+    pub(crate) through: Vec<Through>,
 }
 
 /// A through quantity at a node.
 #[derive(Debug)]
-pub(in crate::resolve) struct Through {
+pub(crate) struct Through {
     /// Stands for the sum.
-    pub(in crate::resolve) symbol: Expr,
+    pub(crate) symbol: Expr,
     /// Stands for its rate.
-    pub(in crate::resolve) rate: Expr,
+    pub(crate) rate: Expr,
     /// What adds up.
-    pub(in crate::resolve) terms: Vec<Expr>,
+    pub(crate) terms: Vec<Expr>,
 }
 
 /// What a sum is taken to read before its terms are known: what lets it stand in forces and rates, but in no constraint.
@@ -43,7 +43,7 @@ const SUM: Reads = Reads::STATE.and(Reads::POSITION).and(Reads::TIME);
 
 impl<'a> Resolver<'a> {
     /// `node name: kind = expr;`
-    pub(in crate::resolve) fn declare_node(&mut self, scope: ScopeId, ast: &'a ast::Node) {
+    pub(crate) fn declare_node(&mut self, scope: ScopeId, ast: &'a ast::Node) {
         if self.needs_index(scope, &ast.name) {
             return;
         }
@@ -67,7 +67,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// What a kind of port wants: `frame`, `body`, or a node of a domain.
-    pub(in crate::resolve) fn wanted_at(&mut self, scope: ScopeId, kind: &Ident) -> Eval<Wanted> {
+    pub(crate) fn wanted_at(&mut self, scope: ScopeId, kind: &Ident) -> Eval<Wanted> {
         match kind.text.as_str() {
             "frame" => return Ok(Wanted::Frame),
             "body" => return Ok(Wanted::Body),
@@ -108,7 +108,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A node where a port of a domain is wanted.
-    pub(in crate::resolve) fn port_of_domain(
+    pub(crate) fn port_of_domain(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -124,7 +124,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// What a node is declared as: another name of a node, or its across quantity.
-    pub(in crate::resolve) fn value_of_node(
+    pub(crate) fn value_of_node(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -181,7 +181,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `node.pressure`, `node.flow`
-    pub(in crate::resolve) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
+    pub(crate) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
         let state = &self.draft.nodes[node];
         if state.domain.across.name.text == name {
             return state.across.map(Value::Scalar);
@@ -192,14 +192,14 @@ impl<'a> Resolver<'a> {
     }
 
     /// Names of the members of a node.
-    pub(in crate::resolve) fn members_of_node(&self, node: usize) -> Vec<&'a str> {
+    pub(crate) fn members_of_node(&self, node: usize) -> Vec<&'a str> {
         let domain = self.draft.nodes[node].domain;
         let through = domain.through.iter().map(|quantity| quantity.name.text.as_str());
         std::iter::once(domain.across.name.text.as_str()).chain(through).collect()
     }
 
     /// The node behind `from`: of the same domain.
-    pub(in crate::resolve) fn other_node(
+    pub(crate) fn other_node(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -217,7 +217,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Adds what acts on a node, and its opposite on another.
-    pub(in crate::resolve) fn act_on_node(
+    pub(crate) fn act_on_node(
         &mut self,
         scope: ScopeId,
         ast: &'a ast::Load,

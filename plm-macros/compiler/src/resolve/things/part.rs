@@ -20,42 +20,37 @@ const MAX_INSTANCES: usize = 1 << 14;
 
 /// A part in use.
 #[derive(Debug)]
-pub(in crate::resolve) struct PartInUse<'a> {
-    pub(in crate::resolve) definition: &'a Definition,
-    pub(in crate::resolve) ast: &'a Instance,
+pub(crate) struct PartInUse<'a> {
+    pub(crate) definition: &'a Definition,
+    pub(crate) ast: &'a Instance,
     /// Full path, `arm.spring`.
-    pub(in crate::resolve) name: String,
+    pub(crate) name: String,
     /// The name, where it is used.
-    pub(in crate::resolve) span: Span,
+    pub(crate) span: Span,
     /// Its inside.
-    pub(in crate::resolve) scope: ScopeId,
+    pub(crate) scope: ScopeId,
     /// The scope that uses it.
-    pub(in crate::resolve) outer: ScopeId,
+    pub(crate) outer: ScopeId,
     /// Its name in the scope that uses it.
-    pub(in crate::resolve) key: String,
+    pub(crate) key: String,
     /// What its use sets, by path.
-    pub(in crate::resolve) fields: Vec<(String, &'a Field)>,
+    pub(crate) fields: Vec<(String, &'a Field)>,
     /// The part of the mechanism that it is, or belongs to.
-    pub(in crate::resolve) part: usize,
+    pub(crate) part: usize,
     /// Is it that part itself?
     is_part: bool,
-    pub(in crate::resolve) arguments: Vec<SlotId>,
+    pub(crate) arguments: Vec<SlotId>,
 }
 
 impl PartInUse<'_> {
     /// As one of the uses that lead to a place inside it.
-    pub(in crate::resolve) fn as_use(&self) -> Use {
+    pub(crate) fn as_use(&self) -> Use {
         Use { span: self.span, instance: self.name.clone(), part: self.definition.name.text.clone() }
     }
 }
 
 impl<'a> Resolver<'a> {
-    pub(in crate::resolve) fn declare_instance(
-        &mut self,
-        scope: ScopeId,
-        ast: &'a Instance,
-        part: Option<usize>,
-    ) {
+    pub(crate) fn declare_instance(&mut self, scope: ScopeId, ast: &'a Instance, part: Option<usize>) {
         if self.needs_index(scope, &ast.name) {
             return;
         }
@@ -181,7 +176,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The value of a param or an input of a part: as the use sets it, else its default.
-    pub(in crate::resolve) fn field_slot(
+    pub(crate) fn field_slot(
         &mut self,
         id: usize,
         inside: ScopeId,
@@ -209,7 +204,7 @@ impl<'a> Resolver<'a> {
         slot
     }
 
-    pub(in crate::resolve) fn declare_choice(&mut self, scope: ScopeId, choice: &'a ast::Choice) {
+    pub(crate) fn declare_choice(&mut self, scope: ScopeId, choice: &'a ast::Choice) {
         let Some(id) = self.names.instance(scope) else { return };
         let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect();
         let chosen = match (self.names.field(id, &choice.name.text), &choice.default) {
@@ -257,7 +252,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Evaluates what a part is connected to. A joint must join two different bodies.
-    pub(in crate::resolve) fn connect(&mut self, id: usize) {
+    pub(crate) fn connect(&mut self, id: usize) {
         let (arguments, outer) = (self.names.instances[id].arguments.clone(), self.names.instances[id].outer);
         let mut frames: Vec<FrameRef> = Vec::new();
         for slot in arguments {

@@ -15,7 +15,7 @@ use crate::units::Dimension;
 
 /// A size of a part: its name, and the parameter.
 #[derive(Debug)]
-pub(in crate::resolve) struct SizeDraft {
+pub(crate) struct SizeDraft {
     name: String,
     slot: SlotId,
     scope: ScopeId,
@@ -24,7 +24,7 @@ pub(in crate::resolve) struct SizeDraft {
 
 impl<'a> Resolver<'a> {
     /// `picture piston_diameter, …;` in a part.
-    pub(in crate::resolve) fn declare_picture(&mut self, scope: ScopeId, names: &'a [IndexedName]) {
+    pub(crate) fn declare_picture(&mut self, scope: ScopeId, names: &'a [IndexedName]) {
         let home = self.names.home(scope);
         for written in names {
             let Ok(key) = self.key(scope, written) else { continue };
@@ -44,7 +44,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The sizes of all parts.
-    pub(in crate::resolve) fn evaluate_sizes(&mut self) -> Eval<Vec<Size>> {
+    pub(crate) fn evaluate_sizes(&mut self) -> Eval<Vec<Size>> {
         let sizes = std::mem::take(&mut self.draft.sizes);
         all(sizes.into_iter().map(|SizeDraft { name, slot, scope, span }| {
             match self.slot_value(slot, scope, span)? {
@@ -60,16 +60,12 @@ impl<'a> Resolver<'a> {
     }
 
     /// A depth, m; only pictures know of it.
-    pub(in crate::resolve) fn depth(
-        &mut self,
-        scope: ScopeId,
-        depth: Option<&'a ast::Expr>,
-    ) -> Eval<Option<Expr>> {
+    pub(crate) fn depth(&mut self, scope: ScopeId, depth: Option<&'a ast::Expr>) -> Eval<Option<Expr>> {
         depth.map(|expr| self.eval_number(scope, expr, Dimension::LENGTH, Reads::FIXED)).transpose()
     }
 
     /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
-    pub(in crate::resolve) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
+    pub(crate) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
         let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
         let (points, span) = match contour {

@@ -11,7 +11,7 @@ use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Field};
 
 /// A requirement that was declared.
-pub(in crate::resolve) struct Requirement<'a> {
+pub(crate) struct Requirement<'a> {
     scope: ScopeId,
     condition: &'a ast::Expr,
     /// Full name, `cylinder.cap.above_vacuum`.
@@ -22,7 +22,7 @@ pub(in crate::resolve) struct Requirement<'a> {
 }
 
 /// A requirement that the use of a part switches on or off.
-pub(in crate::resolve) struct Switched {
+pub(crate) struct Switched {
     /// The scope of the use.
     scope: ScopeId,
     /// Full name of the requirement.
@@ -32,7 +32,7 @@ pub(in crate::resolve) struct Switched {
 
 impl<'a> Resolver<'a> {
     /// `require name: condition;`
-    pub(in crate::resolve) fn declare_requirement(
+    pub(crate) fn declare_requirement(
         &mut self,
         scope: ScopeId,
         name: &'a ast::IndexedName,
@@ -54,7 +54,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `above_vacuum: off;` in the use of a part; `name` is the full name of the requirement.
-    pub(in crate::resolve) fn switch_requirement(&mut self, scope: ScopeId, name: String, field: &'a Field) {
+    pub(crate) fn switch_requirement(&mut self, scope: ScopeId, name: String, field: &'a Field) {
         if !matches!(word(field), Some("on" | "off")) {
             let message = "a requirement is switched `on` or `off`";
             self.error(scope, Code::UnknownOption, field.value.span, message);
@@ -72,7 +72,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Requirements as sides that must not change.
-    pub(in crate::resolve) fn evaluate_requirements(&mut self) -> Vec<Side> {
+    pub(crate) fn evaluate_requirements(&mut self) -> Vec<Side> {
         self.check_switched();
         let mut sides = Vec::new();
         for Requirement { scope, condition, name, is_off, .. } in std::mem::take(&mut self.draft.requirements)

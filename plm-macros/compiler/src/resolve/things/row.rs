@@ -14,28 +14,28 @@ use crate::units::Dimension;
 
 /// A constraint row on the way to its residual.
 #[derive(Debug)]
-pub(in crate::resolve) struct RowDraft<'a> {
-    pub(in crate::resolve) scope: ScopeId,
+pub(crate) struct RowDraft<'a> {
+    pub(crate) scope: ScopeId,
     left: &'a ast::Expr,
     right: &'a ast::Expr,
     /// Full name, `shoulder.x`.
-    pub(in crate::resolve) name: String,
-    pub(in crate::resolve) part: usize,
-    pub(in crate::resolve) span: Span,
-    pub(in crate::resolve) lambda: Expr,
+    pub(crate) name: String,
+    pub(crate) part: usize,
+    pub(crate) span: Span,
+    pub(crate) lambda: Expr,
     residual: Lazy<Residual>,
 }
 
 /// What a row says.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) struct Residual {
-    pub(in crate::resolve) phi: Expr,
-    pub(in crate::resolve) dimension: Dimension,
+pub(crate) struct Residual {
+    pub(crate) phi: Expr,
+    pub(crate) dimension: Dimension,
 }
 
 impl<'a> Resolver<'a> {
     /// A row in a part; at the top of the mechanism it is a part of its own.
-    pub(in crate::resolve) fn declare_row(
+    pub(crate) fn declare_row(
         &mut self,
         scope: ScopeId,
         name: &'a ast::IndexedName,
@@ -77,13 +77,13 @@ impl<'a> Resolver<'a> {
     }
 
     /// Where a row was written.
-    pub(in crate::resolve) fn row_declared(&self, row: usize) -> Declared {
+    pub(crate) fn row_declared(&self, row: usize) -> Declared {
         let RowDraft { scope, left, right, .. } = self.draft.rows[row];
         Declared { span: left.span.to(right.span), uses: self.names.uses(scope) }
     }
 
     /// The residual of a row, worked out at its first use.
-    pub(in crate::resolve) fn row(&mut self, row: usize) -> Eval<Residual> {
+    pub(crate) fn row(&mut self, row: usize) -> Eval<Residual> {
         // A constraint that reads its own reaction is told so where it does.
         self.lazy(|of| &mut of.draft.rows[row].residual, |_| (), |of| of.residual(row))
     }

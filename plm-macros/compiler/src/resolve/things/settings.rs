@@ -15,23 +15,18 @@ use crate::units::Dimension;
 
 /// What has been said so far.
 #[derive(Default)]
-pub(in crate::resolve) struct Settings<'a> {
+pub(crate) struct Settings<'a> {
     gravity: Option<SlotId>,
     /// The method and its time constant.
     stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
-    pub(in crate::resolve) rung: Option<(Rung, Span)>,
+    pub(crate) rung: Option<(Rung, Span)>,
     /// Codes of warnings.
-    pub(in crate::resolve) allowed: Vec<String>,
+    pub(crate) allowed: Vec<String>,
 }
 
 impl<'a> Resolver<'a> {
     /// `gravity: 9.81 m/s^2;`
-    pub(in crate::resolve) fn declare_gravity(
-        &mut self,
-        scope: ScopeId,
-        item: &'a Item,
-        expr: &'a ast::Expr,
-    ) {
+    pub(crate) fn declare_gravity(&mut self, scope: ScopeId, item: &'a Item, expr: &'a ast::Expr) {
         if let Some(first) = self.draft.settings.gravity {
             let first = self.names.slots[first].span;
             self.said_twice(scope, item.span, "gravity", first);
@@ -45,7 +40,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `stabilisation: baumgarte(0.1 s);`
-    pub(in crate::resolve) fn declare_stabilisation(
+    pub(crate) fn declare_stabilisation(
         &mut self,
         scope: ScopeId,
         method: &'a Ident,
@@ -61,7 +56,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `rung: tree;`
-    pub(in crate::resolve) fn declare_rung(&mut self, scope: ScopeId, rung: &'a Ident) {
+    pub(crate) fn declare_rung(&mut self, scope: ScopeId, rung: &'a Ident) {
         if let Some((_, first)) = self.draft.settings.rung {
             self.said_twice(scope, rung.span, "the rung", first);
         } else if let Some(known) = Rung::named(&rung.text) {
@@ -72,7 +67,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `allow: W0002;`
-    pub(in crate::resolve) fn declare_allowed(&mut self, codes: &'a [Ident]) {
+    pub(crate) fn declare_allowed(&mut self, codes: &'a [Ident]) {
         for code in codes {
             if Code::ALL.iter().any(|known| known.id() == code.text && known.id().starts_with('W')) {
                 self.draft.settings.allowed.push(code.text.clone());
@@ -89,7 +84,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Gravity as it was written; zero if it was not.
-    pub(in crate::resolve) fn gravity(&mut self, scope: ScopeId, span: Span) -> Eval<Value> {
+    pub(crate) fn gravity(&mut self, scope: ScopeId, span: Span) -> Eval<Value> {
         if let Some(slot) = self.draft.settings.gravity {
             return self.slot_value(slot, scope, span);
         }
@@ -98,7 +93,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The acceleration of gravity in absolute axes. Where a number was written, it points along -y.
-    pub(in crate::resolve) fn evaluate_gravity(&mut self) -> Eval<Vec2> {
+    pub(crate) fn evaluate_gravity(&mut self) -> Eval<Vec2> {
         let Some(slot) = self.draft.settings.gravity else { return Ok(Vec2::ZERO) };
         let span = self.names.slots[slot].span;
         match self.slot_value(slot, 0, span)? {
@@ -109,7 +104,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// How constraints are kept over a run.
-    pub(in crate::resolve) fn evaluate_stabilisation(&mut self) -> Eval<Stabilisation> {
+    pub(crate) fn evaluate_stabilisation(&mut self) -> Eval<Stabilisation> {
         let Some((method, time)) = self.draft.settings.stabilisation else {
             return Ok(Stabilisation::Projection);
         };

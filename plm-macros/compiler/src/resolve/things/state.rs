@@ -12,9 +12,9 @@ use crate::syntax::ast::{self, IndexedName};
 use crate::units::{Dimension, DisplayUnit};
 
 /// A state that was declared.
-pub(in crate::resolve) struct StateDraft<'a> {
+pub(crate) struct StateDraft<'a> {
     ast: &'a ast::Value,
-    pub(in crate::resolve) scope: ScopeId,
+    pub(crate) scope: ScopeId,
     name: Name,
     symbol: Expr,
     unit: DisplayUnit,
@@ -22,13 +22,13 @@ pub(in crate::resolve) struct StateDraft<'a> {
     start: Option<(ScopeId, &'a ast::Expr)>,
     locked: bool,
     /// Stands for its rate where that is used before it is known.
-    pub(in crate::resolve) stand_in: Expr,
+    pub(crate) stand_in: Expr,
     rate: Option<RateDraft<'a>>,
 }
 
 /// A rate that was declared.
 #[derive(Clone, Copy)]
-pub(in crate::resolve) struct RateDraft<'a> {
+pub(crate) struct RateDraft<'a> {
     scope: ScopeId,
     /// The name of its state.
     name: &'a IndexedName,
@@ -37,7 +37,7 @@ pub(in crate::resolve) struct RateDraft<'a> {
 
 impl<'a> Resolver<'a> {
     /// `state name: unit = start;`
-    pub(in crate::resolve) fn declare_state(&mut self, scope: ScopeId, ast: &'a ast::Value) {
+    pub(crate) fn declare_state(&mut self, scope: ScopeId, ast: &'a ast::Value) {
         self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let text = format!("{}{key}", self.names.prefix(scope));
@@ -67,12 +67,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `rate name = value;`
-    pub(in crate::resolve) fn declare_rate(
-        &mut self,
-        scope: ScopeId,
-        name: &'a IndexedName,
-        value: &'a ast::Expr,
-    ) {
+    pub(crate) fn declare_rate(&mut self, scope: ScopeId, name: &'a IndexedName, value: &'a ast::Expr) {
         self.draft.rates.push(RateDraft { scope, name, value });
     }
 
@@ -108,7 +103,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// All states whose start and rate could be evaluated.
-    pub(in crate::resolve) fn evaluate_states(&mut self) -> Vec<State> {
+    pub(crate) fn evaluate_states(&mut self) -> Vec<State> {
         self.assign_rates();
         (0..self.draft.states.len()).filter_map(|state| self.evaluate_state(state)).collect()
     }

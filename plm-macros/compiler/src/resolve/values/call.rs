@@ -15,7 +15,7 @@ use crate::units::Dimension;
 
 impl<'a> Resolver<'a> {
     /// `function(arguments)`
-    pub(in crate::resolve) fn call(
+    pub(crate) fn call(
         &mut self,
         scope: ScopeId,
         span: Span,

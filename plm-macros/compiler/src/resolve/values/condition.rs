@@ -11,7 +11,7 @@ use crate::syntax::ast::{self, ExprKind, Link, Operator};
 
 impl<'a> Resolver<'a> {
     /// `a and b and c`, `a or b`
-    pub(in crate::resolve) fn logic(
+    pub(crate) fn logic(
         &mut self,
         scope: ScopeId,
         first: &'a ast::Expr,
@@ -31,7 +31,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// `a < b` and its kin; `choice == option`.
-    pub(in crate::resolve) fn comparison(
+    pub(crate) fn comparison(
         &mut self,
         scope: ScopeId,
         first: &'a ast::Expr,
@@ -85,20 +85,14 @@ impl<'a> Resolver<'a> {
         Ok(Value::Condition(Condition::Known(holds), Reads::NOTHING))
     }
 
-    pub(in crate::resolve) fn unknown_option(
-        &mut self,
-        scope: ScopeId,
-        option: &str,
-        span: Span,
-        options: &[&str],
-    ) {
+    pub(crate) fn unknown_option(&mut self, scope: ScopeId, option: &str, span: Span, options: &[&str]) {
         let diagnostic = self.error(scope, Code::UnknownOption, span, format!("unknown option `{option}`"));
         help_similar(diagnostic, option, "option", "options", options);
     }
 
     /// `if condition then yes else no`. If the condition is known, the other branch is not even looked at: it may have
     /// no meaning there.
-    pub(in crate::resolve) fn choose(
+    pub(crate) fn choose(
         &mut self,
         scope: ScopeId,
         span: Span,
@@ -161,7 +155,7 @@ impl Condition {
     }
 
     /// Selections that give `yes` where it holds, else `no`.
-    pub(in crate::resolve) fn select(&self, yes: Expr, no: Expr) -> Expr {
+    pub(crate) fn select(&self, yes: Expr, no: Expr) -> Expr {
         match self {
             Condition::Known(true) => yes,
             Condition::Known(false) => no,

@@ -12,7 +12,7 @@ use crate::units::Dimension;
 
 /// What a place expects.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) enum Wanted {
+pub(crate) enum Wanted {
     /// Anything.
     Anything,
     /// A frame.
@@ -59,7 +59,7 @@ fn fit(wanted: Dimension, found: Nature, is_zero: bool) -> Fit {
 
 impl<'a> Resolver<'a> {
     /// Is the value what its place expects?
-    pub(in crate::resolve) fn wanted(
+    pub(crate) fn wanted(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -89,7 +89,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A number of a dimension that reads no more than it may.
-    pub(in crate::resolve) fn eval_number(
+    pub(crate) fn eval_number(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -100,7 +100,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A number of a dimension that reads no more than it may, and what is known of it.
-    pub(in crate::resolve) fn eval_quantity(
+    pub(crate) fn eval_quantity(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -112,7 +112,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A vector of a dimension that reads no more than it may, and what is known of it.
-    pub(in crate::resolve) fn eval_vector(
+    pub(crate) fn eval_vector(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -129,7 +129,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A number of any dimension.
-    pub(in crate::resolve) fn eval_scalar(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Scalar> {
+    pub(crate) fn eval_scalar(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Scalar> {
         match self.eval(scope, expr)? {
             Value::Scalar(found) => Ok(found),
             other => Err(self.wrong_kind(scope, expr, "a number", &other)),
@@ -151,7 +151,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A whole number that is known now.
-    pub(in crate::resolve) fn eval_int(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<i64> {
+    pub(crate) fn eval_int(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<i64> {
         let found = self.eval_scalar(scope, expr)?;
         whole_number(found).ok_or_else(|| {
             let message = "a whole number is expected that is known here";
@@ -160,7 +160,7 @@ impl<'a> Resolver<'a> {
         })
     }
 
-    pub(in crate::resolve) fn wrong_kind(
+    pub(crate) fn wrong_kind(
         &mut self,
         scope: ScopeId,
         expr: &ast::Expr,
@@ -245,7 +245,7 @@ impl<'a> Resolver<'a> {
 }
 
 /// A literal as it was written, as nearly as is worth it: `30 deg`, `-0.5`.
-pub(in crate::resolve) fn literal_text(expr: &ast::Expr) -> Option<String> {
+pub(crate) fn literal_text(expr: &ast::Expr) -> Option<String> {
     match &expr.kind {
         ExprKind::Number(number) => Some(number.to_f64().to_string()),
         ExprKind::Quantity(number, unit) => Some(format!("{} {}", literal_text(number)?, unit.text)),
@@ -256,7 +256,7 @@ pub(in crate::resolve) fn literal_text(expr: &ast::Expr) -> Option<String> {
 }
 
 /// An expression of names and literals as it was written, as nearly as is worth it.
-pub(in crate::resolve) fn text_of(expr: &ast::Expr) -> Option<String> {
+pub(crate) fn text_of(expr: &ast::Expr) -> Option<String> {
     match &expr.kind {
         ExprKind::Name(name) if name.indices.is_empty() => Some(name.ident.text.clone()),
         ExprKind::Neg(inner) => Some(format!("-{}", text_of(inner)?)),
@@ -277,7 +277,7 @@ fn blank(text: &str) -> &str {
     if text.starts_with("a ") { "1" } else { text }
 }
 
-pub(in crate::resolve) fn whole_number(found: Scalar) -> Option<i64> {
+pub(crate) fn whole_number(found: Scalar) -> Option<i64> {
     let number = found.value.as_number().filter(|_| found.nature.dimension == Dimension::NUMBER);
     number.and_then(Number::as_int)
 }

@@ -20,7 +20,7 @@ const MAX_EXPONENT: i32 = 100;
 
 impl<'a> Resolver<'a> {
     /// The value of an expression.
-    pub(in crate::resolve) fn eval(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
+    pub(crate) fn eval(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Value> {
         if self.depth >= MAX_DEPTH {
             let message = format!("definitions need each other more than {MAX_DEPTH} levels deep");
             self.error(scope, Code::TooDeep, expr.span, message);
@@ -191,7 +191,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The nature of a sum, a comparison, a minimum: both sides must have one dimension.
-    pub(in crate::resolve) fn joined<T: Additive>(
+    pub(crate) fn joined<T: Additive>(
         &mut self,
         scope: ScopeId,
         span: Span,
@@ -223,11 +223,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A condition.
-    pub(in crate::resolve) fn condition(
-        &mut self,
-        scope: ScopeId,
-        expr: &'a ast::Expr,
-    ) -> Eval<(Condition, Reads)> {
+    pub(crate) fn condition(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<(Condition, Reads)> {
         match self.eval(scope, expr)? {
             Value::Condition(condition, reads) => Ok((condition, reads)),
             other => Err(self.wrong_kind(scope, expr, "a condition", &other)),

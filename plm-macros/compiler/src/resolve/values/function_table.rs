@@ -10,14 +10,14 @@ use crate::units::Dimension;
 
 /// A function of the language.
 pub(crate) struct Function {
-    pub(in crate::resolve) name: &'static str,
+    pub(crate) name: &'static str,
     /// How many arguments it takes.
-    pub(in crate::resolve) arguments: RangeInclusive<usize>,
-    pub(in crate::resolve) meaning: Meaning,
+    pub(crate) arguments: RangeInclusive<usize>,
+    pub(crate) meaning: Meaning,
 }
 
 /// What a function does with its arguments.
-pub(in crate::resolve) enum Meaning {
+pub(crate) enum Meaning {
     OfOne(OfOne),
     /// Of numbers of one dimension, which the result has too.
     OfAlike(fn(&[Expr]) -> Expr),
@@ -42,17 +42,17 @@ pub(in crate::resolve) enum Meaning {
 }
 
 /// A function of one number.
-pub(in crate::resolve) struct OfOne {
+pub(crate) struct OfOne {
     /// The dimension of its argument, if not any.
-    pub(in crate::resolve) argument: Option<Dimension>,
-    pub(in crate::resolve) gives: Gives,
-    pub(in crate::resolve) domain: Option<Domain>,
-    pub(in crate::resolve) value: fn(Expr) -> Expr,
+    pub(crate) argument: Option<Dimension>,
+    pub(crate) gives: Gives,
+    pub(crate) domain: Option<Domain>,
+    pub(crate) value: fn(Expr) -> Expr,
 }
 
 /// The dimension of what a function gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::resolve) enum Gives {
+pub(crate) enum Gives {
     /// That of its argument.
     Same,
     /// The root of that of its argument.
@@ -62,9 +62,9 @@ pub(in crate::resolve) enum Gives {
 }
 
 /// Where a function is defined.
-pub(in crate::resolve) struct Domain {
-    pub(in crate::resolve) holds: fn(f64) -> bool,
-    pub(in crate::resolve) text: &'static str,
+pub(crate) struct Domain {
+    pub(crate) holds: fn(f64) -> bool,
+    pub(crate) text: &'static str,
 }
 
 /// Is the value of a call a vector?
@@ -95,7 +95,7 @@ impl Function {
 
 /// In the order in which they are told of. The shapes are those of the manual's appendix 1, with their moments of inertia `Izz`
 /// about the axis through G normal to the plane; its thin-walled hollow cylinder has a misprint in `Ixx` alone.
-pub(in crate::resolve) const FUNCTIONS: &[Function] = &[
+pub(crate) const FUNCTIONS: &[Function] = &[
     of_one("abs", None, Gives::Same, None, Expr::abs),
     of_one("sign", None, Gives::Number, None, Expr::sign),
     function("min", 2..=usize::MAX, Meaning::OfAlike(least)),

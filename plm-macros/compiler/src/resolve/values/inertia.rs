@@ -10,7 +10,7 @@ use crate::units::Dimension;
 
 impl<'a> Resolver<'a> {
     /// `numerator/denominator mass (a^2 + b^2 + …)`, from the mass and the lengths.
-    pub(in crate::resolve) fn moment_of_inertia(
+    pub(crate) fn moment_of_inertia(
         &mut self,
         scope: ScopeId,
         [numerator, denominator]: [i32; 2],

@@ -11,7 +11,7 @@ use crate::syntax::ast::{self, ExprKind};
 
 /// How values go on between the points of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::resolve) enum Interpolation {
+pub(crate) enum Interpolation {
     /// Along straight lines.
     Lines,
     /// Along a smooth curve.
@@ -27,7 +27,7 @@ struct Point {
 
 impl<'a> Resolver<'a> {
     /// The value at the first argument of a table of points `(x, y)`; beyond the ends the values there are held.
-    pub(in crate::resolve) fn table(
+    pub(crate) fn table(
         &mut self,
         scope: ScopeId,
         span: Span,

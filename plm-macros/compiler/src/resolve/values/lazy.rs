@@ -5,7 +5,7 @@ use crate::resolve::values::{Eval, Failed};
 
 /// Something that is worked out at its first use.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::resolve) enum Lazy<T> {
+pub(crate) enum Lazy<T> {
     Waiting,
     /// Being worked out: who asks for it now goes round in a circle.
     Busy,
@@ -16,7 +16,7 @@ pub(in crate::resolve) enum Lazy<T> {
 impl Resolver<'_> {
     /// The value that belongs in a place: what is known of it, or else what `work` gives. If the work needs its own result,
     /// `circle` tells so.
-    pub(in crate::resolve) fn lazy<T: Clone>(
+    pub(crate) fn lazy<T: Clone>(
         &mut self,
         place: impl Fn(&mut Self) -> &mut Lazy<T>,
         circle: impl FnOnce(&mut Self),

@@ -37,12 +37,7 @@ impl Pose {
 
 impl<'a> Resolver<'a> {
     /// `value.name`
-    pub(in crate::resolve) fn member(
-        &mut self,
-        scope: ScopeId,
-        value: &Value,
-        member: &'a IndexedName,
-    ) -> Eval<Value> {
+    pub(crate) fn member(&mut self, scope: ScopeId, value: &Value, member: &'a IndexedName) -> Eval<Value> {
         let name = member.ident.text.as_str();
         let found = match value {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
@@ -64,7 +59,7 @@ impl<'a> Resolver<'a> {
         found.ok_or_else(|| self.unknown_member(scope, value, member))
     }
 
-    pub(in crate::resolve) fn frame_member(&mut self, frame: FrameRef, name: &str) -> Eval<Option<Value>> {
+    pub(crate) fn frame_member(&mut self, frame: FrameRef, name: &str) -> Eval<Option<Value>> {
         let FrameGeometry { position, angle, rotation, reads, .. } = self.frame(frame)?;
         let reads = [reads, moving(reads), accelerating(reads)];
         let pose = Pose { body: frame.body, position, angle, rotation, reads };
@@ -72,7 +67,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A port of a body or of the ground, or what its pose gives.
-    pub(in crate::resolve) fn body_member(&mut self, body: Option<usize>, name: &str) -> Option<Value> {
+    pub(crate) fn body_member(&mut self, body: Option<usize>, name: &str) -> Option<Value> {
         if let Some(port) = self.draft.port_index(body, name) {
             return Some(Value::Frame(FrameRef { body, port }));
         }

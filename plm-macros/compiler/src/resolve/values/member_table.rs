@@ -13,9 +13,9 @@ pub(crate) enum Owner {
 #[derive(Debug)]
 pub(crate) struct Member {
     pub(crate) name: &'static str,
-    pub(in crate::resolve) of: Of,
+    pub(crate) of: Of,
     /// How often it is derived with respect to time.
-    pub(in crate::resolve) order: u8,
+    pub(crate) order: u8,
     /// What has it.
     owners: &'static [Owner],
     /// Where it is shown, in this order, when bodies and ports are observed.
@@ -24,7 +24,7 @@ pub(crate) struct Member {
 
 /// What a member, or what it is a derivative of, is in a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::resolve) enum Of {
+pub(crate) enum Of {
     /// The first component of the position, m.
     X,
     /// The second component of the position, m.
@@ -75,12 +75,12 @@ const fn member(
 
 impl Member {
     /// A member of a body or of a frame by its name.
-    pub(in crate::resolve) fn named(owner: Owner, name: &str) -> Option<&'static Member> {
+    pub(crate) fn named(owner: Owner, name: &str) -> Option<&'static Member> {
         MEMBERS.iter().find(|member| member.name == name && member.owners.contains(&owner))
     }
 
     /// Names of all members of bodies or of frames.
-    pub(in crate::resolve) fn names(owner: Owner) -> Vec<&'static str> {
+    pub(crate) fn names(owner: Owner) -> Vec<&'static str> {
         MEMBERS.iter().filter(|member| member.owners.contains(&owner)).map(|member| member.name).collect()
     }
 

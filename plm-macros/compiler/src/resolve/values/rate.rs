@@ -9,7 +9,7 @@ use crate::units::Dimension;
 
 impl<'a> Resolver<'a> {
     /// `rate(expr)`
-    pub(in crate::resolve) fn rate_of(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
+    pub(crate) fn rate_of(&mut self, scope: ScopeId, argument: &'a ast::Expr) -> Eval<Value> {
         Ok(match self.eval(scope, argument)? {
             Value::Scalar(x) => {
                 let nature = self.nature_of_rate(scope, argument, x.nature)?;
