@@ -9,8 +9,8 @@ use crate::model::Model;
 /// A state in a chart.
 #[derive(Clone, Debug)]
 pub struct InChart {
-    /// Number of coordinates.
-    pub coordinates: usize,
+    /// Coordinates and their rates, `[y, y']`.
+    pub state: Vec<f64>,
     /// How far from flat its loops are: 1 at best, 0 where the coordinates determine nothing.
     pub measure: f64,
     /// `[q, v]` of all bodies as the chart works them out.
@@ -80,7 +80,7 @@ impl Oracle {
         let absolute = 2 * self.equations.q.len();
         let mut state = self.run(&chart.project, time, x);
         state.truncate(2 * chart.y.len());
-        let coordinates = state.len() / 2;
+        let in_coordinates = state.clone();
         state.extend_from_slice(x.get(absolute..)?);
         state.extend(remembered);
         let symbols: Vec<Expr> =
@@ -89,13 +89,9 @@ impl Oracle {
         let mut pose = self.run_at(&chart.pose, time, &symbols, &state);
         pose.truncate(absolute);
         let mut rate = self.run_at(&chart.rate, time, &symbols, &state);
-        rate.truncate(2 * coordinates);
-        Some(InChart {
-            coordinates,
-            measure: square.max(0.0).sqrt(),
-            pose,
-            acceleration: rate.split_off(coordinates),
-        })
+        rate.truncate(in_coordinates.len());
+        let acceleration = rate.split_off(in_coordinates.len() / 2);
+        Some(InChart { state: in_coordinates, measure: square.max(0.0).sqrt(), pose, acceleration })
     }
 
     /// Number of constraint rows.

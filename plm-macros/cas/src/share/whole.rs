@@ -84,3 +84,31 @@ fn prefixes(items: &[Item]) -> Vec<u32> {
     };
     items.iter().map(hash).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::Graph;
+
+    /// Up to its scale, and whatever the constants are.
+    #[test]
+    fn a_long_sum_reads_the_longest_that_it_begins_with() {
+        let mut graph = Graph::new();
+        let symbols: Vec<_> = (0..LONG + 4).map(|k| graph.symbol(&format!("x{k}"))).collect();
+        let mut sum = |len: usize, scale: i64| {
+            let (constant, scale) = (Number::from_int(len as i64), Number::from_int(scale));
+            let terms: Vec<_> = symbols[..len].iter().map(|&symbol| (scale, symbol)).collect();
+            graph.linear(constant, &terms)
+        };
+        let sums = [sum(LONG + 1, 1), sum(LONG + 3, 2), sum(LONG + 4, 3)];
+        let mut rows = Rows::load(&graph, &sums);
+        nest(&mut rows);
+        let [shortest, middle, longest] = sums.map(|sum| rows.row_of(sum));
+        assert_eq!(rows.items(shortest).len(), LONG + 2);
+        for (row, new, read) in [(middle, 2, shortest), (longest, 1, middle)] {
+            let items = rows.items(row);
+            assert_eq!(items.len(), 1 + new + 1, "a constant, what is new, and the other sum: {items:?}");
+            assert!(items.iter().any(|item| item.id as usize == read), "{items:?}");
+        }
+    }
+}
