@@ -71,3 +71,23 @@ fn implementations_with_constant_arguments_are_hidden() {
     }
     assert_eq!(seen, 4);
 }
+
+/// A follower on a cam that rises by a power of its angle: from the third on accelerations do not jump where it begins.
+#[test]
+fn a_condition_in_a_constraint_is_held_where_accelerations_jump() {
+    for (power, held) in [(2, 1), (3, 0), (4, 0)] {
+        let code = emitted(&format!(
+            "pub Cam {{
+                ground {{ port o: (0, 0) m; }}
+                body cam {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start angle: -10 deg, locked; }}
+                body follower {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }}
+                revolute shaft(ground.o, cam.o);
+                constraint rise: follower.y - (if cam.angle > 0 then 0.1 m*cam.angle^{power} else 0 m) = 0;
+                constraint guide: follower.x = 0; constraint upright: follower.angle = 0;
+            }}"
+        ));
+        let guards: Vec<&str> =
+            code.lines().map(str::trim).filter(|line| line.starts_with("type G = ")).collect();
+        assert!(guards.contains(&format!("type G = [S; {held}];").as_str()), "{power}: {guards:?}");
+    }
+}

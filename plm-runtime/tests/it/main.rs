@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
 mod assembly;
+mod bead;
 mod brief;
 mod change_points;
 mod charts;

@@ -105,10 +105,17 @@ mod tests {
         nest(&mut rows);
         let [shortest, middle, longest] = sums.map(|sum| rows.row_of(sum));
         assert_eq!(rows.items(shortest).len(), LONG + 2);
-        for (row, new, read) in [(middle, 2, shortest), (longest, 1, middle)] {
-            let items = rows.items(row);
-            assert_eq!(items.len(), 1 + new + 1, "a constant, what is new, and the other sum: {items:?}");
-            assert!(items.iter().any(|item| item.id as usize == read), "{items:?}");
+        let number = |num, den| Number::rational(num, den).unwrap_or(Number::ZERO);
+        let new = |k: usize, coefficient| (rows.row_of(symbols[LONG + k]), number(coefficient, 1));
+        // The constants are 17, 19 and 20 less what is read: 19 - 2*17, 20 - 3/2*19.
+        let second = vec![(UNIT, number(-15, 1)), new(1, 2), new(2, 2), (shortest, number(2, 1))];
+        let third = vec![(UNIT, number(-17, 2)), new(3, 3), (middle, number(3, 2))];
+        for (row, mut expected) in [(middle, second), (longest, third)] {
+            let item = |item: &Item| (item.id as usize, rows.numbers.get(item.coefficient));
+            let mut found: Vec<_> = rows.items(row).iter().map(item).collect();
+            found.sort_by_key(|item| item.0);
+            expected.sort_by_key(|item| item.0);
+            assert_eq!(found, expected);
         }
     }
 }
