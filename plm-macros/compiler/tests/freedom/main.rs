@@ -10,6 +10,7 @@ mod charts;
 mod free_bodies;
 mod motion;
 mod poses;
+mod reasons;
 mod scene;
 
 use plm_compiler::token::Sources;
