@@ -7,6 +7,7 @@ mod brief;
 mod change_points;
 mod charts;
 mod clock;
+mod counts;
 mod dense;
 mod dual;
 mod events;
