@@ -106,8 +106,8 @@ mod tests {
         for lowest in [0.7, 1.3, 1.6, 2.4, 3.3] {
             for edge in [0.0, -0.3, 0.2] {
                 let dip = |depth: f64| found(|at| 2.0 * (at - lowest) * (at - lowest) + edge + depth, edge);
-                let place = dip(-0.01).unwrap();
-                assert!((place - lowest).abs() < 1e-14, "{lowest}: {place}");
+                let place = dip(-0.01);
+                assert!(place.is_some_and(|place| (place - lowest).abs() < 1e-14), "{lowest}: {place:?}");
                 assert_eq!(dip(0.01), None, "{lowest}");
             }
         }

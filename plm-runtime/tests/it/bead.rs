@@ -80,9 +80,9 @@ fn on_circle(degrees: f64) -> ([f64; 2], [f64; 2]) {
 }
 
 /// Is it where it was put, and as fast? A few roundings, over a measure above 0.2.
-fn is_at(bead: &Bead, (held, x): (&Bound, &[f64; 3]), degrees: f64) {
+fn is_at(bead: Bead, (held, x): (&Bound, &[f64; 3]), degrees: f64) {
     let (q, v) = on_circle(degrees);
-    let state: [f64; 5] = full(bead, 0.0, held, x);
+    let state: [f64; 5] = full(&bead, 0.0, held, x);
     for (found, wanted) in state.into_iter().zip([q[0], q[1], v[0], v[1], 5.0]) {
         assert!((found - wanted).abs() < 1e-14, "{degrees} deg, {held:?}: {state:?}");
     }
@@ -96,13 +96,13 @@ fn the_first_chart_is_entered_unless_it_is_flat() {
     {
         let (bead, held, x) = entered(1.0, degrees);
         assert_eq!(held.chart, chart, "{degrees} deg");
-        is_at(&bead, (&held, &x), degrees);
+        is_at(bead, (&held, &x), degrees);
     }
     // The least of a good chart is 0.03.
     for (poorer, free) in [(0.031, false), (0.029, true)] {
         let (bead, held, x) = entered(poorer, 90.0);
         assert_eq!(is_free::<Bead>(&held), free, "{poorer}");
-        is_at(&bead, (&held, &x), 90.0);
+        is_at(bead, (&held, &x), 90.0);
     }
 }
 
@@ -135,7 +135,7 @@ fn a_step_of_some_boxes_is_looked_at_and_a_longer_one_refused() {
             match (accept(&bead, t, &mut held, &mut x), kept) {
                 (Ok(accepted), None) => assert!(!accepted.moved && held.memory == before, "{boxes}"),
                 (Ok(accepted), Some(true)) => {
-                    assert!(!accepted.moved && held.memory == looked, "{boxes}: {held:?}")
+                    assert!(!accepted.moved && held.memory == looked, "{boxes}: {held:?}");
                 }
                 (Err(fault), Some(false)) => {
                     assert!(
@@ -183,7 +183,7 @@ fn a_flat_chart_is_left_for_one_that_is_better_by_far() {
         let (bead, mut held, mut x) = moved_to(poorer, degrees);
         let accepted = accept(&bead, 2.0 * WHILE, &mut held, &mut x).unwrap();
         assert_eq!((held.chart, accepted.moved), (chart, chart > 0), "{poorer}, {degrees} deg");
-        is_at(&bead, (&held, &x), degrees);
+        is_at(bead, (&held, &x), degrees);
     }
 }
 
@@ -200,6 +200,6 @@ fn without_a_chart_one_is_taken_that_is_clearly_good() {
         assert_eq!(pose(&bead, 0.0, &held, &x), (q, v));
         let accepted = accept(&bead, 0.0, &mut held, &mut x).unwrap();
         assert_eq!((held.chart, accepted.moved), (chart, chart < 2), "{poorer}, {degrees} deg");
-        is_at(&bead, (&held, &x), degrees);
+        is_at(bead, (&held, &x), degrees);
     }
 }

@@ -53,7 +53,7 @@ fn a_third_parallel_crank_takes_no_freedom() {
             if k == 0 { ", locked" } else { "" }
         )
     };
-    let ports: String = (0..3).map(|k| format!("port p{k}: ({k}, 0) m;")).collect();
+    let ports = [0, 1, 2].map(|k| format!("port p{k}: ({k}, 0) m;")).concat();
     let oracle = compiled(&format!(
         "allow(W0001); rung: loops; ground {{ {ports} }}
         body top {{ mass: 1 kg; inertia: 0.1 kg*m^2; {ports} start x: {cos:?} m; start y: {sin:?} m; }}

@@ -1,5 +1,7 @@
 //! Why loops have no form: what is said where one is asked for.
 
+use std::fmt::Write;
+
 use plm_compiler::compile;
 use plm_compiler::token::Sources;
 
@@ -15,10 +17,10 @@ fn ring(bodies: usize, across: &[[usize; 2]]) -> String {
     for (k, pair) in joints.iter().enumerate() {
         let (x, y) = (random.unit(), random.unit());
         for &body in pair {
-            ports[body] += &format!("port p{k}: ({x:?}, {y:?}) m; ");
+            write!(ports[body], "port p{k}: ({x:?}, {y:?}) m; ").unwrap();
         }
         let name = |body: usize| if body == 0 { "ground".to_owned() } else { format!("b{body}") };
-        text += &format!("revolute j{k}({}.p{k}, {}.p{k});\n", name(pair[0]), name(pair[1]));
+        writeln!(text, "revolute j{k}({}.p{k}, {}.p{k});", name(pair[0]), name(pair[1])).unwrap();
     }
     let bodies = ports.iter().enumerate().map(|(body, ports)| match body {
         0 => format!("ground {{ {ports} }}\n"),

@@ -81,10 +81,8 @@ impl Scene {
             }
         }
         for joint in &mut scene.joints {
-            let [stiffness, damping] = match joint.starts_with(Kind::Revolute.name()) {
-                true => ["N*m/rad", "N*m*s/rad"],
-                false => ["N/m", "N*s/m"],
-            };
+            let turns = joint.starts_with(Kind::Revolute.name());
+            let [stiffness, damping] = if turns { ["N*m/rad", "N*m*s/rad"] } else { ["N/m", "N*s/m"] };
             joint.pop();
             write!(joint, " {{ stiffness: 3 {stiffness}; damping: 0.5 {damping}; }}").unwrap();
         }
