@@ -44,10 +44,11 @@ runtime)
     ;;
 esac
 
-# Only what a mutant changes is built again; nobody debugs here.
+# Within a stage only what a mistake changes is built again; nobody debugs here.
 export CARGO_INCREMENTAL=1 CARGO_PROFILE_DEV_DEBUG=0
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")/mutants
-export CARGO_TARGET_DIR=$target/build-$room
+# The tool works on a copy and builds in it: what a run left behind that was broken off may hold a mistake.
+unset CARGO_TARGET_DIR
 results=$target/$room-${shard/\//-}
 
 mutants() {
