@@ -1,7 +1,7 @@
 //! The order and the form of the operations.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use plm_cas::{Graph, Op, Tape, share};
+use plm_cas::{Count, Graph, Op, Tape, share};
 
 /// Reads prefix expressions over a, b, x, y, lowers them as they are, and lists the operations.
 fn lowered(texts: &[&str]) -> Vec<String> {
@@ -127,6 +127,17 @@ fn instructions_know_what_they_compute_and_for_how_many() {
 }
 
 #[test]
+fn operations_of_all_kinds_add_up() {
+    let kinds = |at: [usize; 8]| {
+        let [add, mul, div, neg, sqrt, sin_cos, select, other] = at;
+        Count { add, mul, div, neg, sqrt, sin_cos, select, other }
+    };
+    let (ones, powers) = (kinds([1; 8]), kinds([1, 2, 4, 8, 16, 32, 64, 128]));
+    assert_eq!((ones.total(), powers.total()), (8, 255));
+    assert_eq!(ones + powers, kinds([2, 3, 5, 9, 17, 33, 65, 129]));
+}
+
+#[test]
 fn sub_sums_are_shared_up_to_sign_and_scale() {
     assert_eq!(
         shared(&["(+ a x (- b))", "(+ y (- x) b)"]),
@@ -142,6 +153,13 @@ fn sub_sums_are_shared_up_to_sign_and_scale() {
         shared(&["(- x y)", "(+ a (- x y))"]),
         ["t1 = x - y", "t2 = a + t1", "out0 = t1", "out1 = t2"]
     );
+}
+
+/// What a pair leaves is paired again, within one pass.
+#[test]
+fn what_five_terms_have_in_common_is_summed_once() {
+    let listing = shared(&["(+ a b x y (sin a) (sin b))", "(+ a b x y (sin a) (sin x))"]);
+    assert_eq!(listing.iter().filter(|line| line.contains(" + ")).count(), 4 + 2, "{listing:?}");
 }
 
 #[test]
@@ -161,6 +179,7 @@ fn common_factors_leave_sums() {
     assert_eq!(shared(&["(+ (* a x) (* b x))"]), ["t1 = a + b", "t2 = x*t1", "out0 = t2"]);
     assert_eq!(shared(&["(+ (* 2 a) (* -2 b) x)"]), ["t1 = a - b", "t2 = 2*t1", "t3 = x + t2", "out0 = t3"]);
     assert_eq!(shared(&["(+ (/ a x) (/ b x))"]), ["t1 = a + b", "t2 = t1/x", "out0 = t2"]);
+    assert_eq!(shared(&["(+ (/ a x) (/ 1 x))"]), ["t1 = a + 1", "t2 = t1/x", "out0 = t2"]);
     // Not out of a product that is wanted for itself.
     assert_eq!(shared(&["(* a x)", "(* b x)", "(+ (* a x) (* b x))"]).len(), 6);
 }

@@ -12,8 +12,8 @@ use crate::numeric::{add_sides, defaults, run};
 /// A state in a chart.
 #[derive(Clone, Debug)]
 pub struct InChart {
-    /// Number of coordinates.
-    pub coordinates: usize,
+    /// Coordinates and their rates, `[y, y']`.
+    pub state: Vec<f64>,
     /// How far from flat its loops are: 1 at best, 0 where the coordinates determine nothing.
     pub measure: f64,
     /// `[q, v]` of all bodies as the chart works them out.
@@ -78,6 +78,7 @@ impl Oracle {
         let (coordinates, absolute) = (chart.y.len(), 2 * self.equations.q.len());
         let mut state = self.run(&chart.project, time, &self.state(), x);
         state.truncate(2 * coordinates);
+        let in_coordinates = state.clone();
         state.extend_from_slice(x.get(absolute..)?);
         state.extend(remembered);
         let symbols = self.state_in(chart, &reduced.memory);
@@ -85,8 +86,8 @@ impl Oracle {
         pose.truncate(absolute);
         let mut rate = self.run(&chart.rate, time, &symbols, &state);
         rate.truncate(2 * coordinates);
-        let measure = square.max(0.0).sqrt();
-        Some(InChart { coordinates, measure, pose, acceleration: rate.split_off(coordinates) })
+        let (measure, acceleration) = (square.max(0.0).sqrt(), rate.split_off(coordinates));
+        Some(InChart { state: in_coordinates, measure, pose, acceleration })
     }
 
     /// Number of constraint rows.

@@ -71,3 +71,79 @@ fn implementations_with_constant_arguments_are_hidden() {
     }
     assert_eq!(seen, 4);
 }
+
+/// A follower on a cam that rises by a power of its angle: from the third on accelerations do not jump where it begins.
+#[test]
+fn a_condition_in_a_constraint_is_held_where_accelerations_jump() {
+    for (power, held) in [(2, 1), (3, 0), (4, 0)] {
+        let code = emitted(&format!(
+            "pub Cam {{
+                ground {{ port o: (0, 0) m; }}
+                body cam {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start angle: -10 deg, locked; }}
+                body follower {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }}
+                revolute shaft(ground.o, cam.o);
+                constraint rise: follower.y - (if cam.angle > 0 then 0.1 m*cam.angle^{power} else 0 m) = 0;
+                constraint guide: follower.x = 0; constraint upright: follower.angle = 0;
+            }}"
+        ));
+        let guards: Vec<&str> =
+            code.lines().map(str::trim).filter(|line| line.starts_with("type G = ")).collect();
+        assert!(guards.contains(&format!("type G = [S; {held}];").as_str()), "{power}: {guards:?}");
+    }
+}
+
+/// What jumps is held and looked at as a guard; what only bends is looked at as a kink.
+#[test]
+fn forces_that_jump_have_guards_and_those_that_bend_have_kinks() {
+    for (force, guards, kinks) in [
+        ("if cart.x > 0 then 1 N else -1 N", 1, 0),
+        ("if cart.x > 0.1 m then 3 N/m*cart.x else 0.3 N", 0, 1),
+        ("if cart.x > 0.1 m then 3 N/m*cart.x else 0.4 N", 1, 0),
+        ("if cart.vx > 2*t*1 m/s^2 then 1 N else -1 N", 1, 0),
+        ("min(cart.x, 0.2 m)*1 N/m", 0, 1),
+        ("max(cart.vx, cart.x*1 rad/s)*1 N*s/m", 0, 1),
+        ("abs(cart.x - 0.1 m)*1 N/m", 0, 1),
+        ("abs(cart.x)*1 N/m + max(cart.x, -cart.x)*1 N/m + min(cart.x, 1 m)*1 N/m", 0, 3),
+        ("min(stiff, 2 N/m)*cart.x", 0, 0),
+        ("stiff*cart.x^2/1 m", 0, 0),
+    ] {
+        let code = emitted(&format!(
+            "pub Cart {{
+                param stiff: N/m = 1 N/m;
+                ground {{ port o: (0, 0) m; }}
+                body cart {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }}
+                prismatic rail(ground.o, cart.o);
+                force push(cart.o) {{ x: {force} + 0*stiff*1 m; }}
+            }}"
+        ));
+        let number = |before: &str, after: &str| {
+            let line = code.lines().find_map(|line| line.trim().strip_prefix(before)?.strip_suffix(after));
+            line.unwrap_or("0").parse::<usize>().unwrap()
+        };
+        let found = (number("type G = [S; ", "];"), number("const KINKS: usize = ", ";"));
+        assert_eq!(found, (guards, kinks), "{force}");
+    }
+}
+
+/// Positions, velocities, states of first order: on both rungs each entry of the rate is written once.
+#[test]
+fn rates_are_written_in_the_order_of_the_state() {
+    for (rung, length) in [("tree", 4), ("absolute", 8)] {
+        let code = emitted(&format!(
+            "pub Tank {{
+                rung: {rung};
+                state level: m = 1 m; rate level = -level/1 s;
+                state heat: K = 300 K; rate heat = 1 K/s*level/1 m;
+                ground {{ port o: (0, 0) m; }}
+                body wheel {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }}
+                revolute shaft(ground.o, wheel.o) {{ drive: level*1 N; }}
+            }}"
+        ));
+        let mut written: Vec<usize> = code
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("dx[")?.split_once("] = ")?.0.parse().ok())
+            .collect();
+        written.sort_unstable();
+        assert_eq!(written, (0..length).collect::<Vec<_>>(), "{rung}");
+    }
+}

@@ -132,3 +132,90 @@ fn rotate<S: Real, const NQ: usize>(q: &mut [S; NQ], body: usize, about: [S; 2],
     q.set(3 * body + 1, about[1] + sin * x + cos * y);
     q.set(3 * body + 2, q.at(3 * body + 2) + by);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two bars of 1.1 m and 0.7 m, whose pivots and far ends lie beside the lines through their centres.
+    const BARS: Branch<f64> = Branch {
+        part: "knee",
+        bodies: [1, 0],
+        names: ["thigh", "shin"],
+        ends: [[[-0.5, 0.1], [0.6, 0.1]], [[-0.3, -0.2], [0.4, -0.2]]],
+        left: true,
+    };
+
+    /// Thigh and shin at these angles, with the knee closed at (0.3, 0.2) m.
+    fn knee(thigh: f64, shin: f64) -> [f64; 6] {
+        let mut q = [0.0, 0.0, shin, 0.0, 0.0, thigh];
+        for (body, pivot) in [(1, BARS.ends[0][1]), (0, BARS.ends[1][0])] {
+            let at = place(&q, body, pivot);
+            q[3 * body] += 0.3 - at[0];
+            q[3 * body + 1] += 0.2 - at[1];
+        }
+        q
+    }
+
+    /// Far end and pivot of the thigh, pivot and far end of the shin.
+    fn points(q: &[f64; 6]) -> [[f64; 2]; 4] {
+        let [thigh, shin] = BARS.ends;
+        [place(q, 1, thigh[0]), place(q, 1, thigh[1]), place(q, 0, shin[0]), place(q, 0, shin[1])]
+    }
+
+    fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    }
+
+    #[test]
+    fn a_left_turn_is_met_by_the_angle_between_the_bodies() {
+        for (thigh, shin, left) in
+            [(0.4, 1.0, true), (0.4, -1.0, false), (2.9, -2.9, true), (-2.9, 2.9, false)]
+        {
+            let q = knee(thigh, shin);
+            let turned: f64 = BARS.turned(&q) - (shin - thigh);
+            assert!(turned.sin().abs() < 1e-15 && turned.cos() > 0.9, "{thigh} {shin}");
+            assert_eq!(BARS.is_met(&q), left, "{thigh} {shin}");
+            assert_eq!(Branch { left: false, ..BARS }.is_met(&q), !left, "{thigh} {shin}");
+        }
+        // A flat one is on both images, to rounding.
+        for beside in [1e-12, -1e-12] {
+            let q = knee(0.4, 0.4 + beside);
+            assert!(BARS.is_met(&q) && Branch { left: false, ..BARS }.is_met(&q));
+        }
+    }
+
+    #[test]
+    fn the_mirror_image_keeps_the_far_ends_and_closes_the_knee() {
+        let q = knee(0.4, 1.3);
+        let ([hip, before, _, ankle], mirrored) = (points(&q), BARS.other(&q, Way::Mirrored));
+        let [new_hip, knee_of_thigh, knee_of_shin, new_ankle] = points(&mirrored);
+        for (what, gap) in [
+            ("hip", distance(hip, new_hip)),
+            ("ankle", distance(ankle, new_ankle)),
+            ("knee", distance(knee_of_thigh, knee_of_shin)),
+            ("thigh", distance(hip, before) - distance(hip, knee_of_thigh)),
+            ("shin", distance(ankle, before) - distance(ankle, knee_of_shin)),
+            ("angle", BARS.turned(&mirrored).sin() + BARS.turned(&q).sin()),
+        ] {
+            assert!(gap.abs() < 1e-14, "{what}: {gap:e}");
+        }
+        assert!(distance(before, knee_of_thigh) > 0.1);
+    }
+
+    #[test]
+    fn one_body_alone_turns_about_the_knee() {
+        let q = knee(0.4, 1.3);
+        for (way, moved, kept) in [(Way::Second, 0, 1), (Way::First, 1, 0)] {
+            let other = BARS.other(&q, way);
+            assert_eq!(other[3 * kept..3 * kept + 3], q[3 * kept..3 * kept + 3]);
+            let [_, knee_of_thigh, knee_of_shin, _] = points(&other);
+            assert!(distance(knee_of_thigh, knee_of_shin) < 1e-15);
+            // 0.9 rad to the left become as much to the right.
+            assert!(
+                (BARS.turned(&other) + 0.9).abs() < 1e-15
+                    && (other[3 * moved + 2] - q[3 * moved + 2]).abs() > 1.0
+            );
+        }
+    }
+}

@@ -71,3 +71,14 @@ fn apart<S: Real, const NQ: usize>(q: &[S; NQ]) -> (S, S) {
     }
     (place, turn)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_third_coordinate_is_an_angle() {
+        assert_eq!(apart(&[1.0, -2.0, 3.0, 4.0, 5.0, -6.0, 0.5, -7.0, 0.25]), (7.0, 6.0));
+        assert_eq!(apart(&[0.0, 0.0, -9.0]), (0.0, 9.0));
+    }
+}

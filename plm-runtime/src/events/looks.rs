@@ -90,3 +90,50 @@ fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: impl Fn(S) -> S) -> 
     }
     start.at
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is found of a guard that is looked at in 0, 1, ... 4.
+    fn found(guard: impl Fn(f64) -> f64, edge: f64) -> Option<f64> {
+        let at = [0.0, 1.0, 2.0, 3.0, 4.0];
+        first_out(at.map(&guard), edge, |look| guard(look) < edge)
+    }
+
+    #[test]
+    fn a_dip_between_looks_is_found_where_it_is_lowest() {
+        for lowest in [0.7, 1.3, 1.6, 2.4, 3.3] {
+            for edge in [0.0, -0.3, 0.2] {
+                let dip = |depth: f64| found(|at| 2.0 * (at - lowest) * (at - lowest) + edge + depth, edge);
+                let place = dip(-0.01);
+                assert!(place.is_some_and(|place| (place - lowest).abs() < 1e-14), "{lowest}: {place:?}");
+                assert_eq!(dip(0.01), None, "{lowest}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_guard_that_leaves_is_found_at_the_next_look() {
+        assert_eq!(found(|at| 2.5 - at, 0.0), Some(3.0));
+        assert_eq!(found(|at| 2.5 - at, -1.0), Some(4.0));
+        assert_eq!(found(|at| 2.5 - at, -2.0), None);
+        // A parabola that bends downwards has no lowest point.
+        assert_eq!(found(|at| 4.1 * at - at * at + 0.1, 0.0), None);
+    }
+
+    #[test]
+    fn a_crossing_is_timed_from_where_the_guard_is_on_its_side() {
+        let point = |guard: fn(f64) -> f64, at: f64| Point { at, value: guard(at) };
+        for (guard, time) in [
+            ((|at| 2.0 - at * at) as fn(f64) -> f64, 2.0_f64.sqrt()),
+            // It begins past its guard, and comes back before it leaves.
+            (|at| (at - 0.2) * (2.5 - at), 2.5),
+            // It never comes back.
+            (|at| -0.1 - at, 0.0),
+        ] {
+            let found = crossing(point(guard, 0.0), point(guard, 3.0), guard);
+            assert!((found - time).abs() < 2e-15, "{time}: {found}");
+        }
+    }
+}

@@ -115,3 +115,81 @@ fn enclose<S: Real>(c: [S; 8], radius: S) -> Tube<S> {
 fn reach<S: Real>(size: S, one_sided: bool) -> Interval<S> {
     Interval::between(if one_sided { S::ZERO } else { -size }, size)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLACES: [f64; 5] = [0.0, 0.25, 0.4, 0.9, 1.0];
+
+    /// 1 + 2 t - 3 t^2 + 0.5 t^3 and its derivative.
+    fn cubic(t: f64) -> [f64; 2] {
+        [1.0 + t * (2.0 + t * (-3.0 + t * 0.5)), 2.0 + t * (-6.0 + t * 1.5)]
+    }
+
+    #[test]
+    fn a_cubic_motion_is_met_between_its_ends() {
+        let state = |t: f64, level: f64| [cubic(t)[0], cubic(t)[1], level];
+        let path = Path::between((2.0, &state(2.0, 5.0)), (2.5, &state(2.5, 7.0)), 1);
+        for theta in PLACES {
+            let t = path.time(theta);
+            let (found, known) = (path.at(theta), state(2.0 + 0.5 * theta, 5.0 + 2.0 * theta));
+            let bend = -6.0 + 3.0 * t;
+            for i in 0..3 {
+                let slope = 0.5 * [known[1], bend, 4.0][i];
+                assert!((found[i] - known[i]).abs() < 1e-14, "{i} at {theta}: {found:?} {known:?}");
+                assert!(
+                    (path.slope(theta)[i] - slope).abs() < 1e-13,
+                    "{i} at {theta}: {:?}",
+                    path.slope(theta)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_around_a_place_is_enclosed() {
+        let path = Path::new(3.0, 0.2, |_: usize| [1.0, -2.0, 0.7, 1.5, -0.3, 0.9, -1.1, 0.4]);
+        for (middle, radius) in [(0.5, 0.5), (0.25, 0.125), (0.9, 0.01)] {
+            let (time, x) = path.around(middle, radius);
+            let tube = x(0);
+            assert!(f64::abs(time.middle - 3.0 - 0.2 * middle) < 1e-15 && time.slope.contains(0.2));
+            for part in [-1.0, -0.6, 0.0, 0.3, 1.0] {
+                let theta = middle + part * radius;
+                let [value, slope] = [path.at(theta), path.slope(theta)].map(|[of]: [f64; 1]| of);
+                let widest = 1e-14;
+                assert!(
+                    time.value.low - widest < path.time(theta) && path.time(theta) < time.value.high + widest
+                );
+                assert!(
+                    tube.value.low - widest < value && value < tube.value.high + widest,
+                    "{theta}: {tube:?}"
+                );
+                assert!(
+                    tube.slope.low - widest < slope && slope < tube.slope.high + widest,
+                    "{theta}: {tube:?}"
+                );
+            }
+        }
+    }
+
+    /// Of one power alone nothing is too wide, but for the sums that are rounded outwards.
+    #[test]
+    fn powers_are_enclosed_exactly() {
+        for k in 1..8 {
+            let mut c = [0.0; 8];
+            c[k] = -3.0;
+            let (tube, radius) = (enclose(c, 0.5), 0.5_f64);
+            let (size, steepest) = (3.0 * radius.powi(k as i32), 3.0 * k as f64 * radius.powi(k as i32 - 1));
+            let value = [-size, if k % 2 == 0 { 0.0 } else { size }];
+            let slope = match k {
+                1 => [-3.0, -3.0],
+                _ => [-steepest, if k % 2 == 0 { steepest } else { 0.0 }],
+            };
+            let found = [tube.value.low, tube.value.high, tube.slope.low, tube.slope.high];
+            for (found, known) in found.into_iter().zip([value, slope].concat()) {
+                assert!((found - known).abs() < 1e-14, "{k}: {tube:?}");
+            }
+        }
+    }
+}

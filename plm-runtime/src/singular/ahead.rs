@@ -123,3 +123,42 @@ impl<S: Real> Ahead<S> {
         (self.vanishes && self.lowest > S::ZERO).then_some(self.lowest)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AHEAD: Ahead<f64> =
+        Ahead { scale: 5.0, lowest: 3.0, vanishes: true, speed: 2.0, acceleration: 0.5 };
+
+    #[test]
+    fn a_distance_takes_as_long_as_the_motion_does() {
+        for (speed, acceleration) in [(2.0, 0.5), (2.0, 0.0), (0.0, 0.5)] {
+            let ahead = Ahead { speed, acceleration, ..AHEAD };
+            for time in [0.1, 1.0, 7.0] {
+                let distance = speed * time + 0.5 * acceleration * time * time;
+                assert!(
+                    (ahead.time_to(distance) - time).abs() < 1e-15 * time.max(1.0) * 4.0,
+                    "{speed} {time}"
+                );
+            }
+        }
+        let resting = Ahead { speed: 0.0, acceleration: 0.0, ..AHEAD };
+        assert_eq!(resting.time_to(1.0), f64::INFINITY);
+        // A step of 2 rad, and any where nothing bends.
+        assert_eq!(AHEAD.longest_step(), AHEAD.time_to(2.0));
+        assert_eq!(Ahead { scale: f64::INFINITY, ..AHEAD }.longest_step(), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_pose_is_ahead_where_the_pivot_may_vanish() {
+        assert_eq!(AHEAD.flat(), Some(3.0));
+        for none in [
+            Ahead { vanishes: false, ..AHEAD },
+            Ahead { lowest: -3.0, ..AHEAD },
+            Ahead { lowest: 0.0, ..AHEAD },
+        ] {
+            assert_eq!(none.flat(), None, "{none:?}");
+        }
+    }
+}

@@ -134,3 +134,16 @@ where
     let agrees = M::S::lit(AGREES).max(M::S::EPSILON.sqrt());
     if size(&off, weight) < agrees { Ok(polynomial) } else { Err(Refused::NotFound) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn states_are_guessed_along_their_parabola() {
+        // Two places and velocities, one state of first order; after 2 s.
+        let (from, rate) = ([1.0, 2.0, 3.0, 5.0, 7.0], [3.0, 5.0, 11.0, 13.0, 17.0]);
+        assert_eq!(guess::<f64, 2, 5>(&from, Some(&rate), 2.0), [29.0, 38.0, 25.0, 31.0, 41.0]);
+        assert_eq!(guess::<f64, 2, 5>(&from, None, 2.0), [7.0, 12.0, 3.0, 5.0, 7.0]);
+    }
+}

@@ -134,3 +134,13 @@ fn second_derivatives_by_duals_of_duals() {
     let expected = 2.0 * 0.7_f64.cos() * 0.7_f64.exp();
     assert!((y.tangents[0].tangents[0] - expected).abs() < 1e-14);
 }
+
+#[test]
+fn conditions_are_those_of_the_values() {
+    let [low, high] = [1.0, 2.0].map(|value| D::variable(value, 0));
+    for (a, b, less) in [(low, high, true), (high, low, false), (low, low, false)] {
+        let mask = a.lt(b);
+        assert_eq!((D::any(mask), D::all(mask)), (less, less), "{a:?} < {b:?}");
+        assert_eq!(D::select(mask, a, b).value, if less { a.value } else { b.value });
+    }
+}

@@ -89,3 +89,13 @@ fn an_unknown_that_leaves_its_rates_is_refused() {
         }
     }
 }
+
+/// From 3 to 3.6 rad/s within 0.1 s, the link at twice that: half its angular acceleration is 6 rad/s^2.
+#[test]
+fn the_rate_of_a_rate_is_remembered() {
+    let link = Link { astray: 0.0, measure: 0.8 };
+    let (memory, _) = link.look(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &[0.5, 3.0]);
+    let mut held = Held { input: (), chart: 0, memory };
+    accept(&link, 0.1, &mut held, &mut [0.83, 3.6]).unwrap();
+    assert!((held.memory[7] - 6.0).abs() < 1e-13, "{:?}", held.memory);
+}

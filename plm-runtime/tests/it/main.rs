@@ -2,10 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
 mod assembly;
+mod bead;
 mod brief;
 mod change_points;
 mod charts;
 mod clock;
+mod counts;
 mod dense;
 mod dual;
 mod events;

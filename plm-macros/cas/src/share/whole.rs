@@ -84,3 +84,38 @@ fn prefixes(items: &[Item]) -> Vec<u32> {
     };
     items.iter().map(hash).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::Graph;
+
+    /// Up to its scale, and whatever the constants are.
+    #[test]
+    fn a_long_sum_reads_the_longest_that_it_begins_with() {
+        let mut graph = Graph::new();
+        let symbols: Vec<_> = (0..LONG + 4).map(|k| graph.symbol(&format!("x{k}"))).collect();
+        let mut sum = |len: usize, scale: i64| {
+            let (constant, scale) = (Number::from_int(len as i64), Number::from_int(scale));
+            let terms: Vec<_> = symbols[..len].iter().map(|&symbol| (scale, symbol)).collect();
+            graph.linear(constant, &terms)
+        };
+        let sums = [sum(LONG + 1, 1), sum(LONG + 3, 2), sum(LONG + 4, 3)];
+        let mut rows = Rows::load(&graph, &sums);
+        nest(&mut rows);
+        let [shortest, middle, longest] = sums.map(|sum| rows.row_of(sum));
+        assert_eq!(rows.items(shortest).len(), LONG + 2);
+        let number = |num, den| Number::rational(num, den).unwrap_or(Number::ZERO);
+        let new = |k: usize, coefficient| (rows.row_of(symbols[LONG + k]), number(coefficient, 1));
+        // The constants are 17, 19 and 20 less what is read: 19 - 2*17, 20 - 3/2*19.
+        let second = vec![(UNIT, number(-15, 1)), new(1, 2), new(2, 2), (shortest, number(2, 1))];
+        let third = vec![(UNIT, number(-17, 2)), new(3, 3), (middle, number(3, 2))];
+        for (row, mut expected) in [(middle, second), (longest, third)] {
+            let item = |item: &Item| (item.id as usize, rows.numbers.get(item.coefficient));
+            let mut found: Vec<_> = rows.items(row).iter().map(item).collect();
+            found.sort_by_key(|item| item.0);
+            expected.sort_by_key(|item| item.0);
+            assert_eq!(found, expected);
+        }
+    }
+}

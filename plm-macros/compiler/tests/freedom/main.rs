@@ -1,5 +1,6 @@
 //! What is chosen at compile time holds. Every formulation has as many freedoms as the mechanism: its coordinates less the rank of its constraints, which is
-//! worked out here once more, from the residuals' rates alone.
+//! worked out here once more, from the residuals' rates alone. And it
+//! accelerates as the absolute coordinates do.
 //!
 //! Random mechanisms with redundant rows of all kinds. `PLM_SWEEP=10000 PLM_SEED=7 cargo test -p plm-compiler --test freedom`
 //! tries more of them, or others.
@@ -7,7 +8,9 @@
 
 mod charts;
 mod free_bodies;
+mod motion;
 mod poses;
+mod reasons;
 mod scene;
 
 use plm_compiler::token::Sources;

@@ -41,6 +41,42 @@ fn a_parallelogram_has_one_freedom_wherever_it_starts() {
     }
 }
 
+/// A third crank of the same length says nothing new: its loop has one unknown and two rows. Rung 5 is not needed for that.
+#[test]
+fn a_third_parallel_crank_takes_no_freedom() {
+    let (sin, cos) = 40_f64.to_radians().sin_cos();
+    let crank = |k: i32| {
+        format!(
+            "body c{k} {{ mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (1, 0) m;
+                start x: {k} m; start angle: 40 deg{}; }}
+            revolute foot{k}(ground.p{k}, c{k}.o); revolute head{k}(c{k}.p, top.p{k});",
+            if k == 0 { ", locked" } else { "" }
+        )
+    };
+    let ports = [0, 1, 2].map(|k| format!("port p{k}: ({k}, 0) m;")).concat();
+    let oracle = compiled(&format!(
+        "allow(W0001); rung: loops; ground {{ {ports} }}
+        body top {{ mass: 1 kg; inertia: 0.1 kg*m^2; {ports} start x: {cos:?} m; start y: {sin:?} m; }}
+        {} {} {}",
+        crank(0),
+        crank(1),
+        crank(2)
+    ));
+    assert_eq!(oracle.reduced_states(), Some(2));
+    let turning = [0.0, 0.0, 1.0];
+    let feet = [0.0, 1.0, 2.0].map(|x| [x, 0.0, 40_f64.to_radians()]);
+    let q = [&[cos, sin, 0.0], &feet[0][..], &feet[1], &feet[2]].concat();
+    let v = [&[-sin, cos, 0.0], &turning[..], &turning, &turning].concat();
+    let x = [q, v].concat();
+    let charts = oracle.charts(0.0, &x);
+    assert!(charts.iter().any(|chart| chart.measure > 0.5), "{charts:?}");
+    for chart in charts.iter().filter(|chart| chart.measure > 0.1) {
+        // Nothing pulls: the platform goes round at constant speed.
+        assert!(chart.acceleration.iter().all(|a| a.abs() < 1e-12), "{chart:?}");
+        assert!(chart.pose.iter().zip(&x).all(|(a, b)| (a - b).abs() < 1e-12), "{chart:?}");
+    }
+}
+
 /// A bar between blocks on two rails 0.3 m apart: it cannot turn, so that its angle and no rail's slide follows from the other.
 #[test]
 fn slides_on_parallel_rails_do_not_determine_each_other() {

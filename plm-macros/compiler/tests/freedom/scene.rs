@@ -66,6 +66,29 @@ impl Scene {
         scene
     }
 
+    /// Bodies that hang on each other with springs and dampers in all joints, and up to three loops among them.
+    pub(crate) fn sprung(random: &mut Random) -> Scene {
+        let mut scene = Scene { bodies: vec![[0.0; 3]], ports: vec![Vec::new()], joints: Vec::new() };
+        for _ in 0..2 + random.below(5) {
+            let onto = random.below(scene.bodies.len());
+            scene.grow(onto, random);
+        }
+        for _ in 0..random.below(4) {
+            let (a, b) = (random.below(scene.bodies.len()), random.below(scene.bodies.len()));
+            if a != b {
+                let kind = [Kind::PinSlot, Kind::Revolute, Kind::PinSlot, Kind::Prismatic][random.below(4)];
+                scene.join(kind, a, b, random);
+            }
+        }
+        for joint in &mut scene.joints {
+            let turns = joint.starts_with(Kind::Revolute.name());
+            let [stiffness, damping] = if turns { ["N*m/rad", "N*m*s/rad"] } else { ["N/m", "N*s/m"] };
+            joint.pop();
+            write!(joint, " {{ stiffness: 3 {stiffness}; damping: 0.5 {damping}; }}").unwrap();
+        }
+        scene
+    }
+
     /// x, y, theta of each body.
     pub(crate) fn poses(&self) -> Vec<f64> {
         self.bodies.iter().skip(1).flatten().copied().collect()

@@ -51,3 +51,38 @@ fn power<S: Real>(x: S, exponent: f64) -> S {
     }
     (S::lit(exponent) * x.ln()).exp()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: Limits = Limits { safety: 0.9, exponent: 0.15, memory: 0.04, shrink: 0.2, growth: 10.0 };
+
+    /// The formula, in the powers of std.
+    #[test]
+    fn a_factor_follows_from_this_error_and_the_last() {
+        for (memory, exponent) in [(0.04, 0.15), (0.0, 0.125), (0.08, 0.2)] {
+            let limits = Limits { exponent, memory, ..LIMITS };
+            let mut control = Control::new();
+            // The first one has an error of 1e-4 before it, as has one after a smaller error.
+            for (last, error) in [(1e-4, 0.5), (0.5, 0.9), (0.9, 1e-5), (1e-4, 0.3)] {
+                let known = 0.9 * f64::powf(last, memory) / f64::powf(error, exponent);
+                let found: f64 = control.accept(&limits, error);
+                assert!((found - known).abs() < 1e-14, "{memory}, {last} to {error}: {found} {known}");
+            }
+        }
+    }
+
+    #[test]
+    fn factors_stay_within_their_limits() {
+        let mut control = Control::<f64>::new();
+        assert_eq!(control.accept(&Limits { growth: 2.0, ..LIMITS }, 1e-10), 2.0);
+        assert_eq!(control.reject(&LIMITS, 1e9), 0.2);
+        assert_eq!(control.reject(&LIMITS, f64::NAN), 0.2);
+        // No step grows at once after one that was rejected or refused.
+        assert_eq!(control.accept(&LIMITS, 1e-10), 1.0);
+        assert!(control.accept(&LIMITS, 1e-10) > 1.0);
+        control.refuse();
+        assert_eq!(control.accept(&LIMITS, 1e-10), 1.0);
+    }
+}

@@ -1,0 +1,205 @@
+//! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
+
+use plm_runtime::charts::{Charted, Held, accept, enter, full, hold, is_calm, is_free, is_sharp, pose};
+use plm_runtime::{Cause, Health, System};
+
+/// A bead on the circle of radius 1 m: by its y in chart 0, by its x in chart 1. The measure of a chart is the size of the other
+/// coordinate.
+#[derive(Clone, Copy, Debug)]
+struct Bead {
+    /// By this factor all measures are less.
+    poorer: f64,
+}
+
+/// How far the bead may move without a look, m.
+const REACH: f64 = 0.01;
+/// How long it may go without one, s.
+const WHILE: f64 = 0.3;
+
+/// Coordinate and time with their reaches, the other coordinate.
+type Memory = [f64; 5];
+type Bound = Held<(), Memory>;
+
+const NOTHING: Bound = Held { input: (), chart: 0, memory: [0.0; 5] };
+
+impl System for Bead {
+    type S = f64;
+    type X = [f64; 3];
+    type U = Bound;
+    type G = [f64; 0];
+    const NQ: usize = 1;
+
+    fn rate(&self, _t: f64, _u: &Bound, _x: &[f64; 3], _dx: &mut [f64; 3]) -> Health<f64> {
+        Health::perfect()
+    }
+}
+
+impl Charted for Bead {
+    type Input = ();
+    type Memory = Memory;
+    type Q = [f64; 2];
+    const CHARTS: usize = 2;
+    const BEFORE_AREAS: usize = 4;
+    const TURNING: &'static [&'static str] = &[];
+    const BEFORE_FOLLOWED: usize = 5;
+    const FOLLOWED: &'static [&'static str] = &[];
+    const CLOSING: &'static [&'static [&'static str]] = &[&["ring"], &["hoop"]];
+
+    fn place(&self, _t: f64, held: &Bound, x: &[f64; 3]) -> ([f64; 2], [f64; 2], f64) {
+        let square = 1.0 - x[0] * x[0];
+        let other = square.sqrt().copysign(held.memory[4]);
+        let (mut q, mut v) = ([other, x[0]], [-x[0] * x[1] / other, x[1]]);
+        if held.chart == 1 {
+            (q, v) = ([q[1], q[0]], [v[1], v[0]]);
+        }
+        (q, v, self.poorer * self.poorer * square)
+    }
+    fn look(&self, t: f64, held: &Bound, x: &[f64; 3]) -> (Memory, f64) {
+        let (q, _, measure) = self.place(t, held, x);
+        ([x[0], REACH, t, WHILE, q[held.chart]], measure)
+    }
+    fn survey(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Memory, f64) {
+        ([q[1 - chart], REACH, t, WHILE, q[chart]], (self.poorer * q[chart]).powi(2))
+    }
+    fn project(&self, chart: usize, _t: f64, q: &[f64; 2], v: &[f64; 2], x: &mut [f64; 3]) {
+        (x[0], x[1]) = (q[1 - chart], v[1 - chart]);
+    }
+}
+
+/// A state at 2 rad/s, with one of first order that is 5.
+fn entered(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
+    let (bead, mut held, mut x) = (Bead { poorer }, NOTHING, [0.0, 0.0, 5.0]);
+    let (q, v) = on_circle(degrees);
+    enter(&bead, 0.0, &mut held, (&q, &v), &mut x);
+    (bead, held, x)
+}
+
+fn on_circle(degrees: f64) -> ([f64; 2], [f64; 2]) {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    ([cos, sin], [-2.0 * sin, 2.0 * cos])
+}
+
+/// Is it where it was put, and as fast? A few roundings, over a measure above 0.2.
+fn is_at(bead: Bead, (held, x): (&Bound, &[f64; 3]), degrees: f64) {
+    let (q, v) = on_circle(degrees);
+    let state: [f64; 5] = full(&bead, 0.0, held, x);
+    for (found, wanted) in state.into_iter().zip([q[0], q[1], v[0], v[1], 5.0]) {
+        assert!((found - wanted).abs() < 1e-14, "{degrees} deg, {held:?}: {state:?}");
+    }
+}
+
+#[test]
+fn the_first_chart_is_entered_unless_it_is_flat() {
+    // 0.3 = cos 72.54 deg.
+    for (degrees, chart) in
+        [(10.0, 0), (72.4, 0), (72.7, 1), (90.0, 1), (107.3, 1), (107.6, 0), (200.0, 0), (-89.0, 1)]
+    {
+        let (bead, held, x) = entered(1.0, degrees);
+        assert_eq!(held.chart, chart, "{degrees} deg");
+        is_at(bead, (&held, &x), degrees);
+    }
+    // The least of a good chart is 0.03.
+    for (poorer, free) in [(0.031, false), (0.029, true)] {
+        let (bead, held, x) = entered(poorer, 90.0);
+        assert_eq!(is_free::<Bead>(&held), free, "{poorer}");
+        is_at(bead, (&held, &x), 90.0);
+    }
+}
+
+#[test]
+fn a_state_within_its_box_is_calm() {
+    let (bead, held, x) = entered(1.0, 30.0);
+    for (part, calm) in [(0.0, true), (0.9, true), (-0.9, true), (1.1, false), (-1.1, false)] {
+        let moved = [x[0] + part * REACH, x[1], x[2]];
+        assert_eq!(is_calm::<Bead>(0.0, &held, &moved), calm, "{part} of the reach");
+        assert_eq!(is_calm::<Bead>(part * WHILE, &held, &x), calm, "{part} of the time");
+        // A box of a third of what is typical is not tight.
+        assert!(is_sharp(&bead, 0.0, &held, &x, &moved) != calm, "{part} of the reach");
+    }
+    let mut wide = held;
+    wide.memory[1] = 0.031;
+    assert!(!is_sharp(&bead, 0.0, &wide, &x, &[x[0] + 0.04, x[1], x[2]]));
+}
+
+#[test]
+fn a_step_of_some_boxes_is_looked_at_and_a_longer_one_refused() {
+    for (boxes, kept) in
+        [(0.9, None), (1.1, Some(true)), (-6.9, Some(true)), (7.1, Some(false)), (-7.1, Some(false))]
+    {
+        for by_time in [false, true] {
+            let (bead, mut held, mut x) = entered(1.0, 30.0);
+            let before = held.memory;
+            let t = if by_time { boxes * WHILE } else { 0.0 };
+            x[0] += if by_time { 0.0 } else { boxes * REACH };
+            let looked = [x[0], REACH, t, WHILE, (1.0 - x[0] * x[0]).sqrt()];
+            match (accept(&bead, t, &mut held, &mut x), kept) {
+                (Ok(accepted), None) => assert!(!accepted.moved && held.memory == before, "{boxes}"),
+                (Ok(accepted), Some(true)) => {
+                    assert!(!accepted.moved && held.memory == looked, "{boxes}: {held:?}");
+                }
+                (Err(fault), Some(false)) => {
+                    assert!(
+                        matches!(fault.cause, Cause::TurnedTooFar { .. }) && fault.part == "ring",
+                        "{fault}"
+                    );
+                    assert_eq!(held.memory, before);
+                }
+                (found, _) => panic!("{boxes} boxes: {found:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_closed_is_locked() {
+    let (bead, mut held, mut x) = entered(1.0, 80.0);
+    x[0] = 1.001;
+    let fault = accept(&bead, 0.1, &mut held, &mut x).unwrap_err();
+    assert!(matches!(fault.cause, Cause::Locked) && fault.time == 0.1 && fault.part == "hoop", "{fault}");
+}
+
+/// The state in chart 0 at an angle, last looked at 1 degree before.
+fn moved_to(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
+    let (bead, mut held, mut x) = entered(poorer, degrees);
+    let ((q, v), (before, _)) = (on_circle(degrees), on_circle(degrees - 1.0));
+    held = Held { chart: 0, memory: [before[1], REACH, 0.0, WHILE, before[0]], ..held };
+    bead.project(0, 0.0, &q, &v, &mut x);
+    (bead, held, x)
+}
+
+#[test]
+fn a_flat_chart_is_left_for_one_that_is_better_by_far() {
+    for (poorer, degrees, chart) in [
+        (1.0, 30.0, 0),
+        (1.0, 72.0, 0),
+        (1.0, 74.0, 1),
+        // Flat, but the other one is not twice as good: tan 60 deg = 1.7, tan 65 deg = 2.1.
+        (0.5, 60.0, 0),
+        (0.5, 65.0, 1),
+        // None is good: 0.03 is the least.
+        (0.04, 45.0, 2),
+        (0.044, 45.0, 0),
+    ] {
+        let (bead, mut held, mut x) = moved_to(poorer, degrees);
+        let accepted = accept(&bead, 2.0 * WHILE, &mut held, &mut x).unwrap();
+        assert_eq!((held.chart, accepted.moved), (chart, chart > 0), "{poorer}, {degrees} deg");
+        is_at(bead, (&held, &x), degrees);
+    }
+}
+
+#[test]
+fn without_a_chart_one_is_taken_that_is_clearly_good() {
+    // 1.3 times 0.03 is 0.039.
+    for (poorer, degrees, chart) in
+        [(1.0, 20.0, 0), (1.0, 70.0, 1), (0.038, 90.0, 2), (0.04, 90.0, 1), (0.04, 0.0, 0)]
+    {
+        let (q, v) = on_circle(degrees);
+        let (bead, mut held, mut x) = (Bead { poorer }, NOTHING, [1.0, 2.0, 3.0]);
+        hold::<Bead, 5>(&mut held, &mut x, &[q[0], q[1], v[0], v[1], 5.0]);
+        assert!(is_free::<Bead>(&held) && !is_calm::<Bead>(0.0, &held, &x));
+        assert_eq!(pose(&bead, 0.0, &held, &x), (q, v));
+        let accepted = accept(&bead, 0.0, &mut held, &mut x).unwrap();
+        assert_eq!((held.chart, accepted.moved), (chart, chart < 2), "{poorer}, {degrees} deg");
+        is_at(bead, (&held, &x), degrees);
+    }
+}
