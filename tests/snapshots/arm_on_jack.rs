@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_arm_on_jack_::arm_on_jack;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_arm_on_jack_::arm_on_jack::ArmOnJack;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_arm_on_jack_::arm_on_jack;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_arm_on_jack_ {
     /// The arm of the manual, section 3.2.1.
@@ -48,6 +49,8 @@ mod plm_arm_on_jack_ {
 
     mod code_ {
         use super::type_::ArmOnJack;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -72,6 +75,9 @@ mod plm_arm_on_jack_ {
             /// State `valve.servo.swing`, no unit.
             pub valve_servo_swing: Start<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -228,7 +234,6 @@ mod plm_arm_on_jack_ {
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 3] =
                 [("press.chamber1.pressure", "Pa"), ("press.chamber2.pressure", "Pa"), ("ram.length", "m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 3] {
                 [self.press_chamber1_pressure(), self.press_chamber2_pressure(), self.ram_length()]
@@ -314,18 +319,11 @@ mod plm_arm_on_jack_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Scalar> rt::lanes::Rate for ArmOnJack<S> {
             type S = S;
             type X = [S; 10];
             type U = Held<S>;
             const NQ: usize = 1;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -340,14 +338,12 @@ mod plm_arm_on_jack_ {
             type G = [S; 4];
             const NQ: usize = 1;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
             const KINKS: usize = 13;
-
             fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 4]) {
                 let mut all = [S::lit(0.0); 17];
                 let out = g;
@@ -521,18 +517,23 @@ mod plm_arm_on_jack_ {
             fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
                 State { mechanism, time, x, input: held.input, sides: held.sides }
             }
+
             fn mechanism(&self) -> &ArmOnJack<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Held<S> {
                 Held { input: self.input, sides: self.sides }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 10] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
                 let held = *held;
                 self.time = time;
@@ -546,7 +547,6 @@ mod plm_arm_on_jack_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 10]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -586,23 +586,24 @@ mod plm_arm_on_jack_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for ArmOnJack<S> {
             const ROWS: [&'static str; 2] = ["hinge.x", "hinge.y"];
             const PARTS: [&'static str; 2] = ["hinge", "hinge"];
             const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
             const ANGULAR: [bool; 2] = [false, false];
-
             fn phi(&self, t: S, q: &[S; 3]) -> [S; 2] {
                 let mut phi = [S::lit(0.0); 2];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 3], v: &[S; 3]) -> [S; 2] {
                 let mut phi_dot = [S::lit(0.0); 2];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 3], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[[0, 0], [0, 2], [1, 1], [1, 2]];
                 let mut entries = [S::lit(0.0); 4];
@@ -611,22 +612,27 @@ mod plm_arm_on_jack_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 3] {
                 let mut inverse_mass = [S::lit(0.0); 3];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.8)
             }
+
             fn start_position(&self) -> [Start<S>; 3] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 1] = [self.start.arm.of_centre([lit(0.0), lit(0.0)])];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 3]) -> [Start<S>; 3] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 1] =
@@ -645,7 +651,7 @@ mod plm_arm_on_jack_ {
         impl<S: Real> rt::lanes::Pack for ArmOnJack<S> {
             type Packed<T: Scalar> = ArmOnJack<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -670,7 +676,7 @@ mod plm_arm_on_jack_ {
                 }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Held<S>,
                 all: [&Held<S>; N],
@@ -706,7 +712,6 @@ mod plm_arm_on_jack_ {
         impl<S: Real> rt::Ports for ArmOnJack<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -717,6 +722,113 @@ mod plm_arm_on_jack_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Scalar> rt::StartValues<S> for Starts<S> {
+            fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+                {
+                    self.arm
+                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
+                    each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
+                    each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
+                    each("line1.flow", &mut self.line1_flow);
+                    each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
+                    each("line2.flow", &mut self.line2_flow);
+                    each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
+                    each("valve.servo.value", &mut self.valve_servo_value);
+                    each("valve.servo.swing", &mut self.valve_servo_swing);
+                }
+            }
+        }
+
+        impl<S: Scalar> core::fmt::Display for Starts<S> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                rt::start::write_starts(*self, f)
+            }
+        }
+
+        impl<S: Real> ArmOnJack<S> {
+            fn placed(&self, x: &[S; 14]) -> Starts<S> {
+                let lit = S::lit;
+                Starts {
+                    arm: self.start.arm.with_centre_at(
+                        [lit(0.0), lit(0.0)],
+                        [x[0], x[1], x[2]],
+                        [x[3], x[4], x[5]],
+                    ),
+                    press_chamber1_pressure: Start { value: x[6], ..self.start.press_chamber1_pressure },
+                    press_chamber2_pressure: Start { value: x[7], ..self.start.press_chamber2_pressure },
+                    line1_flow: Start { value: x[8], ..self.start.line1_flow },
+                    line1_inlet_pressure: Start { value: x[9], ..self.start.line1_inlet_pressure },
+                    line2_flow: Start { value: x[10], ..self.start.line2_flow },
+                    line2_inlet_pressure: Start { value: x[11], ..self.start.line2_inlet_pressure },
+                    valve_servo_value: Start { value: x[12], ..self.start.valve_servo_value },
+                    valve_servo_swing: Start { value: x[13], ..self.start.valve_servo_swing },
+                }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
+            /// later, `mechanism.start = sim.starts()`.
+            pub fn starts(&self) -> Starts<S> {
+                self.mechanism.placed(&self.absolute_())
+            }
+        }
+
+        impl<S: Real> rt::Statics for ArmOnJack<S> {
+            type Full = [S; 14];
+            type Rows = [S; 2];
+            type Starts = Starts<S>;
+            const COORDINATES: &'static [&'static str] = &["arm.x", "arm.y", "arm.angle"];
+            const ROWS: &'static [&'static str] = &["hinge.x", "hinge.y"];
+            const STATES: &'static [(&'static str, &'static str)] = &[
+                ("press.chamber1.pressure", "Pa"),
+                ("press.chamber2.pressure", "Pa"),
+                ("line1.flow", "m^3/s"),
+                ("line1.inlet.pressure", "Pa"),
+                ("line2.flow", "m^3/s"),
+                ("line2.inlet.pressure", "Pa"),
+                ("valve.servo.value", "no unit"),
+                ("valve.servo.swing", "no unit"),
+            ];
+            fn full(state: &State<S>) -> [S; 14] {
+                state.absolute_()
+            }
+
+            fn equations(
+                &self,
+                t: S,
+                held: &Self::U,
+                x: &[S; 14],
+                lambda: &[S; 2],
+                each: &mut impl FnMut(S),
+            ) {
+                let (q, v): ([S; 3], [S; 3]) = absolute::split(x);
+                let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
+                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
+                    .into_iter()
+                    .for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, 14>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
+            }
+
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
+            }
+
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
+            }
+
+            fn starts_at(&self, x: &[S; 14]) -> Starts<S> {
+                self.placed(x)
+            }
+
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
             }
         }
 
@@ -855,109 +967,6 @@ mod plm_arm_on_jack_ {
                         .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
                 );
                 x_dot[7] = t42;
-            }
-        }
-
-        impl<S: Scalar> rt::StartValues<S> for Starts<S> {
-            fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.arm
-                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
-                    each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
-                    each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
-                    each("line1.flow", &mut self.line1_flow);
-                    each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
-                    each("line2.flow", &mut self.line2_flow);
-                    each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
-                    each("valve.servo.value", &mut self.valve_servo_value);
-                    each("valve.servo.swing", &mut self.valve_servo_swing);
-                }
-            }
-        }
-
-        impl<S: Scalar> core::fmt::Display for Starts<S> {
-            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                rt::start::write_starts(*self, f)
-            }
-        }
-
-        impl<S: Real> ArmOnJack<S> {
-            fn placed(&self, x: &[S; 14]) -> Starts<S> {
-                let lit = S::lit;
-                Starts {
-                    arm: self.start.arm.with_centre_at(
-                        [lit(0.0), lit(0.0)],
-                        [x[0], x[1], x[2]],
-                        [x[3], x[4], x[5]],
-                    ),
-                    press_chamber1_pressure: Start { value: x[6], ..self.start.press_chamber1_pressure },
-                    press_chamber2_pressure: Start { value: x[7], ..self.start.press_chamber2_pressure },
-                    line1_flow: Start { value: x[8], ..self.start.line1_flow },
-                    line1_inlet_pressure: Start { value: x[9], ..self.start.line1_inlet_pressure },
-                    line2_flow: Start { value: x[10], ..self.start.line2_flow },
-                    line2_inlet_pressure: Start { value: x[11], ..self.start.line2_inlet_pressure },
-                    valve_servo_value: Start { value: x[12], ..self.start.valve_servo_value },
-                    valve_servo_swing: Start { value: x[13], ..self.start.valve_servo_swing },
-                }
-            }
-        }
-
-        impl<S: Real> State<S> {
-            /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
-            /// later, `mechanism.start = sim.starts()`.
-            pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
-            }
-        }
-
-        impl<S: Real> rt::Statics for ArmOnJack<S> {
-            type Full = [S; 14];
-            type Rows = [S; 2];
-            type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &["arm.x", "arm.y", "arm.angle"];
-            const ROWS: &'static [&'static str] = &["hinge.x", "hinge.y"];
-            const STATES: &'static [(&'static str, &'static str)] = &[
-                ("press.chamber1.pressure", "Pa"),
-                ("press.chamber2.pressure", "Pa"),
-                ("line1.flow", "m^3/s"),
-                ("line1.inlet.pressure", "Pa"),
-                ("line2.flow", "m^3/s"),
-                ("line2.inlet.pressure", "Pa"),
-                ("valve.servo.value", "no unit"),
-                ("valve.servo.swing", "no unit"),
-            ];
-
-            fn full(state: &State<S>) -> [S; 14] {
-                state.absolute_()
-            }
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 14],
-                lambda: &[S; 2],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 3], [S; 3]) = absolute::split(x);
-                let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
-                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
-                    .into_iter()
-                    .for_each(&mut *each);
-                absolute::residuals::<S, Self, NQ, NC, 14>(self, t, x, each);
-                x_dot.into_iter().for_each(each);
-            }
-            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
-            }
-            fn starts_mut(&mut self) -> &mut Starts<S> {
-                &mut self.start
-            }
-            fn starts_at(&self, x: &[S; 14]) -> Starts<S> {
-                self.placed(x)
-            }
-            fn size(&self) -> S {
-                absolute::Absolute::<S, NQ, NC>::length(self)
             }
         }
 

@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_bouncer_::bouncer;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_bouncer_::bouncer::Bouncer;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_bouncer_::bouncer;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_bouncer_ {
     /// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.
@@ -42,6 +43,8 @@ mod plm_bouncer_ {
 
     mod code_ {
         use super::type_::Bouncer;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -52,6 +55,9 @@ mod plm_bouncer_ {
             /// Origin of body `clock`.
             pub clock: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -179,7 +185,6 @@ mod plm_bouncer_ {
 
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 1] = [("block.x", "m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
                 [self.block_x()]
@@ -263,18 +268,11 @@ mod plm_bouncer_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Scalar> rt::lanes::Rate for Bouncer<S> {
             type S = S;
             type X = [S; 4];
             type U = Held<S>;
             const NQ: usize = 2;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -289,14 +287,12 @@ mod plm_bouncer_ {
             type G = [S; 2];
             const NQ: usize = 2;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
             const KINKS: usize = 1;
-
             fn guards(&self, t: S, u: &Self::U, x: &[S; 4], g: &mut [S; 2]) {
                 let mut all = [S::lit(0.0); 3];
                 let out = g;
@@ -432,18 +428,23 @@ mod plm_bouncer_ {
             fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
                 State { mechanism, time, x, input: held.input, sides: held.sides }
             }
+
             fn mechanism(&self) -> &Bouncer<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Held<S> {
                 Held { input: self.input, sides: self.sides }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 4] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
                 let held = *held;
                 self.time = time;
@@ -457,7 +458,6 @@ mod plm_bouncer_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 4]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -498,24 +498,25 @@ mod plm_bouncer_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Bouncer<S> {
             const ROWS: [&'static str; 4] = ["rail.normal", "rail.angle", "other.normal", "other.angle"];
             const PARTS: [&'static str; 4] = ["rail", "rail", "other", "other"];
             const COORDINATES: [&'static str; 6] =
                 ["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
             const ANGULAR: [bool; 4] = [false, true, false, true];
-
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
                 let mut phi_dot = [S::lit(0.0); 4];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[[0, 1], [1, 2], [2, 4], [3, 5]];
                 let mut entries = [S::lit(0.0); 4];
@@ -524,17 +525,21 @@ mod plm_bouncer_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 6] {
                 let mut inverse_mass = [S::lit(0.0); 6];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(1.0)
             }
+
             fn start_position(&self) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -543,6 +548,7 @@ mod plm_bouncer_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 6]) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -563,7 +569,7 @@ mod plm_bouncer_ {
         impl<S: Real> rt::lanes::Pack for Bouncer<S> {
             type Packed<T: Scalar> = Bouncer<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -576,7 +582,7 @@ mod plm_bouncer_ {
                 Bouncer { start, until: number(all.map(|one| one.until)) }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Held<S>,
                 all: [&Held<S>; N],
@@ -612,7 +618,6 @@ mod plm_bouncer_ {
         impl<S: Real> rt::Ports for Bouncer<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[("push", "N")];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
                 match index {
                     0 => Some(&mut held.input.push),
@@ -624,42 +629,6 @@ mod plm_bouncer_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> Bouncer<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 3 add, 1 mul, 8 select.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Held<S>,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                force: &mut [S; 6],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                let side_1 = u.sides[1];
-                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
-                force[1] = lit(0.0);
-                force[2] = lit(0.0);
-                let push = u.input.push;
-                let x_clock = x[3];
-                let side_3 = u.sides[3];
-                let side_2 = u.sides[2];
-                let t1 = push
-                    + S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
-                    + S::select(
-                        side_3.lt(lit(0.0)),
-                        lit(0.0),
-                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
-                    );
-                force[3] = t1;
-                force[4] = lit(0.0);
-                force[5] = lit(0.0);
             }
         }
 
@@ -719,10 +688,10 @@ mod plm_bouncer_ {
             const ROWS: &'static [&'static str] =
                 &["rail.normal", "rail.angle", "other.normal", "other.angle"];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 12] {
                 state.absolute_()
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -740,17 +709,57 @@ mod plm_bouncer_ {
                 absolute::residuals::<S, Self, NQ, NC, 12>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 12]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> Bouncer<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            ///
+            /// 3 add, 1 mul, 8 select.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Held<S>,
+                x: &[S; 12],
+                lambda: &[S; 4],
+                force: &mut [S; 6],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                let side_1 = u.sides[1];
+                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                force[1] = lit(0.0);
+                force[2] = lit(0.0);
+                let push = u.input.push;
+                let x_clock = x[3];
+                let side_3 = u.sides[3];
+                let side_2 = u.sides[2];
+                let t1 = push
+                    + S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
+                    + S::select(
+                        side_3.lt(lit(0.0)),
+                        lit(0.0),
+                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                    );
+                force[3] = t1;
+                force[4] = lit(0.0);
+                force[5] = lit(0.0);
             }
         }
 

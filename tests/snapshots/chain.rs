@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_chain_::chain;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_chain_::chain::Chain;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_chain_::chain;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_chain_ {
     /// A chain of five bars: elimination body by body.
@@ -44,6 +45,8 @@ mod plm_chain_ {
 
     mod code_ {
         use super::type_::Chain;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -60,6 +63,9 @@ mod plm_chain_ {
             /// Origin of body `bar[4]`.
             pub bar_4: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -281,7 +287,6 @@ mod plm_chain_ {
 
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 1] = [("bar[4].b.y", "m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
                 [self.bar_4_b_y()]
@@ -387,18 +392,11 @@ mod plm_chain_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Scalar> rt::lanes::Rate for Chain<S> {
             type S = S;
             type X = [S; 10];
             type U = Input<S>;
             const NQ: usize = 5;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -413,7 +411,6 @@ mod plm_chain_ {
             type G = [S; 0];
             const NQ: usize = 5;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -489,18 +486,23 @@ mod plm_chain_ {
             fn new(mechanism: Chain<S>, held: Input<S>, time: S, x: [S; 10]) -> Self {
                 State { mechanism, time, x, input: held }
             }
+
             fn mechanism(&self) -> &Chain<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Input<S> {
                 self.input
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 10] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Input<S>, x: &[S; 10]) {
                 let held = *held;
                 self.time = time;
@@ -513,7 +515,6 @@ mod plm_chain_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Input<S>, [S; 10]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -534,7 +535,7 @@ mod plm_chain_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Chain<S> {
             const ROWS: [&'static str; 10] = [
                 "first.x", "first.y", "pin[1].x", "pin[1].y", "pin[2].x", "pin[2].y", "pin[3].x", "pin[3].y",
@@ -563,17 +564,18 @@ mod plm_chain_ {
             ];
             const ANGULAR: [bool; 10] =
                 [false, false, false, false, false, false, false, false, false, false];
-
             fn phi(&self, t: S, q: &[S; 15]) -> [S; 10] {
                 let mut phi = [S::lit(0.0); 10];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 15], v: &[S; 15]) -> [S; 10] {
                 let mut phi_dot = [S::lit(0.0); 10];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 15], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -619,6 +621,7 @@ mod plm_chain_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(
                 &self,
                 t: S,
@@ -629,14 +632,17 @@ mod plm_chain_ {
             ) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 15] {
                 let mut inverse_mass = [S::lit(0.0); 15];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.5)
             }
+
             fn start_position(&self) -> [Start<S>; 15] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 5] = [
@@ -648,6 +654,7 @@ mod plm_chain_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 15]) -> [Start<S>; 15] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 5] = [
@@ -671,7 +678,7 @@ mod plm_chain_ {
         impl<S: Real> rt::lanes::Pack for Chain<S> {
             type Packed<T: Scalar> = Chain<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -687,7 +694,7 @@ mod plm_chain_ {
                 Chain { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Input<S>,
                 all: [&Input<S>; N],
@@ -721,7 +728,6 @@ mod plm_chain_ {
         impl<S: Real> rt::Ports for Chain<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -732,40 +738,6 @@ mod plm_chain_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> Chain<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 1 mul.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 30],
-                lambda: &[S; 10],
-                force: &mut [S; 15],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-9.81);
-                let omega_bar_0 = x[17];
-                force[2] = lit(-0.1) * omega_bar_0;
-                force[3] = lit(0.0);
-                force[4] = lit(-9.81);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-9.81);
-                force[8] = lit(0.0);
-                force[9] = lit(0.0);
-                force[10] = lit(-9.81);
-                force[11] = lit(0.0);
-                force[12] = lit(0.0);
-                force[13] = lit(-9.81);
-                force[14] = lit(0.0);
             }
         }
 
@@ -869,10 +841,10 @@ mod plm_chain_ {
                 "pin[4].x", "pin[4].y",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 30] {
                 state.absolute_()
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -890,17 +862,55 @@ mod plm_chain_ {
                 absolute::residuals::<S, Self, NQ, NC, 30>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, *held)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 30]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> Chain<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            ///
+            /// 1 mul.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 30],
+                lambda: &[S; 10],
+                force: &mut [S; 15],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-9.81);
+                let omega_bar_0 = x[17];
+                force[2] = lit(-0.1) * omega_bar_0;
+                force[3] = lit(0.0);
+                force[4] = lit(-9.81);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-9.81);
+                force[8] = lit(0.0);
+                force[9] = lit(0.0);
+                force[10] = lit(-9.81);
+                force[11] = lit(0.0);
+                force[12] = lit(0.0);
+                force[13] = lit(-9.81);
+                force[14] = lit(0.0);
             }
         }
 

@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_double_pendulum_::double_pendulum;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_double_pendulum_::double_pendulum::DoublePendulum;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_double_pendulum_::double_pendulum;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_double_pendulum_ {
     /// The double pendulum of the manual, section 2.2.
@@ -38,6 +39,8 @@ mod plm_double_pendulum_ {
 
     mod code_ {
         use super::type_::DoublePendulum;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -48,6 +51,9 @@ mod plm_double_pendulum_ {
             /// Origin of body `forearm`.
             pub forearm: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -204,7 +210,6 @@ mod plm_double_pendulum_ {
                 ("elbow.force.x", "N"),
                 ("elbow.force.y", "N"),
             ];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 6] {
                 [
@@ -293,18 +298,11 @@ mod plm_double_pendulum_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Scalar> rt::lanes::Rate for DoublePendulum<S> {
             type S = S;
             type X = [S; 4];
             type U = Input<S>;
             const NQ: usize = 2;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -319,7 +317,6 @@ mod plm_double_pendulum_ {
             type G = [S; 0];
             const NQ: usize = 2;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -381,18 +378,23 @@ mod plm_double_pendulum_ {
             fn new(mechanism: DoublePendulum<S>, held: Input<S>, time: S, x: [S; 4]) -> Self {
                 State { mechanism, time, x, input: held }
             }
+
             fn mechanism(&self) -> &DoublePendulum<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Input<S> {
                 self.input
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 4] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Input<S>, x: &[S; 4]) {
                 let held = *held;
                 self.time = time;
@@ -405,7 +407,6 @@ mod plm_double_pendulum_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Input<S>, [S; 4]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -426,24 +427,25 @@ mod plm_double_pendulum_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for DoublePendulum<S> {
             const ROWS: [&'static str; 4] = ["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
             const PARTS: [&'static str; 4] = ["shoulder", "shoulder", "elbow", "elbow"];
             const COORDINATES: [&'static str; 6] =
                 ["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
             const ANGULAR: [bool; 4] = [false, false, false, false];
-
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
                 let mut phi_dot = [S::lit(0.0); 4];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -465,17 +467,21 @@ mod plm_double_pendulum_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 6] {
                 let mut inverse_mass = [S::lit(0.0); 6];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(1.0)
             }
+
             fn start_position(&self) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -484,6 +490,7 @@ mod plm_double_pendulum_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 6]) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -512,7 +519,7 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::lanes::Pack for DoublePendulum<S> {
             type Packed<T: Scalar> = DoublePendulum<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -525,7 +532,7 @@ mod plm_double_pendulum_ {
                 DoublePendulum { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Input<S>,
                 all: [&Input<S>; N],
@@ -559,7 +566,6 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::Ports for DoublePendulum<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -570,32 +576,6 @@ mod plm_double_pendulum_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> DoublePendulum<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 2 add, 3 mul.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                force: &mut [S; 6],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-98.1);
-                let omega_arm = x[8];
-                let omega_forearm = x[11];
-                force[2] = lit(-19.09859317102744).mul_add(omega_arm, lit(9.54929658551372) * omega_forearm);
-                force[3] = lit(0.0);
-                force[4] = lit(-98.1);
-                force[5] = lit(9.54929658551372) * (omega_arm - omega_forearm);
             }
         }
 
@@ -659,10 +639,10 @@ mod plm_double_pendulum_ {
                 &["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
             const ROWS: &'static [&'static str] = &["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 12] {
                 state.absolute_()
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -680,17 +660,47 @@ mod plm_double_pendulum_ {
                 absolute::residuals::<S, Self, NQ, NC, 12>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, *held)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 12]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> DoublePendulum<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            ///
+            /// 2 add, 3 mul.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 12],
+                lambda: &[S; 4],
+                force: &mut [S; 6],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-98.1);
+                let omega_arm = x[8];
+                let omega_forearm = x[11];
+                force[2] = lit(-19.09859317102744).mul_add(omega_arm, lit(9.54929658551372) * omega_forearm);
+                force[3] = lit(0.0);
+                force[4] = lit(-98.1);
+                force[5] = lit(9.54929658551372) * (omega_arm - omega_forearm);
             }
         }
 

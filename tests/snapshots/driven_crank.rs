@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_driven_crank_::driven_crank;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_driven_crank_::driven_crank::DrivenCrank;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_driven_crank_::driven_crank;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_driven_crank_ {
     /// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.
@@ -44,6 +45,8 @@ mod plm_driven_crank_ {
 
     mod code_ {
         use super::type_::DrivenCrank;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -56,6 +59,9 @@ mod plm_driven_crank_ {
             /// Origin of body `slider`.
             pub slider: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,7 +212,6 @@ mod plm_driven_crank_ {
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 3] =
                 [("drive.force.x", "N"), ("drive.force.y", "N"), ("torque", "N*m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 3] {
                 [self.drive_force()[0], self.drive_force()[1], self.torque()]
@@ -298,12 +303,6 @@ mod plm_driven_crank_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Real> rt::charts::Charted for DrivenCrank<S> {
             type Input = Input<S>;
             type Memory = [S; 18];
@@ -314,65 +313,26 @@ mod plm_driven_crank_ {
             const BEFORE_FOLLOWED: usize = 9;
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
-
             fn place(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v);
                 (q, v, measure)
             }
+
             fn look(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = self.look_0(t, &held.input, &held.memory, x, &mut memory);
                 (memory, measure)
             }
+
             fn survey(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = self.survey_0(t, q, v, &mut memory);
                 (memory, measure)
             }
+
             fn project(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
-            }
-        }
-
-        #[doc(hidden)] // As `Absolute`.
-        impl<S: Real> rt::singular::Fine<9, 9, 18> for DrivenCrank<S> {
-            type Twofold = DrivenCrank<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
-
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
-                use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
-            }
-            #[cold]
-            fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
-                u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 18],
-                dx: &mut [rt::Twofold<S>; 18],
-            ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 9];
-                fine.dynamics(t, u, x, dx, &mut lambda);
-            }
-            const CHARTED: bool = true;
-            #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
-            }
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
-                rt::charts::full(self, t, held, x)
-            }
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
-                rt::charts::hold::<Self, 18>(held, x, full);
-            }
-            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
             }
         }
 
@@ -381,7 +341,6 @@ mod plm_driven_crank_ {
             type X = [S; 0];
             type U = rt::charts::Held<Input<S>, [S; 18]>;
             const NQ: usize = 0;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::Health(self.motion_0(t, &u.input, &u.memory, x, dx))
@@ -395,7 +354,6 @@ mod plm_driven_crank_ {
             type G = [S; 0];
             const NQ: usize = 0;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -440,6 +398,53 @@ mod plm_driven_crank_ {
             }
         }
 
+        #[doc(hidden)]
+        impl<S: Real> rt::singular::Fine<9, 9, 18> for DrivenCrank<S> {
+            type Twofold = DrivenCrank<rt::Twofold<S>>;
+            type Inputs = Input<rt::Twofold<S>>;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+            }
+
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; 18],
+                dx: &mut [rt::Twofold<S>; 18],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); 9];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+
+            const CHARTED: bool = true;
+            #[inline]
+            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+                rt::charts::is_sharp(self, t, held, before, x)
+            }
+
+            fn is_near(held: &Self::U) -> bool {
+                rt::charts::is_free::<Self>(held)
+            }
+
+            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
+                rt::charts::full(self, t, held, x)
+            }
+
+            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
+                rt::charts::hold::<Self, 18>(held, x, full);
+            }
+
+            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
+                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
+                rt::charts::flat_part(self, t, &q, &v)
+            }
+        }
+
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
             #[inline]
@@ -472,18 +477,23 @@ mod plm_driven_crank_ {
             ) -> Self {
                 State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
             }
+
             fn mechanism(&self) -> &DrivenCrank<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> rt::charts::Held<Input<S>, [S; 18]> {
                 rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 0] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 0]) {
                 let held = *held;
                 self.time = time;
@@ -498,7 +508,6 @@ mod plm_driven_crank_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 9, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -553,7 +562,7 @@ mod plm_driven_crank_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for DrivenCrank<S> {
             const ROWS: [&'static str; 9] = [
                 "drive.x",
@@ -589,17 +598,18 @@ mod plm_driven_crank_ {
                 "slider.angle",
             ];
             const ANGULAR: [bool; 9] = [false, false, false, false, false, false, false, true, true];
-
             fn phi(&self, t: S, q: &[S; 9]) -> [S; 9] {
                 let mut phi = [S::lit(0.0); 9];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 9], v: &[S; 9]) -> [S; 9] {
                 let mut phi_dot = [S::lit(0.0); 9];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -630,17 +640,21 @@ mod plm_driven_crank_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 9], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 9] {
                 let mut inverse_mass = [S::lit(0.0); 9];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.3)
             }
+
             fn start_position(&self) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -650,6 +664,7 @@ mod plm_driven_crank_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 9]) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -708,7 +723,7 @@ mod plm_driven_crank_ {
         impl<S: Real> rt::lanes::Pack for DrivenCrank<S> {
             type Packed<T: Scalar> = DrivenCrank<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -722,7 +737,7 @@ mod plm_driven_crank_ {
                 DrivenCrank { start, amplitude: number(all.map(|one| one.amplitude)) }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 first: &rt::charts::Held<Input<S>, [S; 18]>,
                 all: [&rt::charts::Held<Input<S>, [S; 18]>; N],
@@ -761,7 +776,6 @@ mod plm_driven_crank_ {
         impl<S: Real> rt::Ports for DrivenCrank<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut rt::charts::Held<Input<S>, [S; 18]>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -772,31 +786,6 @@ mod plm_driven_crank_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> DrivenCrank<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 18],
-                lambda: &[S; 9],
-                force: &mut [S; 9],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-1.962);
-                force[2] = lit(0.0);
-                force[3] = lit(0.0);
-                force[4] = lit(-5.886);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-4.905);
-                force[8] = lit(0.0);
             }
         }
 
@@ -881,10 +870,10 @@ mod plm_driven_crank_ {
                 "turns",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 18] {
                 state.absolute_()
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -902,17 +891,46 @@ mod plm_driven_crank_ {
                 absolute::residuals::<S, Self, NQ, NC, 18>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 18]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 18],
+                lambda: &[S; 9],
+                force: &mut [S; 9],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-1.962);
+                force[2] = lit(0.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-5.886);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-4.905);
+                force[8] = lit(0.0);
             }
         }
 

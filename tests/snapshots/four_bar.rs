@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_four_bar_::four_bar;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_four_bar_::four_bar::FourBar;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_four_bar_::four_bar;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_four_bar_ {
     /// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.
@@ -44,6 +45,8 @@ mod plm_four_bar_ {
 
     mod code_ {
         use super::type_::FourBar;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -56,6 +59,9 @@ mod plm_four_bar_ {
             /// Origin of body `rocker`.
             pub rocker: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -209,7 +215,6 @@ mod plm_four_bar_ {
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 2] =
                 [("drive.force.x", "N"), ("drive.force.y", "N")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.drive_force()[0], self.drive_force()[1]]
@@ -299,12 +304,6 @@ mod plm_four_bar_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Real> rt::charts::Charted for FourBar<S> {
             type Input = Input<S>;
             type Memory = [S; 18];
@@ -316,7 +315,6 @@ mod plm_four_bar_ {
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] =
                 &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
-
             fn place(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match held.chart {
@@ -326,6 +324,7 @@ mod plm_four_bar_ {
                 };
                 (q, v, measure)
             }
+
             fn look(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = match held.chart {
@@ -335,6 +334,7 @@ mod plm_four_bar_ {
                 };
                 (memory, measure)
             }
+
             fn survey(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = match chart {
@@ -344,6 +344,7 @@ mod plm_four_bar_ {
                 };
                 (memory, measure)
             }
+
             fn project(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
                 match chart {
                     0 => self.project_0(t, q, v, x),
@@ -353,53 +354,11 @@ mod plm_four_bar_ {
             }
         }
 
-        #[doc(hidden)] // As `Absolute`.
-        impl<S: Real> rt::singular::Fine<9, 8, 18> for FourBar<S> {
-            type Twofold = FourBar<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
-
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
-                use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
-            }
-            #[cold]
-            fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
-                u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 18],
-                dx: &mut [rt::Twofold<S>; 18],
-            ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
-                fine.dynamics(t, u, x, dx, &mut lambda);
-            }
-            const CHARTED: bool = true;
-            #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
-            }
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
-                rt::charts::full(self, t, held, x)
-            }
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
-                rt::charts::hold::<Self, 18>(held, x, full);
-            }
-            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
-            }
-        }
-
         impl<S: Scalar> rt::lanes::Rate for FourBar<S> {
             type S = S;
             type X = [S; 2];
             type U = rt::charts::Held<Input<S>, [S; 18]>;
             const NQ: usize = 1;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
                 rt::Health(match u.chart {
@@ -427,7 +386,6 @@ mod plm_four_bar_ {
             type G = [S; 0];
             const NQ: usize = 1;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -481,6 +439,53 @@ mod plm_four_bar_ {
             }
         }
 
+        #[doc(hidden)]
+        impl<S: Real> rt::singular::Fine<9, 8, 18> for FourBar<S> {
+            type Twofold = FourBar<rt::Twofold<S>>;
+            type Inputs = Input<rt::Twofold<S>>;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+            }
+
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; 18],
+                dx: &mut [rt::Twofold<S>; 18],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+
+            const CHARTED: bool = true;
+            #[inline]
+            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+                rt::charts::is_sharp(self, t, held, before, x)
+            }
+
+            fn is_near(held: &Self::U) -> bool {
+                rt::charts::is_free::<Self>(held)
+            }
+
+            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
+                rt::charts::full(self, t, held, x)
+            }
+
+            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
+                rt::charts::hold::<Self, 18>(held, x, full);
+            }
+
+            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
+                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
+                rt::charts::flat_part(self, t, &q, &v)
+            }
+        }
+
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
             #[inline]
@@ -513,18 +518,23 @@ mod plm_four_bar_ {
             ) -> Self {
                 State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
             }
+
             fn mechanism(&self) -> &FourBar<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> rt::charts::Held<Input<S>, [S; 18]> {
                 rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 2] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 2]) {
                 let held = *held;
                 self.time = time;
@@ -539,7 +549,6 @@ mod plm_four_bar_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 2]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -572,7 +581,7 @@ mod plm_four_bar_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for FourBar<S> {
             const ROWS: [&'static str; 8] = [
                 "drive.x",
@@ -606,17 +615,18 @@ mod plm_four_bar_ {
                 "rocker.angle",
             ];
             const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, false];
-
             fn phi(&self, t: S, q: &[S; 9]) -> [S; 8] {
                 let mut phi = [S::lit(0.0); 8];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 9], v: &[S; 9]) -> [S; 8] {
                 let mut phi_dot = [S::lit(0.0); 8];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -650,17 +660,21 @@ mod plm_four_bar_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 9] {
                 let mut inverse_mass = [S::lit(0.0); 9];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.45)
             }
+
             fn start_position(&self) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -670,6 +684,7 @@ mod plm_four_bar_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 9]) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -728,7 +743,7 @@ mod plm_four_bar_ {
         impl<S: Real> rt::lanes::Pack for FourBar<S> {
             type Packed<T: Scalar> = FourBar<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -742,7 +757,7 @@ mod plm_four_bar_ {
                 FourBar { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 first: &rt::charts::Held<Input<S>, [S; 18]>,
                 all: [&rt::charts::Held<Input<S>, [S; 18]>; N],
@@ -781,7 +796,6 @@ mod plm_four_bar_ {
         impl<S: Real> rt::Ports for FourBar<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut rt::charts::Held<Input<S>, [S; 18]>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -792,31 +806,6 @@ mod plm_four_bar_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> FourBar<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 18],
-                lambda: &[S; 8],
-                force: &mut [S; 9],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-2.943);
-                force[2] = lit(0.0);
-                force[3] = lit(0.0);
-                force[4] = lit(-8.829);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-6.867);
-                force[8] = lit(0.0);
             }
         }
 
@@ -909,10 +898,10 @@ mod plm_four_bar_ {
                 "pivot.y",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 18] {
                 state.absolute_()
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -930,17 +919,46 @@ mod plm_four_bar_ {
                 absolute::residuals::<S, Self, NQ, NC, 18>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 18]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> FourBar<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 18],
+                lambda: &[S; 8],
+                force: &mut [S; 9],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-2.943);
+                force[2] = lit(0.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-8.829);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-6.867);
+                force[8] = lit(0.0);
             }
         }
 

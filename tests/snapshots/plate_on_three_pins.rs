@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_plate_on_three_pins_::plate_on_three_pins;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_plate_on_three_pins_::plate_on_three_pins::PlateOnThreePins;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_plate_on_three_pins_::plate_on_three_pins;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_plate_on_three_pins_ {
     /// A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.
@@ -45,6 +46,8 @@ mod plm_plate_on_three_pins_ {
 
     mod code_ {
         use super::type_::PlateOnThreePins;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -59,6 +62,9 @@ mod plm_plate_on_three_pins_ {
             /// Origin of body `plate`.
             pub plate: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -267,7 +273,6 @@ mod plm_plate_on_three_pins_ {
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 2] =
                 [("slot[2].force.x", "N"), ("slot[2].force.y", "N")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.slot_2_force()[0], self.slot_2_force()[1]]
@@ -365,12 +370,6 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Real> rt::charts::Charted for PlateOnThreePins<S> {
             type Input = Input<S>;
             type Memory = [S; 28];
@@ -381,65 +380,26 @@ mod plm_plate_on_three_pins_ {
             const BEFORE_FOLLOWED: usize = 15;
             const FOLLOWED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
             const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
-
             fn place(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
                 let measure = self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v);
                 (q, v, measure)
             }
+
             fn look(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 28], S) {
                 let mut memory = [S::lit(0.0); 28];
                 let measure = self.look_0(t, &held.input, &held.memory, x, &mut memory);
                 (memory, measure)
             }
+
             fn survey(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> ([S; 28], S) {
                 let mut memory = [S::lit(0.0); 28];
                 let measure = self.survey_0(t, q, v, &mut memory);
                 (memory, measure)
             }
+
             fn project(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
-            }
-        }
-
-        #[doc(hidden)] // As `Absolute`.
-        impl<S: Real> rt::singular::Fine<12, 12, 24> for PlateOnThreePins<S> {
-            type Twofold = PlateOnThreePins<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
-
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
-                use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
-            }
-            #[cold]
-            fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
-                u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 24],
-                dx: &mut [rt::Twofold<S>; 24],
-            ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 12];
-                fine.dynamics(t, u, x, dx, &mut lambda);
-            }
-            const CHARTED: bool = true;
-            #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
-            }
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 24] {
-                rt::charts::full(self, t, held, x)
-            }
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 24]) {
-                rt::charts::hold::<Self, 24>(held, x, full);
-            }
-            fn flat_part(&self, t: S, full: &[S; 24]) -> &'static str {
-                let (q, v): ([S; 12], [S; 12]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
             }
         }
 
@@ -448,7 +408,6 @@ mod plm_plate_on_three_pins_ {
             type X = [S; 0];
             type U = rt::charts::Held<Input<S>, [S; 28]>;
             const NQ: usize = 0;
-
             #[inline]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::Health(self.motion_0(t, &u.input, &u.memory, x, dx))
@@ -462,7 +421,6 @@ mod plm_plate_on_three_pins_ {
             type G = [S; 0];
             const NQ: usize = 0;
             const SHORT: bool = false;
-
             #[inline]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -507,6 +465,53 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
+        #[doc(hidden)]
+        impl<S: Real> rt::singular::Fine<12, 12, 24> for PlateOnThreePins<S> {
+            type Twofold = PlateOnThreePins<rt::Twofold<S>>;
+            type Inputs = Input<rt::Twofold<S>>;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+            }
+
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; 24],
+                dx: &mut [rt::Twofold<S>; 24],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); 12];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+
+            const CHARTED: bool = true;
+            #[inline]
+            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+                rt::charts::is_sharp(self, t, held, before, x)
+            }
+
+            fn is_near(held: &Self::U) -> bool {
+                rt::charts::is_free::<Self>(held)
+            }
+
+            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 24] {
+                rt::charts::full(self, t, held, x)
+            }
+
+            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 24]) {
+                rt::charts::hold::<Self, 24>(held, x, full);
+            }
+
+            fn flat_part(&self, t: S, full: &[S; 24]) -> &'static str {
+                let (q, v): ([S; 12], [S; 12]) = absolute::split(full);
+                rt::charts::flat_part(self, t, &q, &v)
+            }
+        }
+
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
             #[inline]
@@ -539,18 +544,23 @@ mod plm_plate_on_three_pins_ {
             ) -> Self {
                 State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
             }
+
             fn mechanism(&self) -> &PlateOnThreePins<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> rt::charts::Held<Input<S>, [S; 28]> {
                 rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 0] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 28]>, x: &[S; 0]) {
                 let held = *held;
                 self.time = time;
@@ -565,7 +575,6 @@ mod plm_plate_on_three_pins_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 12, 12, 24>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 28]>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -598,7 +607,7 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for PlateOnThreePins<S> {
             const ROWS: [&'static str; 12] = [
                 "o[0].x",
@@ -634,17 +643,18 @@ mod plm_plate_on_three_pins_ {
             ];
             const ANGULAR: [bool; 12] =
                 [false, false, false, false, false, false, false, false, false, true, true, true];
-
             fn phi(&self, t: S, q: &[S; 12]) -> [S; 12] {
                 let mut phi = [S::lit(0.0); 12];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 12], v: &[S; 12]) -> [S; 12] {
                 let mut phi_dot = [S::lit(0.0); 12];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 12], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -687,6 +697,7 @@ mod plm_plate_on_three_pins_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(
                 &self,
                 t: S,
@@ -697,14 +708,17 @@ mod plm_plate_on_three_pins_ {
             ) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 12] {
                 let mut inverse_mass = [S::lit(0.0); 12];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.4)
             }
+
             fn start_position(&self) -> [Start<S>; 12] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 4] = [
@@ -715,6 +729,7 @@ mod plm_plate_on_three_pins_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 12]) -> [Start<S>; 12] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 4] = [
@@ -774,7 +789,7 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::lanes::Pack for PlateOnThreePins<S> {
             type Packed<T: Scalar> = PlateOnThreePins<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -789,7 +804,7 @@ mod plm_plate_on_three_pins_ {
                 PlateOnThreePins { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 first: &rt::charts::Held<Input<S>, [S; 28]>,
                 all: [&rt::charts::Held<Input<S>, [S; 28]>; N],
@@ -830,7 +845,6 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::Ports for PlateOnThreePins<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut rt::charts::Held<Input<S>, [S; 28]>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -841,56 +855,6 @@ mod plm_plate_on_three_pins_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> PlateOnThreePins<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 15 add, 25 mul, 2 sin_cos.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 24],
-                lambda: &[S; 12],
-                force: &mut [S; 12],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                let theta_plate = x[11];
-                let theta_crank_0 = x[2];
-                let ([sin_theta_plate, sin_theta_crank_0], [cos_theta_plate, cos_theta_crank_0]) =
-                    S::sin_cos_all([theta_plate, theta_crank_0]);
-                let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                let x_crank_0 = x[0];
-                let x_plate = x[9];
-                let t2 = lit(-0.3).mul_add(sin_theta_plate, lit(0.4) * cos_theta_plate);
-                let t3 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                let y_crank_0 = x[1];
-                let y_plate = x[10];
-                let t4 = lit(0.4).mul_add(sin_theta_plate, lit(0.3) * cos_theta_plate);
-                let t5 = t3.mul_add(
-                    lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) - y_plate + t4,
-                    t1 * (lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) - x_plate + t2),
-                );
-                let t6 = t1 * t5;
-                force[0] = lit(-100.0) * t6;
-                let t7 = lit(100.0) * (t3 * t5);
-                force[1] = lit(-2.943) - t7;
-                force[2] = lit(-10.0) * t5 * (-sin_theta_crank_0).mul_add(t1, cos_theta_crank_0 * t3);
-                force[3] = lit(0.0);
-                force[4] = lit(-2.943);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-2.943);
-                force[8] = lit(0.0);
-                force[9] = lit(100.0) * t6;
-                force[10] = t7 - lit(19.62);
-                force[11] = lit(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
             }
         }
 
@@ -1013,10 +977,10 @@ mod plm_plate_on_three_pins_ {
                 "third",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 24] {
                 state.absolute_()
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -1034,17 +998,71 @@ mod plm_plate_on_three_pins_ {
                 absolute::residuals::<S, Self, NQ, NC, 24>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 24]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> PlateOnThreePins<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            ///
+            /// 15 add, 25 mul, 2 sin_cos.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 24],
+                lambda: &[S; 12],
+                force: &mut [S; 12],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                let theta_plate = x[11];
+                let theta_crank_0 = x[2];
+                let ([sin_theta_plate, sin_theta_crank_0], [cos_theta_plate, cos_theta_crank_0]) =
+                    S::sin_cos_all([theta_plate, theta_crank_0]);
+                let t1 = lit(-0.573576436351046)
+                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
+                let x_crank_0 = x[0];
+                let x_plate = x[9];
+                let t2 = lit(-0.3).mul_add(sin_theta_plate, lit(0.4) * cos_theta_plate);
+                let t3 = lit(0.8191520442889918)
+                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
+                let y_crank_0 = x[1];
+                let y_plate = x[10];
+                let t4 = lit(0.4).mul_add(sin_theta_plate, lit(0.3) * cos_theta_plate);
+                let t5 = t3.mul_add(
+                    lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) - y_plate + t4,
+                    t1 * (lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) - x_plate + t2),
+                );
+                let t6 = t1 * t5;
+                force[0] = lit(-100.0) * t6;
+                let t7 = lit(100.0) * (t3 * t5);
+                force[1] = lit(-2.943) - t7;
+                force[2] = lit(-10.0) * t5 * (-sin_theta_crank_0).mul_add(t1, cos_theta_crank_0 * t3);
+                force[3] = lit(0.0);
+                force[4] = lit(-2.943);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-2.943);
+                force[8] = lit(0.0);
+                force[9] = lit(100.0) * t6;
+                force[10] = t7 - lit(19.62);
+                force[11] = lit(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
             }
         }
 

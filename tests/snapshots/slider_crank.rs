@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_slider_crank_::slider_crank;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_slider_crank_::slider_crank::SliderCrank;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_slider_crank_::slider_crank;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_slider_crank_ {
     /// Slider-crank in absolute coordinates.
@@ -40,6 +41,8 @@ mod plm_slider_crank_ {
 
     mod code_ {
         use super::type_::SliderCrank;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -52,6 +55,9 @@ mod plm_slider_crank_ {
             /// Origin of body `slider`.
             pub slider: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -182,7 +188,6 @@ mod plm_slider_crank_ {
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 2] =
                 [("drive.force.x", "N"), ("drive.force.y", "N")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.drive_force()[0], self.drive_force()[1]]
@@ -272,18 +277,11 @@ mod plm_slider_crank_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Scalar> rt::lanes::Rate for SliderCrank<S> {
             type S = S;
             type X = [S; 18];
             type U = Input<S>;
             const NQ: usize = 9;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> rt::Health<S> {
                 let mut lambda = [S::lit(0.0); 8];
@@ -298,7 +296,6 @@ mod plm_slider_crank_ {
             type G = [S; 0];
             const NQ: usize = 9;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -372,7 +369,7 @@ mod plm_slider_crank_ {
             }
         }
 
-        #[doc(hidden)] // As `Absolute`.
+        #[doc(hidden)]
         impl<S: Real> rt::singular::Fine<9, 8, 18> for SliderCrank<S> {
             type Twofold = SliderCrank<rt::Twofold<S>>;
             type Inputs = Input<rt::Twofold<S>>;
@@ -382,6 +379,7 @@ mod plm_slider_crank_ {
                 let exact = |[s]: [S; 1]| rt::Twofold::of(s);
                 (self.pack([self], exact), Self::pack_held(held, [held], exact))
             }
+
             #[cold]
             fn accelerate(
                 fine: &Self::Twofold,
@@ -393,19 +391,24 @@ mod plm_slider_crank_ {
                 let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
                 fine.dynamics(t, u, x, dx, &mut lambda);
             }
+
             const CHARTED: bool = false;
             fn is_sharp(&self, _t: S, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> bool {
                 false
             }
+
             fn is_near(_held: &Self::U) -> bool {
                 false
             }
+
             fn full(&self, _t: S, _held: &Self::U, x: &Self::X) -> Self::X {
                 *x
             }
+
             fn hold(&self, _held: &mut Self::U, x: &mut Self::X, full: &Self::X) {
                 *x = *full;
             }
+
             fn flat_part(&self, t: S, full: &Self::X) -> &'static str {
                 absolute::flat_part::<_, _, NQ, NC>(self, t, &absolute::split(full).0)
             }
@@ -417,18 +420,23 @@ mod plm_slider_crank_ {
             fn new(mechanism: SliderCrank<S>, held: Input<S>, time: S, x: [S; 18]) -> Self {
                 State { mechanism, time, x, input: held }
             }
+
             fn mechanism(&self) -> &SliderCrank<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Input<S> {
                 self.input
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 18] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Input<S>, x: &[S; 18]) {
                 let held = *held;
                 self.time = time;
@@ -441,7 +449,6 @@ mod plm_slider_crank_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Input<S>, [S; 18]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -457,7 +464,7 @@ mod plm_slider_crank_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for SliderCrank<S> {
             const ROWS: [&'static str; 8] = [
                 "drive.x",
@@ -483,17 +490,18 @@ mod plm_slider_crank_ {
                 "slider.angle",
             ];
             const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, true];
-
             fn phi(&self, t: S, q: &[S; 9]) -> [S; 8] {
                 let mut phi = [S::lit(0.0); 8];
                 self.residual(t, q, &mut phi);
                 phi
             }
+
             fn phi_dot(&self, t: S, q: &[S; 9], v: &[S; 9]) -> [S; 8] {
                 let mut phi_dot = [S::lit(0.0); 8];
                 self.residual_rate(t, q, v, &mut phi_dot);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -523,17 +531,21 @@ mod plm_slider_crank_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health(self.closing_step(t, q, w, r, dq))
             }
+
             fn inverse_mass(&self) -> [S; 9] {
                 let mut inverse_mass = [S::lit(0.0); 9];
                 self.reciprocal_mass(&mut inverse_mass);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.3)
             }
+
             fn start_position(&self) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -543,6 +555,7 @@ mod plm_slider_crank_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 9]) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -601,7 +614,7 @@ mod plm_slider_crank_ {
         impl<S: Real> rt::lanes::Pack for SliderCrank<S> {
             type Packed<T: Scalar> = SliderCrank<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -615,7 +628,7 @@ mod plm_slider_crank_ {
                 SliderCrank { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Input<S>,
                 all: [&Input<S>; N],
@@ -653,7 +666,6 @@ mod plm_slider_crank_ {
         impl<S: Real> rt::Ports for SliderCrank<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {
                 match index {
                     _ => None,
@@ -664,31 +676,6 @@ mod plm_slider_crank_ {
                 for output in state.outputs() {
                     each(output);
                 }
-            }
-        }
-
-        impl<S: Scalar> SliderCrank<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 18],
-                lambda: &[S; 8],
-                force: &mut [S; 9],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-1.962);
-                force[2] = lit(1.0);
-                force[3] = lit(0.0);
-                force[4] = lit(-5.886);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-4.905);
-                force[8] = lit(0.0);
             }
         }
 
@@ -772,10 +759,10 @@ mod plm_slider_crank_ {
                 "guide.angle",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 18] {
                 state.x
             }
+
             fn equations(
                 &self,
                 t: S,
@@ -793,17 +780,46 @@ mod plm_slider_crank_ {
                 absolute::residuals::<S, Self, NQ, NC, 18>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, *held)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 18]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+
+        impl<S: Scalar> SliderCrank<S> {
+            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            #[cold]
+            fn at_rest(
+                &self,
+                t: S,
+                u: &Input<S>,
+                x: &[S; 18],
+                lambda: &[S; 8],
+                force: &mut [S; 9],
+                x_dot: &mut [S; 0],
+            ) {
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-1.962);
+                force[2] = lit(1.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-5.886);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-4.905);
+                force[8] = lit(0.0);
             }
         }
 

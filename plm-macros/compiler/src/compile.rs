@@ -7,7 +7,7 @@ use plm_cas::{Expr, Graph, algebra};
 use crate::check::{self, Assembly};
 use crate::derive::{Equations, check_feedback, derive, feeds_back, hold};
 use crate::diag::{Code as Problem, Diagnostics};
-use crate::emit::{self, Code};
+use crate::emit::{self, Code, Place};
 use crate::fallback;
 use crate::formulate::{Absolute, Assembled, Known, Reduced, formulate, lay_out, reduce};
 use crate::front::{self, Reading};
@@ -36,18 +36,19 @@ pub struct Expansion {
 pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
     let reading = front::read(sources, &mut sink);
+    let place = |span| sources.place_in_rust(span);
     let mut expansion = match reading.model(&mut sink) {
         Some(model) => {
             check::check_names(&model, &mut sink);
             let (model, observed) = apart(&reading, model);
-            back_end(model, observed, &mut sink)
+            back_end(model, observed, &place, &mut sink)
         }
         None => Expansion::default(),
     };
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| stand_in(&reading));
+        let code = expansion.code.or_else(|| stand_in(&reading, &place));
         expansion = Expansion { code, ..Expansion::default() };
     }
     expansion.diagnostics = sink;
@@ -58,7 +59,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
-    stand_in(&reading)
+    stand_in(&reading, &|span| sources.place_in_rust(span))
 }
 
 /// What is observed, and its graph.
@@ -75,9 +76,9 @@ fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
 }
 
 /// From the model to source text.
-fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
+fn back_end(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Expansion {
     let mut graph = std::mem::take(&mut model.graph);
-    let mut expansion = graph.enter(|| passes(model, observed, sink));
+    let mut expansion = graph.enter(|| passes(model, observed, place, sink));
     if let Some(oracle) = &mut expansion.oracle {
         oracle.graph = RefCell::new(graph);
     }
@@ -85,7 +86,7 @@ fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Exp
 }
 
 /// The passes behind the model, in its graph.
-fn passes(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion {
+fn passes(model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Expansion {
     check::check_reach(&model, sink);
     if sink.has_errors() {
         return Expansion::default();
@@ -116,17 +117,17 @@ fn passes(model: Model, observed: Observed, sink: &mut Diagnostics) -> Expansion
     let forms = (program, reduced.as_ref().ok());
     check::check_assembly(model, equations, forms, lowered.assembly(), &mut report, sink);
     sink.allow(&model.allowed);
-    let code = lowered.emit(&report);
+    let code = lowered.emit(&report, place);
     let Lowered { model, equations, program, reduced, .. } = lowered;
     let oracle = Oracle { graph: RefCell::default(), model, equations, program, reduced: reduced.ok() };
     Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() }
 }
 
 /// The source of a model that stands for one with errors; nothing about it is checked.
-fn stand_in(reading: &Reading) -> Option<Code> {
+fn stand_in(reading: &Reading, place: Place) -> Option<Code> {
     let unchecked = || {
         let lowered = lower(Derived::of(fallback::model(reading)?), None);
-        Some(lowered.emit(&lowered.report()))
+        Some(lowered.emit(&lowered.report(), place))
     };
     Graph::new().enter(unchecked)
 }
@@ -238,8 +239,8 @@ impl Lowered {
         Report::new(&self.model, &self.equations, &self.program, formulation, &defaults)
     }
 
-    fn emit(&self, report: &Report) -> Code {
+    fn emit(&self, report: &Report, place: Place) -> Code {
         let Lowered { model, equations, program, reduced, .. } = self;
-        emit::emit(model, equations, program, reduced.as_ref().ok(), report)
+        emit::emit(model, equations, program, reduced.as_ref().ok(), (report, place))
     }
 }

@@ -7,8 +7,12 @@ use std::collections::BTreeMap;
 
 use plm_cas::{Count, Expr, Op, Ref, Tape};
 
-use super::names::Names;
-use super::piece::{Piece, literal};
+mod blocks;
+pub(crate) mod names;
+mod piece;
+
+use self::names::Names;
+use self::piece::{Piece, literal};
 use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
@@ -22,11 +26,11 @@ const WHOLE_VECTORS: [usize; 2] = [8, 4];
 const SHORT: usize = 40;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
-pub(crate) type Bindings = BTreeMap<Expr, String>;
+pub(super) type Bindings = BTreeMap<Expr, String>;
 
 /// A statement and what it needs.
 #[derive(Debug)]
-pub(crate) enum Statement {
+enum Statement {
     /// A comment above what follows.
     Title(String),
     /// `let name = value;` (`name` may be a pattern).
@@ -37,19 +41,39 @@ pub(crate) enum Statement {
 
 /// A lowered function.
 #[derive(Debug)]
-pub(crate) struct Lines {
+struct Lines {
     /// Statements in order.
-    pub(crate) statements: Vec<Statement>,
+    statements: Vec<Statement>,
     /// The value that the function returns and the locals that it reads.
-    pub(crate) value: Option<(String, Vec<usize>)>,
+    value: Option<(String, Vec<usize>)>,
     /// Names of the locals, by their numbers.
-    pub(crate) locals: Vec<String>,
+    locals: Vec<String>,
     /// Operations of one call.
-    pub(crate) count: Count,
+    count: Count,
+}
+
+/// The statements of a function and its operations; `reserved` are the names of its arguments.
+pub(super) fn statements(function: &Function, bindings: &Bindings, reserved: &[&str]) -> (String, Count) {
+    let lines = lower(function, bindings, reserved);
+    (blocks::with_literals(&lines), lines.count)
+}
+
+/// An expression as one of Rust: a block where it needs locals.
+pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
+    if let Some(number) = expr.as_number() {
+        return literal(number.to_f64());
+    }
+    let function = Function::of_results(vec![(Place::Value, expr)]);
+    let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
+    let lines = lower(&function, bindings, &reserved);
+    match (&lines.value, lines.statements.is_empty()) {
+        (Some((value, _)), true) => value.clone(),
+        _ => format!("{{\n{}}}", blocks::body(&lines, 4)),
+    }
 }
 
 /// Lowers a function; `reserved` are the names of its arguments.
-pub(crate) fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
+fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
     let tape = function.tape();
     let first_result = tape.outputs.len() - function.results.len();
     let mut lowering = Lowering::new(&tape, first_result, bindings, reserved);
@@ -343,7 +367,7 @@ fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
 
 impl Statement {
     /// Locals that the statement reads.
-    pub(crate) fn reads(&self) -> impl Iterator<Item = usize> {
+    fn reads(&self) -> impl Iterator<Item = usize> {
         let reads: &[usize] = match self {
             Statement::Title(_) => &[],
             Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
@@ -352,7 +376,7 @@ impl Statement {
     }
 
     /// Locals that the statement makes.
-    pub(crate) fn makes(&self) -> impl Iterator<Item = usize> {
+    fn makes(&self) -> impl Iterator<Item = usize> {
         let makes: &[usize] = match self {
             Statement::Let { makes, .. } => makes,
             Statement::Title(_) | Statement::Store { .. } => &[],

@@ -6,13 +6,13 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::lines::{Lines, Statement};
+use super::{Lines, Statement};
 
 /// Statements in one block.
 const BLOCK: usize = 160;
 
 /// The body of a function without its braces, indented by `indent` spaces; ends with the returned value if there is one.
-pub(crate) fn body(lines: &Lines, indent: usize) -> String {
+pub(super) fn body(lines: &Lines, indent: usize) -> String {
     let count = lines.statements.len();
     let mut text = String::new();
     if count <= BLOCK + BLOCK / 2 {
@@ -33,13 +33,13 @@ pub(crate) fn body(lines: &Lines, indent: usize) -> String {
 }
 
 /// [`body`], with `lit` in front if it holds constants.
-pub(crate) fn with_literals(lines: &Lines, indent: usize) -> String {
-    let body = body(lines, indent);
+pub(super) fn with_literals(lines: &Lines) -> String {
+    let body = body(lines, 0);
     if !body.contains("lit(") {
         return body;
     }
     let mut text = String::with_capacity(body.len() + 40);
-    line(&mut text, indent, "let lit = S::lit;");
+    line(&mut text, 0, "let lit = S::lit;");
     text.push_str(&body);
     text
 }

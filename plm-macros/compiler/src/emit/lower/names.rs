@@ -41,23 +41,53 @@ const TAKEN: &[&str] = &[
     "usize",
 ];
 
-/// Stands for the name of the mechanism's type until all is written.
-pub(crate) const STAND_IN: &str = "Mechanism_Type_";
+/// Types, traits and arguments of generics that emitted code names without a path: the mechanism's type has another name in
+/// it where the user took one of these.
+const IN_USE: &[&str] = &[
+    "Assembly",
+    "Augmented",
+    "BodyStart",
+    "BodyState",
+    "Default",
+    "Err",
+    "Fault",
+    "Fn",
+    "FnMut",
+    "Held",
+    "I",
+    "Input",
+    "K",
+    "Method",
+    "N",
+    "NC",
+    "NQ",
+    "None",
+    "Ok",
+    "Operations",
+    "Option",
+    "Real",
+    "Result",
+    "S",
+    "Scalar",
+    "Sim",
+    "Some",
+    "Start",
+    "Starts",
+    "State",
+    "T",
+];
 
 /// The name by which emitted code has the mechanism's type: the user's, unless the code has another thing of that name.
-pub(crate) fn free_in<'a>(name: &'a str, code: &[&str]) -> &'a str {
-    if code.iter().any(|text| has_word(text, name)) { "Mechanism_" } else { name }
+pub(crate) fn free(name: &str) -> &str {
+    if IN_USE.contains(&name) { "Mechanism_" } else { name }
 }
 
-/// Does a word stand in source text, comments and strings apart?
-fn has_word(text: &str, word: &str) -> bool {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
-    text.match_indices(word).any(|(at, _)| {
-        let (before, behind) = (&text[..at], &text[at + word.len()..]);
-        let line = &before[before.rfind('\n').map_or(0, |end| end + 1)..];
-        let is_code = !line.contains("//") && line.matches('"').count() % 2 == 0;
-        is_code && !before.ends_with(is_part) && !behind.starts_with(is_part)
-    })
+/// An identifier as a token.
+pub(crate) fn token(text: &str, span: proc_macro2::Span) -> proc_macro2::Ident {
+    match text.strip_prefix("r#") {
+        Some(word) => proc_macro2::Ident::new_raw(word, span),
+        None => proc_macro2::Ident::new(text, span),
+    }
 }
 
 /// The name of the mechanism as that of a type; one that cannot be has been reported.
@@ -212,13 +242,6 @@ mod tests {
         assert!(["Arm", "S5", "_Arm", "iRobot", "日本"].iter().all(|name| is_type_name(name)));
         assert!(!["arm", "f64", "r2_d2", "Self", "self"].iter().any(|name| is_type_name(name)));
         assert_eq!(camel_case("double_pendulum"), "DoublePendulum");
-    }
-
-    #[test]
-    fn words_are_found_in_code_alone() {
-        let code = "    /// An Arm.\n    let x: Arms = f(\"Arm\"); // Arm\n    fn arm() -> S {}\n";
-        assert!(!has_word(code, "Arm") && has_word(code, "S") && has_word(code, "Arms"));
-        assert_eq!((free_in("Arm", &[code]), free_in("S", &["", code])), ("Arm", "Mechanism_"));
     }
 
     #[test]
