@@ -19,8 +19,8 @@ mod plm_arm_on_jack_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `hinge.x` | `x_arm - 0.8*cos(theta_arm) = 0` | m |
-    /// | 1 | `hinge.y` | `y_arm - 0.8*sin(theta_arm) = 0` | m |
+    /// | 0 | `hinge.x` | `arm.x - 0.8*cos(arm.angle) = 0` | m |
+    /// | 1 | `hinge.y` | `arm.y - 0.8*sin(arm.angle) = 0` | m |
     pub mod arm_on_jack {
         pub use super::code_::*;
         pub use super::type_::ArmOnJack;
@@ -137,68 +137,57 @@ mod plm_arm_on_jack_ {
 
             /// Output `press.chamber1.pressure`, Pa.
             pub fn press_chamber1_pressure(&self) -> S {
-                let (q, v) = self.pose_();
                 self.x[2]
             }
 
             /// Output `press.chamber2.pressure`, Pa.
             pub fn press_chamber2_pressure(&self) -> S {
-                let (q, v) = self.pose_();
                 self.x[3]
             }
 
             /// Output `ram.length`, m.
             pub fn ram_length(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [arm_x, arm_y, arm_angle, ..] = q;
                 let lit = S::lit;
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
-                let y_arm = q[1];
-                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 t2.mul_add(t2, t1 * t1).sqrt()
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [arm_vx, arm_vy, arm_omega, ..] = v;
                 let lit = S::lit;
-                let omega_arm = v[2];
-                let vx_arm = v[0];
-                let vy_arm = v[1];
-                lit(50.0).mul_add(vy_arm.mul_add(vy_arm, vx_arm * vx_arm), lit(0.005) * omega_arm * omega_arm)
+                lit(50.0).mul_add(arm_vy.mul_add(arm_vy, arm_vx * arm_vx), lit(0.005) * arm_omega * arm_omega)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [_, arm_y, ..] = q;
                 let lit = S::lit;
                 let g = self.mechanism.g;
-                let y_arm = q[1];
-                lit(100.0) * g * y_arm
+                lit(100.0) * g * arm_y
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
+                let [arm_x, arm_y, arm_angle, ..] = q;
+                let [_, _, press_chamber1_pressure, press_chamber2_pressure, ..] = self.x;
+                let [arm_vx, arm_vy, arm_omega, ..] = v;
                 let lit = S::lit;
-                let omega_arm = v[2];
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
-                let y_arm = q[1];
-                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
-                let press_chamber1_pressure = self.x[2];
-                let press_chamber2_pressure = self.x[3];
-                let vx_arm = v[0];
-                let t5 = lit(0.5) * omega_arm;
-                let vy_arm = v[1];
+                let t5 = lit(0.5) * arm_omega;
                 let t6 = t2
-                    .mul_add((-t5).mul_add(cos_theta_arm, vy_arm), t1 * t5.mul_add(sin_theta_arm, vx_arm))
+                    .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
                     * t4;
                 let t7 = lit(0.0).max(t3 - lit(0.57));
                 let t8 = lit(0.0).max(lit(0.22) - t3);
@@ -217,8 +206,8 @@ mod plm_arm_on_jack_ {
                             .mul_add(t6, lit(100000000.0) * t8),
                     );
                 let t11 = (-t5).mul_add(
-                    t4 * (t10 * (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2)),
-                    t4 * (t10 * vy_arm.mul_add(t2, vx_arm * t1)),
+                    t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2)),
+                    t4 * (t10 * arm_vy.mul_add(t2, arm_vx * t1)),
                 );
                 t11
             }
@@ -227,7 +216,6 @@ mod plm_arm_on_jack_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 0] {
                 let mut value = [S::lit(0.0); 0];
-                let (q, v) = self.pose_();
                 []
             }
 
@@ -314,7 +302,6 @@ mod plm_arm_on_jack_ {
         impl<S: Scalar> ArmOnJack<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Held<S> {
-                let lit = S::lit;
                 Held { input: Input { none: core::marker::PhantomData }, sides: [S::lit(1.0); 8] }
             }
         }
@@ -689,8 +676,7 @@ mod plm_arm_on_jack_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Held<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -712,10 +698,8 @@ mod plm_arm_on_jack_ {
         impl<S: Real> rt::Ports for ArmOnJack<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut Held<S>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -727,18 +711,15 @@ mod plm_arm_on_jack_ {
 
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.arm
-                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
-                    each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
-                    each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
-                    each("line1.flow", &mut self.line1_flow);
-                    each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
-                    each("line2.flow", &mut self.line2_flow);
-                    each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
-                    each("valve.servo.value", &mut self.valve_servo_value);
-                    each("valve.servo.swing", &mut self.valve_servo_swing);
-                }
+                self.arm.each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
+                each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
+                each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
+                each("line1.flow", &mut self.line1_flow);
+                each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
+                each("line2.flow", &mut self.line2_flow);
+                each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
+                each("valve.servo.value", &mut self.valve_servo_value);
+                each("valve.servo.swing", &mut self.valve_servo_swing);
             }
         }
 
@@ -846,23 +827,33 @@ mod plm_arm_on_jack_ {
                 force: &mut [S; 3],
                 x_dot: &mut [S; 8],
             ) {
+                let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
+                let [
+                    arm_x,
+                    arm_y,
+                    arm_angle,
+                    arm_vx,
+                    arm_vy,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    line1_flow,
+                    line1_inlet_pressure,
+                    line2_flow,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    valve_servo_swing,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
-                let x_arm = x[0];
-                let theta_arm = x[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
-                let y_arm = x[1];
-                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
-                let press_chamber1_pressure = x[6];
-                let press_chamber2_pressure = x[7];
-                let vx_arm = x[3];
-                let omega_arm = x[5];
-                let t5 = lit(0.5) * omega_arm;
-                let vy_arm = x[4];
+                let t5 = lit(0.5) * arm_omega;
                 let t6 = t2
-                    .mul_add((-t5).mul_add(cos_theta_arm, vy_arm), t1 * t5.mul_add(sin_theta_arm, vx_arm))
+                    .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
                     * t4;
                 let t7 = lit(0.0).max(t3 - lit(0.57));
                 let t8 = lit(0.0).max(lit(0.22) - t3);
@@ -884,13 +875,12 @@ mod plm_arm_on_jack_ {
                 force[0] = t1 * t11;
                 let g = self.g;
                 force[1] = lit(-100.0).mul_add(g, t2 * t11);
-                force[2] = lit(-0.5) * t4 * (t10 * (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2));
+                force[2] = lit(-0.5) * t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2));
                 let gas = self.gas;
                 let t12 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
                 let t13 = gas * t12;
                 let t14 = lit(1.0) - gas;
                 let t15 = lit(-5.88235294117647e-10) * t14;
-                let line1_flow = x[8];
                 let t16 = lit(-101325.0).mul_add(t13, -t14)
                     * lit(-0.001963495408493621).mul_add(t6, line1_flow)
                     / (lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
@@ -898,20 +888,17 @@ mod plm_arm_on_jack_ {
                 x_dot[0] = t16;
                 let t17 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t18 = gas * t17;
-                let line2_flow = x[10];
                 let t19 = lit(-101325.0).mul_add(t18, -t14)
                     * lit(0.0012566370614359172).mul_add(t6, line2_flow)
                     / (lit(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
                         * (-(lit(101325.0) * t17)).mul_add(t18, t15));
                 x_dot[1] = t19;
-                let line1_inlet_pressure = x[9];
                 x_dot[2] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
                 let t20 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t21 = gas * t20;
                 let rated_drop = self.rated_drop;
-                let valve_servo_value = x[12];
                 let t22 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t23 = lit(0.0).max(t22);
                 let t24 = line1_inlet_pressure - lit(3000000.0);
@@ -928,7 +915,6 @@ mod plm_arm_on_jack_ {
                     * (line1_flow + lit(0.0003333333333333333) * t31 / rated_drop)
                     / (-(lit(101325.0) * t20)).mul_add(t21, t15);
                 x_dot[3] = t32;
-                let line2_inlet_pressure = x[11];
                 x_dot[4] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
@@ -945,20 +931,14 @@ mod plm_arm_on_jack_ {
                     * (line2_flow + lit(0.0003333333333333333) * t39 / rated_drop)
                     / (-(lit(101325.0) * t33)).mul_add(t34, t15);
                 x_dot[5] = t40;
-                let valve_servo_swing = x[13];
                 x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
-                let side_7 = u.sides[7];
-                let side_6 = u.sides[6];
-                let t_2 = t;
-                let side_5 = u.sides[5];
-                let side_4 = u.sides[4];
                 let t41 = S::select(
                     side_6.lt(lit(0.0)),
-                    lit(2.0).mul_add(t_2, lit(-1.0)),
+                    lit(2.0).mul_add(t, lit(-1.0)),
                     S::select(
                         side_5.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t_2, lit(0.0)),
+                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t42 = lit(-25.132741228718345).mul_add(
@@ -975,28 +955,24 @@ mod plm_arm_on_jack_ {
             ///
             /// 2 add, 2 mul, 1 sin_cos.
             fn residual(&self, t: S, q: &[S; 3], phi: &mut [S; 2]) {
+                let [arm_x, arm_y, arm_angle, ..] = *q;
                 let lit = S::lit;
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                phi[0] = lit(-0.8).mul_add(cos_theta_arm, x_arm);
-                let y_arm = q[1];
-                phi[1] = lit(-0.8).mul_add(sin_theta_arm, y_arm);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                phi[0] = lit(-0.8).mul_add(cos_arm_angle, arm_x);
+                phi[1] = lit(-0.8).mul_add(sin_arm_angle, arm_y);
             }
 
             /// Their rates, `phi_q v - nu`, m/s or rad/s.
             ///
             /// 2 add, 3 mul, 1 sin_cos.
             fn residual_rate(&self, t: S, q: &[S; 3], v: &[S; 3], phi_dot: &mut [S; 2]) {
+                let [_, _, arm_angle, ..] = *q;
+                let [arm_vx, arm_vy, arm_omega, ..] = *v;
                 let lit = S::lit;
-                let vx_arm = v[0];
-                let omega_arm = v[2];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(0.8) * omega_arm;
-                phi_dot[0] = t1.mul_add(sin_theta_arm, vx_arm);
-                let vy_arm = v[1];
-                phi_dot[1] = (-t1).mul_add(cos_theta_arm, vy_arm);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(0.8) * arm_omega;
+                phi_dot[0] = t1.mul_add(sin_arm_angle, arm_vx);
+                phi_dot[1] = (-t1).mul_add(cos_arm_angle, arm_vy);
             }
 
             /// The Jacobian of the constraints: its entries that are not zero, row by row.
@@ -1004,13 +980,13 @@ mod plm_arm_on_jack_ {
             /// 2 mul, 1 sin_cos.
             #[cold]
             fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
+                let [_, _, arm_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                phi_q[1] = lit(0.8) * sin_theta_arm;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                phi_q[1] = lit(0.8) * sin_arm_angle;
                 phi_q[2] = lit(1.0);
-                phi_q[3] = lit(-0.8) * cos_theta_arm;
+                phi_q[3] = lit(-0.8) * cos_arm_angle;
             }
 
             /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
@@ -1018,27 +994,24 @@ mod plm_arm_on_jack_ {
             ///
             /// 6 add, 19 mul, 3 div, 1 sin_cos, 4 select.
             fn closing_step(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> S {
+                let [_, _, arm_angle, ..] = *q;
+                let [residual_0, residual_1, ..] = *r;
+                let [w_0, w_1, w_2, ..] = *w;
                 let lit = S::lit;
                 // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let w_2 = w[2];
-                let t1 = lit(0.8) * sin_theta_arm;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(0.8) * sin_arm_angle;
                 let y_0_2 = t1 * w_2;
                 let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                let y_1_2 = lit(-0.8) * cos_theta_arm * w_2;
+                let y_1_2 = lit(-0.8) * cos_arm_angle * w_2;
                 let g_1_0 = t1 * y_1_2;
                 let l_1_0 = r_0 * g_1_0;
-                let w_1 = w[1];
-                let t2 = (-(lit(0.8) * cos_theta_arm)).mul_add(y_1_2, w_1);
+                let t2 = (-(lit(0.8) * cos_arm_angle)).mul_add(y_1_2, w_1);
                 let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
                 let growth_1 = (t2 * r_1).abs();
                 let most_growth = lit(S::MOST_GROWTH);
                 let t3 = most_growth.lt(growth_1);
                 // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
                 let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
                 let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
                 // Results
@@ -1063,19 +1036,29 @@ mod plm_arm_on_jack_ {
             /// 54 add, 89 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
+                let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
+                let [
+                    arm_angle,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    line1_flow,
+                    line1_inlet_pressure,
+                    line2_flow,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    valve_servo_swing,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
-                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
+                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
-                let press_chamber1_pressure = x[2];
-                let press_chamber2_pressure = x[3];
-                let omega_arm = x[1];
-                let t5 = omega_arm * sin_theta_arm;
-                let t6 = omega_arm * cos_theta_arm;
+                let t5 = arm_omega * sin_arm_angle;
+                let t6 = arm_omega * cos_arm_angle;
                 let t7 = (-t2)
                     .mul_add(lit(-0.8).mul_add(t6, lit(0.5) * t6), t1 * lit(-0.8).mul_add(t5, lit(0.5) * t5));
                 let t8 = t7 * t4;
@@ -1097,19 +1080,18 @@ mod plm_arm_on_jack_ {
                     );
                 let t13 = t4 * t12;
                 let g = self.g;
-                let still_0 = (-cos_theta_arm).mul_add(
+                let still_0 = (-cos_arm_angle).mul_add(
                     (lit(0.3) * t2).mul_add(t13, lit(80.0) * g),
-                    lit(0.3) * sin_theta_arm * t1 * t13,
+                    lit(0.3) * sin_arm_angle * t1 * t13,
                 );
                 // Results
-                dx[0] = omega_arm;
+                dx[0] = arm_omega;
                 dx[1] = lit(0.015622558975160131) * still_0;
                 let gas = self.gas;
                 let t14 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
                 let t15 = gas * t14;
                 let t16 = lit(1.0) - gas;
                 let t17 = lit(-5.88235294117647e-10) * t16;
-                let line1_flow = x[4];
                 let t18 = lit(-101325.0).mul_add(t15, -t16)
                     * lit(0.001963495408493621).mul_add(t8, line1_flow)
                     / ((-(lit(101325.0) * t14)).mul_add(t15, t17)
@@ -1117,20 +1099,17 @@ mod plm_arm_on_jack_ {
                 dx[2] = t18;
                 let t19 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t20 = gas * t19;
-                let line2_flow = x[6];
                 let t21 = lit(101325.0).mul_add(t20, t16)
                     * lit(-0.0012566370614359172).mul_add(t8, line2_flow)
                     / ((-(lit(101325.0) * t19)).mul_add(t20, t17)
                         * lit(0.0012566370614359172).mul_add(t3, lit(-0.0007662831250184729)));
                 dx[3] = t21;
-                let line1_inlet_pressure = x[5];
                 dx[4] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
                 let t22 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t23 = gas * t22;
                 let rated_drop = self.rated_drop;
-                let valve_servo_value = x[8];
                 let t24 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t25 = lit(0.0).max(t24);
                 let t26 = line1_inlet_pressure - lit(3000000.0);
@@ -1147,7 +1126,6 @@ mod plm_arm_on_jack_ {
                     * (line1_flow + lit(0.0003333333333333333) * t33 / rated_drop)
                     / (-(lit(101325.0) * t22)).mul_add(t23, t17);
                 dx[5] = t34;
-                let line2_inlet_pressure = x[7];
                 dx[6] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
@@ -1164,20 +1142,14 @@ mod plm_arm_on_jack_ {
                     * (line2_flow + lit(0.0003333333333333333) * t41 / rated_drop)
                     / (-(lit(101325.0) * t35)).mul_add(t36, t17);
                 dx[7] = t42;
-                let valve_servo_swing = x[9];
                 dx[8] = lit(125.66370614359172) * valve_servo_swing;
-                let side_7 = u.sides[7];
-                let side_6 = u.sides[6];
-                let t_2 = t;
-                let side_5 = u.sides[5];
-                let side_4 = u.sides[4];
                 let t43 = S::select(
                     side_6.lt(lit(0.0)),
-                    lit(2.0).mul_add(t_2, lit(-1.0)),
+                    lit(2.0).mul_add(t, lit(-1.0)),
                     S::select(
                         side_5.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t_2, lit(0.0)),
+                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t44 = lit(-25.132741228718345).mul_add(
@@ -1193,16 +1165,15 @@ mod plm_arm_on_jack_ {
             /// 6 mul, 1 sin_cos.
             #[inline]
             fn place(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 3], v: &mut [S; 3]) {
+                let [arm_angle, arm_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                q[0] = lit(0.8) * cos_theta_arm;
-                q[1] = lit(0.8) * sin_theta_arm;
-                q[2] = theta_arm;
-                let omega_arm = x[1];
-                v[0] = lit(-0.8) * omega_arm * sin_theta_arm;
-                v[1] = lit(0.8) * omega_arm * cos_theta_arm;
-                v[2] = omega_arm;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                q[0] = lit(0.8) * cos_arm_angle;
+                q[1] = lit(0.8) * sin_arm_angle;
+                q[2] = arm_angle;
+                v[0] = lit(-0.8) * arm_omega * sin_arm_angle;
+                v[1] = lit(0.8) * arm_omega * cos_arm_angle;
+                v[2] = arm_omega;
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -1215,25 +1186,29 @@ mod plm_arm_on_jack_ {
             ///
             /// 23 add, 25 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
+                let [side_0, side_1, side_2, side_3, ..] = u.sides;
+                let [
+                    arm_angle,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    _,
+                    line1_inlet_pressure,
+                    _,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
-                let press_chamber1_pressure = x[2];
-                let side_0 = u.sides[0];
                 g[0] = (press_chamber1_pressure + lit(101325.0)) * side_0;
-                let press_chamber2_pressure = x[3];
-                let side_1 = u.sides[1];
                 g[1] = (press_chamber2_pressure + lit(101325.0)) * side_1;
-                let line1_inlet_pressure = x[5];
-                let side_2 = u.sides[2];
                 g[2] = (line1_inlet_pressure + lit(101325.0)) * side_2;
-                let line2_inlet_pressure = x[7];
-                let side_3 = u.sides[3];
                 g[3] = (line2_inlet_pressure + lit(101325.0)) * side_3;
                 g[4] = lit(-101324.0) - press_chamber1_pressure;
                 g[5] = lit(-101324.0) - press_chamber2_pressure;
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
-                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
+                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = t3 - lit(0.57);
                 g[6] = -t4;
@@ -1242,9 +1217,8 @@ mod plm_arm_on_jack_ {
                 let t6 = lit(0.0).max(t4);
                 let t7 = lit(1000000.0) * t6;
                 g[8] = lit(1.0) - t7;
-                let omega_arm = x[1];
-                let t8 = omega_arm * sin_theta_arm;
-                let t9 = omega_arm * cos_theta_arm;
+                let t8 = arm_omega * sin_arm_angle;
+                let t9 = arm_omega * cos_arm_angle;
                 let t10 = (-t2)
                     .mul_add(lit(-0.8).mul_add(t9, lit(0.5) * t9), t1 * lit(-0.8).mul_add(t8, lit(0.5) * t8));
                 let t11 = lit(1000.0) * (t10 / t3);
@@ -1255,7 +1229,6 @@ mod plm_arm_on_jack_ {
                 g[11] = (-t11).mul_add(lit(1.0).min(t13), lit(-100000000.0) * t12);
                 g[12] = lit(-101324.0) - line1_inlet_pressure;
                 g[13] = lit(-101324.0) - line2_inlet_pressure;
-                let valve_servo_value = x[8];
                 g[14] = lit(1.0) - valve_servo_value;
                 let t14 = lit(1.0).min(valve_servo_value);
                 g[15] = lit(-1.0) - t14;

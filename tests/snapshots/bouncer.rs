@@ -19,10 +19,10 @@ mod plm_bouncer_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `rail.normal` | `-y_block = 0` | m |
-    /// | 1 | `rail.angle` | `-theta_block = 0` | rad |
-    /// | 2 | `other.normal` | `-y_clock = 0` | m |
-    /// | 3 | `other.angle` | `-theta_clock = 0` | rad |
+    /// | 0 | `rail.normal` | `-block.y = 0` | m |
+    /// | 1 | `rail.angle` | `-block.angle = 0` | rad |
+    /// | 2 | `other.normal` | `-clock.y = 0` | m |
+    /// | 3 | `other.angle` | `-clock.angle = 0` | rad |
     pub mod bouncer {
         pub use super::code_::*;
         pub use super::type_::Bouncer;
@@ -123,25 +123,20 @@ mod plm_bouncer_ {
 
             /// Output `block.x`, m.
             pub fn block_x(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
                 q[0]
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [block_vx, block_vy, block_omega, clock_vx, clock_vy, clock_omega, ..] = v;
                 let lit = S::lit;
-                let omega_block = v[2];
-                let vx_clock = v[3];
-                let vy_clock = v[4];
-                let omega_clock = v[5];
-                let vx_block = v[0];
-                let vy_block = v[1];
                 let t1 = lit(2.0).mul_add(
-                    vy_block.mul_add(vy_block, vx_block * vx_block),
-                    omega_clock.mul_add(
-                        omega_clock,
-                        vy_clock.mul_add(vy_clock, vx_clock.mul_add(vx_clock, omega_block * omega_block)),
+                    block_vy.mul_add(block_vy, block_vx * block_vx),
+                    clock_omega.mul_add(
+                        clock_omega,
+                        clock_vy.mul_add(clock_vy, clock_vx.mul_add(clock_vx, block_omega * block_omega)),
                     ),
                 );
                 lit(0.5) * t1
@@ -149,7 +144,6 @@ mod plm_bouncer_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
                 let lit = S::lit;
                 lit(0.0)
             }
@@ -157,29 +151,25 @@ mod plm_bouncer_ {
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
+                let [_, _, _, clock_x, ..] = q;
+                let [_, side_1, side_2, side_3, ..] = self.sides;
+                let [block_vx, _, _, clock_vx, ..] = v;
                 let lit = S::lit;
-                let vx_block = v[0];
-                let side_1 = self.sides[1];
-                let vx_clock = v[3];
-                let x_clock = q[3];
                 let push = self.input.push;
-                let side_3 = self.sides[3];
-                let side_2 = self.sides[2];
-                let t1 = S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
+                let t1 = S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
                     + (push
                         + S::select(
                             side_3.lt(lit(0.0)),
                             lit(0.0),
                             S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
                         ));
-                vx_clock.mul_add(t1, vx_block * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
+                clock_vx.mul_add(t1, block_vx * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 0] {
                 let mut value = [S::lit(0.0); 0];
-                let (q, v) = self.pose_();
                 []
             }
 
@@ -415,9 +405,6 @@ mod plm_bouncer_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 12];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[12 + k] = self.x[4 + k];
-                }
                 x
             }
         }
@@ -595,8 +582,7 @@ mod plm_bouncer_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Held<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -634,16 +620,14 @@ mod plm_bouncer_ {
 
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.block.each(
-                        ["block.x", "block.y", "block.angle", "block.vx", "block.vy", "block.omega"],
-                        &mut *each,
-                    );
-                    self.clock.each(
-                        ["clock.x", "clock.y", "clock.angle", "clock.vx", "clock.vy", "clock.omega"],
-                        &mut *each,
-                    );
-                }
+                self.block.each(
+                    ["block.x", "block.y", "block.angle", "block.vx", "block.vy", "block.omega"],
+                    &mut *each,
+                );
+                self.clock.each(
+                    ["clock.x", "clock.y", "clock.angle", "clock.vx", "clock.vy", "clock.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -741,17 +725,15 @@ mod plm_bouncer_ {
                 force: &mut [S; 6],
                 x_dot: &mut [S; 0],
             ) {
+                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, _, _, clock_x, ..] = *x;
                 let lit = S::lit;
-                let side_1 = u.sides[1];
                 force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
                 force[1] = lit(0.0);
                 force[2] = lit(0.0);
                 let push = u.input.push;
-                let x_clock = x[3];
-                let side_3 = u.sides[3];
-                let side_2 = u.sides[2];
                 let t1 = push
-                    + S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
+                    + S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
                     + S::select(
                         side_3.lt(lit(0.0)),
                         lit(0.0),
@@ -768,28 +750,22 @@ mod plm_bouncer_ {
             ///
             /// 4 neg.
             fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
-                let y_block = q[1];
-                phi[0] = -y_block;
-                let theta_block = q[2];
-                phi[1] = -theta_block;
-                let y_clock = q[4];
-                phi[2] = -y_clock;
-                let theta_clock = q[5];
-                phi[3] = -theta_clock;
+                let [_, block_y, block_angle, _, clock_y, clock_angle, ..] = *q;
+                phi[0] = -block_y;
+                phi[1] = -block_angle;
+                phi[2] = -clock_y;
+                phi[3] = -clock_angle;
             }
 
             /// Their rates, `phi_q v - nu`, m/s or rad/s.
             ///
             /// 4 neg.
             fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
-                let vy_block = v[1];
-                phi_dot[0] = -vy_block;
-                let omega_block = v[2];
-                phi_dot[1] = -omega_block;
-                let vy_clock = v[4];
-                phi_dot[2] = -vy_clock;
-                let omega_clock = v[5];
-                phi_dot[3] = -omega_clock;
+                let [_, block_vy, block_omega, _, clock_vy, clock_omega, ..] = *v;
+                phi_dot[0] = -block_vy;
+                phi_dot[1] = -block_omega;
+                phi_dot[2] = -clock_vy;
+                phi_dot[3] = -clock_omega;
             }
 
             /// The Jacobian of the constraints: its entries that are not zero, row by row.
@@ -807,17 +783,9 @@ mod plm_bouncer_ {
             ///
             /// 8 mul, 4 div, 4 neg.
             fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
+                let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
                 let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_1 = w[1];
-                let w_2 = w[2];
-                let w_4 = w[4];
-                let w_5 = w[5];
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let residual_2 = r[2];
-                let residual_3 = r[3];
                 // Results
                 dq[0] = lit(0.0);
                 dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
@@ -846,13 +814,11 @@ mod plm_bouncer_ {
             /// 3 add, 2 mul, 8 select.
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &mut [S; 4]) {
+                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, s_other, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let side_1 = u.sides[1];
                 let push = u.input.push;
-                let side_3 = u.sides[3];
-                let side_2 = u.sides[2];
-                let s_other = x[1];
                 let force_1 =
                     push + S::select(
                         side_3.lt(lit(0.0)),
@@ -896,13 +862,11 @@ mod plm_bouncer_ {
             ///
             /// 2 add, 2 mul.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 4], g: &mut [S; 3]) {
+                let [side_0, side_1, ..] = u.sides;
+                let [s_rail, s_other, ..] = *x;
                 let lit = S::lit;
-                let side_0 = u.sides[0];
-                let s_rail = x[0];
                 g[0] = side_0 * (lit(10.0) - s_rail);
-                let side_1 = u.sides[1];
                 g[1] = side_1 * s_rail;
-                let s_other = x[1];
                 g[2] = s_other - lit(100.0);
             }
         }

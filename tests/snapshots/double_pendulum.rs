@@ -19,10 +19,10 @@ mod plm_double_pendulum_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `shoulder.x` | `x_arm - 0.5*cos(theta_arm) = 0` | m |
-    /// | 1 | `shoulder.y` | `y_arm - 0.5*sin(theta_arm) = 0` | m |
-    /// | 2 | `elbow.x` | `x_forearm - x_arm - 0.5*cos(theta_arm) - cos(theta_forearm) = 0` | m |
-    /// | 3 | `elbow.y` | `y_forearm - y_arm - 0.5*sin(theta_arm) - sin(theta_forearm) = 0` | m |
+    /// | 0 | `shoulder.x` | `arm.x - 0.5*cos(arm.angle) = 0` | m |
+    /// | 1 | `shoulder.y` | `arm.y - 0.5*sin(arm.angle) = 0` | m |
+    /// | 2 | `elbow.x` | `forearm.x - arm.x - 0.5*cos(arm.angle) - cos(forearm.angle) = 0` | m |
+    /// | 3 | `elbow.y` | `forearm.y - arm.y - 0.5*sin(arm.angle) - sin(forearm.angle) = 0` | m |
     pub mod double_pendulum {
         pub use super::code_::*;
         pub use super::type_::DoublePendulum;
@@ -110,23 +110,22 @@ mod plm_double_pendulum_ {
 
             /// Output `arm.angle`, rad.
             pub fn arm_angle(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
                 q[2]
             }
 
             /// Output `forearm.angle`, rad.
             pub fn forearm_angle(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
                 q[5]
             }
 
             /// Output `shoulder.force`, N.
             ///
-            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            /// What the joint does to `ground`, absolute axes; `arm` feels the opposite.
             pub fn shoulder_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 value[0] = lambda[0];
                 value[1] = lambda[1];
                 value
@@ -134,11 +133,10 @@ mod plm_double_pendulum_ {
 
             /// Output `elbow.force`, N.
             ///
-            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            /// What the joint does to `arm`, absolute axes; `forearm` feels the opposite.
             pub fn elbow_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 value[0] = lambda[2];
                 value[1] = lambda[3];
                 value
@@ -146,58 +144,47 @@ mod plm_double_pendulum_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = v;
                 let lit = S::lit;
-                let vx_arm = v[0];
-                let vy_arm = v[1];
-                let vx_forearm = v[3];
-                let vy_forearm = v[4];
-                let omega_arm = v[2];
-                let omega_forearm = v[5];
                 let t1 = lit(5.0)
-                    * vy_forearm.mul_add(
-                        vy_forearm,
-                        vx_forearm.mul_add(vx_forearm, vy_arm.mul_add(vy_arm, vx_arm * vx_arm)),
+                    * forearm_vy.mul_add(
+                        forearm_vy,
+                        forearm_vx.mul_add(forearm_vx, arm_vy.mul_add(arm_vy, arm_vx * arm_vx)),
                     );
-                lit(0.005).mul_add(omega_forearm.mul_add(omega_forearm, omega_arm * omega_arm), t1)
+                lit(0.005).mul_add(forearm_omega.mul_add(forearm_omega, arm_omega * arm_omega), t1)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [_, arm_y, _, _, forearm_y, ..] = q;
                 let lit = S::lit;
-                let y_arm = q[1];
-                let y_forearm = q[4];
-                lit(98.1) * (y_arm + y_forearm)
+                lit(98.1) * (arm_y + forearm_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [_, _, arm_omega, _, _, forearm_omega, ..] = v;
                 let lit = S::lit;
-                let omega_forearm = v[5];
-                let omega_arm = v[2];
-                let t1 = omega_arm - omega_forearm;
-                lit(-9.54929658551372) * (-omega_forearm).mul_add(t1, omega_arm * (omega_arm + t1))
+                let t1 = arm_omega - forearm_omega;
+                lit(-9.54929658551372) * (-forearm_omega).mul_add(t1, arm_omega * (arm_omega + t1))
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 1] {
                 let mut value = [S::lit(0.0); 1];
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, ..] = q;
                 let lit = S::lit;
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let y_arm = q[1];
-                let y_forearm = q[4];
-                let t1 = lit(0.5).mul_add(sin_theta_arm, y_arm) - y_forearm;
-                let x_arm = q[0];
-                let x_forearm = q[3];
-                let t2 = lit(0.5).mul_add(cos_theta_arm, x_arm) - x_forearm;
-                value[0] = (-cos_theta_arm)
-                    .mul_add(t1, sin_theta_arm * t2)
-                    .atan2(-sin_theta_arm.mul_add(t1, cos_theta_arm * t2));
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(0.5).mul_add(sin_arm_angle, arm_y) - forearm_y;
+                let t2 = lit(0.5).mul_add(cos_arm_angle, arm_x) - forearm_x;
+                value[0] = (-cos_arm_angle)
+                    .mul_add(t1, sin_arm_angle * t2)
+                    .atan2(-sin_arm_angle.mul_add(t1, cos_arm_angle * t2));
                 [("elbow", value[0])]
             }
 
@@ -293,7 +280,6 @@ mod plm_double_pendulum_ {
         impl<S: Scalar> DoublePendulum<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Input<S> {
-                let lit = S::lit;
                 Input { none: core::marker::PhantomData }
             }
         }
@@ -365,9 +351,6 @@ mod plm_double_pendulum_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 12];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[12 + k] = self.x[4 + k];
-                }
                 x
             }
         }
@@ -543,8 +526,7 @@ mod plm_double_pendulum_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Input<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Input<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -566,10 +548,8 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::Ports for DoublePendulum<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut Input<S>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -581,21 +561,11 @@ mod plm_double_pendulum_ {
 
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.arm
-                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
-                    self.forearm.each(
-                        [
-                            "forearm.x",
-                            "forearm.y",
-                            "forearm.angle",
-                            "forearm.vx",
-                            "forearm.vy",
-                            "forearm.omega",
-                        ],
-                        &mut *each,
-                    );
-                }
+                self.arm.each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
+                self.forearm.each(
+                    ["forearm.x", "forearm.y", "forearm.angle", "forearm.vx", "forearm.vy", "forearm.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -692,15 +662,15 @@ mod plm_double_pendulum_ {
                 force: &mut [S; 6],
                 x_dot: &mut [S; 0],
             ) {
+                let arm_omega = x[8];
+                let forearm_omega = x[11];
                 let lit = S::lit;
                 force[0] = lit(0.0);
                 force[1] = lit(-98.1);
-                let omega_arm = x[8];
-                let omega_forearm = x[11];
-                force[2] = lit(-19.09859317102744).mul_add(omega_arm, lit(9.54929658551372) * omega_forearm);
+                force[2] = lit(-19.09859317102744).mul_add(arm_omega, lit(9.54929658551372) * forearm_omega);
                 force[3] = lit(0.0);
                 force[4] = lit(-98.1);
-                force[5] = lit(9.54929658551372) * (omega_arm - omega_forearm);
+                force[5] = lit(9.54929658551372) * (arm_omega - forearm_omega);
             }
         }
 
@@ -709,44 +679,33 @@ mod plm_double_pendulum_ {
             ///
             /// 8 add, 2 mul, 2 sin_cos.
             fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
+                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, forearm_angle, ..] = *q;
                 let lit = S::lit;
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let theta_forearm = q[5];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let t1 = lit(0.5) * cos_theta_arm;
-                phi[0] = x_arm - t1;
-                let y_arm = q[1];
-                let t2 = lit(0.5) * sin_theta_arm;
-                phi[1] = y_arm - t2;
-                let x_forearm = q[3];
-                phi[2] = x_forearm - x_arm - t1 - cos_theta_forearm;
-                let y_forearm = q[4];
-                phi[3] = y_forearm - y_arm - t2 - sin_theta_forearm;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * cos_arm_angle;
+                phi[0] = arm_x - t1;
+                let t2 = lit(0.5) * sin_arm_angle;
+                phi[1] = arm_y - t2;
+                phi[2] = forearm_x - arm_x - t1 - cos_forearm_angle;
+                phi[3] = forearm_y - arm_y - t2 - sin_forearm_angle;
             }
 
             /// Their rates, `phi_q v - nu`, m/s or rad/s.
             ///
             /// 8 add, 6 mul, 2 sin_cos.
             fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = *v;
                 let lit = S::lit;
-                let vx_arm = v[0];
-                let omega_arm = v[2];
-                let theta_arm = q[2];
-                let theta_forearm = q[5];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let t1 = lit(0.5) * (omega_arm * sin_theta_arm);
-                phi_dot[0] = vx_arm + t1;
-                let vy_arm = v[1];
-                let t2 = lit(0.5) * (omega_arm * cos_theta_arm);
-                phi_dot[1] = vy_arm - t2;
-                let vx_forearm = v[3];
-                let omega_forearm = v[5];
-                phi_dot[2] = omega_forearm.mul_add(sin_theta_forearm, vx_forearm - vx_arm + t1);
-                let vy_forearm = v[4];
-                phi_dot[3] = (-omega_forearm).mul_add(cos_theta_forearm, vy_forearm - vy_arm - t2);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * (arm_omega * sin_arm_angle);
+                phi_dot[0] = arm_vx + t1;
+                let t2 = lit(0.5) * (arm_omega * cos_arm_angle);
+                phi_dot[1] = arm_vy - t2;
+                phi_dot[2] = forearm_omega.mul_add(sin_forearm_angle, forearm_vx - arm_vx + t1);
+                phi_dot[3] = (-forearm_omega).mul_add(cos_forearm_angle, forearm_vy - arm_vy - t2);
             }
 
             /// The Jacobian of the constraints: its entries that are not zero, row by row.
@@ -754,25 +713,24 @@ mod plm_double_pendulum_ {
             /// 2 mul, 1 neg, 2 sin_cos.
             #[cold]
             fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
-                let theta_arm = q[2];
-                let theta_forearm = q[5];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let t1 = lit(0.5) * sin_theta_arm;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * sin_arm_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_theta_arm;
+                let t2 = lit(-0.5) * cos_arm_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
                 phi_q[6] = lit(1.0);
-                phi_q[7] = sin_theta_forearm;
+                phi_q[7] = sin_forearm_angle;
                 phi_q[8] = lit(-1.0);
                 phi_q[9] = t2;
                 phi_q[10] = lit(1.0);
-                phi_q[11] = -cos_theta_forearm;
+                phi_q[11] = -cos_forearm_angle;
             }
 
             /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
@@ -780,24 +738,23 @@ mod plm_double_pendulum_ {
             ///
             /// 36 add, 55 mul, 5 div, 1 neg, 2 sin_cos, 14 select.
             fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                let [w_0, w_1, w_2, w_3, w_4, w_5, ..] = *w;
                 let lit = S::lit;
                 // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let w_2 = w[2];
-                let y_0_2 = lit(0.5) * sin_theta_arm * w_2;
-                let t1 = lit(0.5) * (sin_theta_arm * y_0_2);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let y_0_2 = lit(0.5) * sin_arm_angle * w_2;
+                let t1 = lit(0.5) * (sin_arm_angle * y_0_2);
                 let d_0 = w_0 + t1;
                 let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.5) * cos_theta_arm;
+                let t2 = lit(-0.5) * cos_arm_angle;
                 let y_1_2 = t2 * w_2;
-                let g_1_0 = lit(0.5) * (sin_theta_arm * y_1_2);
+                let g_1_0 = lit(0.5) * (sin_arm_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t1 - w_0;
                 let l_2_0 = r_0 * g_2_0;
-                let w_1 = w[1];
-                let t3 = cos_theta_arm * y_1_2;
+                let t3 = cos_arm_angle * y_1_2;
                 let t4 = lit(-0.5).mul_add(t3, w_1);
                 let t5 = g_1_0 * l_1_0;
                 let d_1 = t4 - t5;
@@ -810,33 +767,25 @@ mod plm_double_pendulum_ {
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
                 let l_3_1 = g_3_1 * kept_1;
-                let w_3 = w[3];
-                let theta_forearm = q[5];
-                let (sin_theta_forearm, cos_theta_forearm) = theta_forearm.sin_cos();
-                let w_5 = w[5];
-                let y_2_5 = sin_theta_forearm * w_5;
-                let t7 = sin_theta_forearm.mul_add(y_2_5, w_3) + d_0;
+                let (sin_forearm_angle, cos_forearm_angle) = forearm_angle.sin_cos();
+                let y_2_5 = sin_forearm_angle * w_5;
+                let t7 = sin_forearm_angle.mul_add(y_2_5, w_3) + d_0;
                 let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
                 let growth_2 = (t7 * r_2).abs();
                 let t8 = most_growth.lt(growth_2);
                 let kept_2 = S::select(t8, lit(0.0), r_2);
-                let y_3_5 = -(cos_theta_forearm * w_5);
+                let y_3_5 = -(cos_forearm_angle * w_5);
                 let g_3_2 =
-                    (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_theta_forearm.mul_add(y_3_5, g_1_0)));
+                    (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_forearm_angle.mul_add(y_3_5, g_1_0)));
                 let l_3_2 = kept_2 * g_3_2;
-                let w_4 = w[4];
-                let t9 = (-cos_theta_forearm).mul_add(y_3_5, w_4);
+                let t9 = (-cos_forearm_angle).mul_add(y_3_5, w_4);
                 let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
                 let growth_3 = (r_3 * (t4 + t9)).abs();
                 let t10 = most_growth.lt(growth_3);
                 // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
                 let t11 = residual_0 * l_1_0;
                 let b_1 = residual_1 - t11;
-                let residual_2 = r[2];
                 let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let residual_3 = r[3];
                 let mu_3 = S::select(t10, lit(0.0), r_3)
                     * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
                 let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);
@@ -874,34 +823,31 @@ mod plm_double_pendulum_ {
             /// 11 add, 22 mul, 1 div, 2 sin_cos.
             #[inline(always)]
             fn motion(&self, t: S, u: &Input<S>, x: &[S; 4], dx: &mut [S; 4]) {
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
                 let m_1_0 =
-                    lit(10.0) * sin_theta_arm.mul_add(sin_theta_forearm, cos_theta_arm * cos_theta_forearm);
-                let omega_arm = x[2];
-                let omega_forearm = x[3];
-                let t1 = (-cos_theta_arm).mul_add(sin_theta_forearm, sin_theta_arm * cos_theta_forearm);
+                    lit(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                let t1 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
                 let force_0 = lit(-147.15).mul_add(
-                    cos_theta_arm,
+                    cos_arm_angle,
                     lit(-19.09859317102744).mul_add(
-                        omega_arm,
-                        omega_forearm * (-(lit(10.0) * omega_forearm)).mul_add(t1, lit(9.54929658551372)),
+                        arm_omega,
+                        forearm_omega * (-(lit(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 let force_1 = lit(-98.1).mul_add(
-                    cos_theta_forearm,
+                    cos_forearm_angle,
                     lit(-9.54929658551372).mul_add(
-                        omega_forearm,
-                        omega_arm * (lit(10.0) * omega_arm).mul_add(t1, lit(9.54929658551372)),
+                        forearm_omega,
+                        arm_omega * (lit(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 // Results
-                dx[0] = omega_arm;
-                dx[1] = omega_forearm;
+                dx[0] = arm_omega;
+                dx[1] = forearm_omega;
                 let reciprocal = lit(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
                 dx[2] = reciprocal * (-m_1_0).mul_add(force_1, lit(10.01) * force_0);
                 dx[3] = reciprocal * (-m_1_0).mul_add(force_0, lit(12.51) * force_1);
@@ -912,29 +858,26 @@ mod plm_double_pendulum_ {
             /// 8 add, 8 mul, 2 sin_cos.
             #[inline]
             fn place(&self, t: S, u: &Input<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let arm_x = lit(0.5) * cos_theta_arm;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let arm_x = lit(0.5) * cos_arm_angle;
                 q[0] = arm_x;
-                let arm_y = lit(0.5) * sin_theta_arm;
+                let arm_y = lit(0.5) * sin_arm_angle;
                 q[1] = arm_y;
-                q[2] = theta_arm;
-                q[3] = arm_x + cos_theta_forearm + arm_x;
-                q[4] = arm_y + sin_theta_forearm + arm_y;
-                q[5] = theta_forearm;
-                let omega_arm = x[2];
-                let arm_vx = lit(-0.5) * (omega_arm * sin_theta_arm);
+                q[2] = arm_angle;
+                q[3] = arm_x + cos_forearm_angle + arm_x;
+                q[4] = arm_y + sin_forearm_angle + arm_y;
+                q[5] = forearm_angle;
+                let arm_vx = lit(-0.5) * (arm_omega * sin_arm_angle);
                 v[0] = arm_vx;
-                let arm_vy = lit(0.5) * (omega_arm * cos_theta_arm);
+                let arm_vy = lit(0.5) * (arm_omega * cos_arm_angle);
                 v[1] = arm_vy;
-                v[2] = omega_arm;
-                let omega_forearm = x[3];
-                v[3] = (-omega_forearm).mul_add(sin_theta_forearm, arm_vx + arm_vx);
-                v[4] = omega_forearm.mul_add(cos_theta_forearm, arm_vy) + arm_vy;
-                v[5] = omega_forearm;
+                v[2] = arm_omega;
+                v[3] = (-forearm_omega).mul_add(sin_forearm_angle, arm_vx + arm_vx);
+                v[4] = forearm_omega.mul_add(cos_forearm_angle, arm_vy) + arm_vy;
+                v[5] = forearm_omega;
             }
 
             /// Accelerations of every body, and the multipliers: `M a + phi_q^T lambda = Q`.
@@ -942,44 +885,41 @@ mod plm_double_pendulum_ {
             /// 23 add, 38 mul, 1 div, 2 sin_cos.
             #[inline]
             fn reactions(&self, t: S, u: &Input<S>, x: &[S; 4], a: &mut [S; 6], lambda: &mut [S; 4]) {
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
                 let m_1_0 =
-                    lit(10.0) * sin_theta_arm.mul_add(sin_theta_forearm, cos_theta_arm * cos_theta_forearm);
-                let omega_arm = x[2];
-                let omega_forearm = x[3];
-                let t1 = (-cos_theta_arm).mul_add(sin_theta_forearm, sin_theta_arm * cos_theta_forearm);
+                    lit(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                let t1 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
                 let force_0 = lit(-147.15).mul_add(
-                    cos_theta_arm,
+                    cos_arm_angle,
                     lit(-19.09859317102744).mul_add(
-                        omega_arm,
-                        omega_forearm * (-(lit(10.0) * omega_forearm)).mul_add(t1, lit(9.54929658551372)),
+                        arm_omega,
+                        forearm_omega * (-(lit(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 let force_1 = lit(-98.1).mul_add(
-                    cos_theta_forearm,
+                    cos_forearm_angle,
                     lit(-9.54929658551372).mul_add(
-                        omega_forearm,
-                        omega_arm * (lit(10.0) * omega_arm).mul_add(t1, lit(9.54929658551372)),
+                        forearm_omega,
+                        arm_omega * (lit(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 // Accelerations of the bodies, from the ground outwards
-                let t2 = omega_arm * omega_arm;
+                let t2 = arm_omega * arm_omega;
                 let reciprocal = lit(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
                 let arm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_1, lit(10.01) * force_0);
-                let arm_ax = lit(-0.5) * sin_theta_arm.mul_add(arm_angle_acceleration, cos_theta_arm * t2);
-                let arm_ay = lit(-0.5) * (-cos_theta_arm).mul_add(arm_angle_acceleration, sin_theta_arm * t2);
-                let t3 = omega_forearm * omega_forearm;
+                let arm_ax = lit(-0.5) * sin_arm_angle.mul_add(arm_angle_acceleration, cos_arm_angle * t2);
+                let arm_ay = lit(-0.5) * (-cos_arm_angle).mul_add(arm_angle_acceleration, sin_arm_angle * t2);
+                let t3 = forearm_omega * forearm_omega;
                 let forearm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_0, lit(12.51) * force_1);
-                let forearm_ax = (-sin_theta_forearm)
-                    .mul_add(forearm_angle_acceleration, (-cos_theta_forearm).mul_add(t3, arm_ax))
+                let forearm_ax = (-sin_forearm_angle)
+                    .mul_add(forearm_angle_acceleration, (-cos_forearm_angle).mul_add(t3, arm_ax))
                     + arm_ax;
-                let forearm_ay = (-sin_theta_forearm)
-                    .mul_add(t3, cos_theta_forearm * forearm_angle_acceleration)
+                let forearm_ay = (-sin_forearm_angle)
+                    .mul_add(t3, cos_forearm_angle * forearm_angle_acceleration)
                     + arm_ay
                     + arm_ay;
                 // From the tips inwards: phi_q^T lambda = Q - M a

@@ -18,15 +18,15 @@ mod plm_driven_crank_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `drive.x` | `x_crank - 0.1*cos(theta_crank) = 0` | m |
-    /// | 1 | `drive.y` | `y_crank - 0.1*sin(theta_crank) - amplitude*sin(20*t) = 0` | m |
-    /// | 2 | `crank_pin.x` | `x_rod - x_crank - 0.1*cos(theta_crank) - 0.3*cos(theta_rod) = 0` | m |
-    /// | 3 | `crank_pin.y` | `y_rod - y_crank - 0.1*sin(theta_crank) - 0.3*sin(theta_rod) = 0` | m |
-    /// | 4 | `wrist_pin.x` | `x_slider - x_rod - 0.3*cos(theta_rod) = 0` | m |
-    /// | 5 | `wrist_pin.y` | `y_slider - y_rod - 0.3*sin(theta_rod) = 0` | m |
-    /// | 6 | `guide.normal` | `-y_slider = 0` | m |
-    /// | 7 | `guide.angle` | `-theta_slider = 0` | rad |
-    /// | 8 | `turns` | `theta_crank - 3*t - pi/3 = 0` | rad |
+    /// | 0 | `drive.x` | `crank.x - 0.1*cos(crank.angle) = 0` | m |
+    /// | 1 | `drive.y` | `crank.y - 0.1*sin(crank.angle) - amplitude*sin(20*t) = 0` | m |
+    /// | 2 | `crank_pin.x` | `rod.x - crank.x - 0.1*cos(crank.angle) - 0.3*cos(rod.angle) = 0` | m |
+    /// | 3 | `crank_pin.y` | `rod.y - crank.y - 0.1*sin(crank.angle) - 0.3*sin(rod.angle) = 0` | m |
+    /// | 4 | `wrist_pin.x` | `slider.x - rod.x - 0.3*cos(rod.angle) = 0` | m |
+    /// | 5 | `wrist_pin.y` | `slider.y - rod.y - 0.3*sin(rod.angle) = 0` | m |
+    /// | 6 | `guide.normal` | `-slider.y = 0` | m |
+    /// | 7 | `guide.angle` | `-slider.angle = 0` | rad |
+    /// | 8 | `turns` | `crank.angle - 3*t - pi/3 = 0` | rad |
     pub mod driven_crank {
         pub use super::code_::*;
         pub use super::type_::DrivenCrank;
@@ -126,11 +126,10 @@ mod plm_driven_crank_ {
 
             /// Output `drive.force`, N.
             ///
-            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            /// What the joint does to `ground`, absolute axes; `crank` feels the opposite.
             pub fn drive_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 value[0] = lambda[0];
                 value[1] = lambda[1];
                 value
@@ -138,51 +137,50 @@ mod plm_driven_crank_ {
 
             /// Output `torque`, N*m.
             pub fn torque(&self) -> S {
-                let (a, lambda) = self.solved_();
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 lambda[8]
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [
+                    crank_vx,
+                    crank_vy,
+                    crank_omega,
+                    rod_vx,
+                    rod_vy,
+                    rod_omega,
+                    slider_vx,
+                    slider_vy,
+                    slider_omega,
+                    ..,
+                ] = v;
                 let lit = S::lit;
-                let omega_rod = v[5];
-                let vx_crank = v[0];
-                let vy_crank = v[1];
-                let omega_crank = v[2];
-                let omega_slider = v[8];
-                let vx_rod = v[3];
-                let vy_rod = v[4];
-                let vx_slider = v[6];
-                let vy_slider = v[7];
                 let t1 = lit(0.0005).mul_add(
-                    omega_slider.mul_add(omega_slider, omega_crank * omega_crank),
+                    slider_omega.mul_add(slider_omega, crank_omega * crank_omega),
                     lit(0.1).mul_add(
-                        vy_crank.mul_add(vy_crank, vx_crank * vx_crank),
-                        lit(0.009) * omega_rod * omega_rod,
+                        crank_vy.mul_add(crank_vy, crank_vx * crank_vx),
+                        lit(0.009) * rod_omega * rod_omega,
                     ),
                 );
                 let t2 = lit(0.25).mul_add(
-                    vy_slider.mul_add(vy_slider, vx_slider * vx_slider),
-                    lit(0.3).mul_add(vy_rod.mul_add(vy_rod, vx_rod * vx_rod), t1),
+                    slider_vy.mul_add(slider_vy, slider_vx * slider_vx),
+                    lit(0.3).mul_add(rod_vy.mul_add(rod_vy, rod_vx * rod_vx), t1),
                 );
                 t2
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = q;
                 let lit = S::lit;
-                let y_crank = q[1];
-                let y_rod = q[4];
-                let y_slider = q[7];
-                lit(4.905).mul_add(y_slider, lit(5.886).mul_add(y_rod, lit(1.962) * y_crank))
+                lit(4.905).mul_add(slider_y, lit(5.886).mul_add(rod_y, lit(1.962) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
                 let lit = S::lit;
                 lit(0.0)
             }
@@ -191,20 +189,15 @@ mod plm_driven_crank_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 1] {
                 let mut value = [S::lit(0.0); 1];
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = q;
                 let lit = S::lit;
-                let theta_crank = q[2];
-                let theta_rod = q[5];
-                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
-                    S::sin_cos_all([theta_crank, theta_rod]);
-                let y_crank = q[1];
-                let y_rod = q[4];
-                let t1 = lit(-0.3).mul_add(sin_theta_rod, lit(0.1).mul_add(sin_theta_crank, y_crank) - y_rod);
-                let x_crank = q[0];
-                let x_rod = q[3];
-                let t2 = lit(-0.3).mul_add(cos_theta_rod, lit(0.1).mul_add(cos_theta_crank, x_crank) - x_rod);
-                let t3 = (lit(-0.2) * (-sin_theta_crank).mul_add(t2, cos_theta_crank * t1))
-                    .atan2(lit(-0.2) * sin_theta_crank.mul_add(t1, cos_theta_crank * t2));
+                let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
+                    S::sin_cos_all([crank_angle, rod_angle]);
+                let t1 = lit(-0.3).mul_add(sin_rod_angle, lit(0.1).mul_add(sin_crank_angle, crank_y) - rod_y);
+                let t2 = lit(-0.3).mul_add(cos_rod_angle, lit(0.1).mul_add(cos_crank_angle, crank_x) - rod_x);
+                let t3 = (lit(-0.2) * (-sin_crank_angle).mul_add(t2, cos_crank_angle * t1))
+                    .atan2(lit(-0.2) * sin_crank_angle.mul_add(t1, cos_crank_angle * t2));
                 value[0] = t3;
                 [("crank_pin", value[0])]
             }
@@ -298,7 +291,6 @@ mod plm_driven_crank_ {
         impl<S: Scalar> DrivenCrank<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Input<S> {
-                let lit = S::lit;
                 Input { none: core::marker::PhantomData }
             }
         }
@@ -459,9 +451,6 @@ mod plm_driven_crank_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 18];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[18 + k] = self.x[0 + k];
-                }
                 x
             }
         }
@@ -776,10 +765,8 @@ mod plm_driven_crank_ {
         impl<S: Real> rt::Ports for DrivenCrank<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(held: &mut rt::charts::Held<Input<S>, [S; 18]>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut rt::charts::Held<Input<S>, [S; 18]>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -791,18 +778,15 @@ mod plm_driven_crank_ {
 
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.crank.each(
-                        ["crank.x", "crank.y", "crank.angle", "crank.vx", "crank.vy", "crank.omega"],
-                        &mut *each,
-                    );
-                    self.rod
-                        .each(["rod.x", "rod.y", "rod.angle", "rod.vx", "rod.vy", "rod.omega"], &mut *each);
-                    self.slider.each(
-                        ["slider.x", "slider.y", "slider.angle", "slider.vx", "slider.vy", "slider.omega"],
-                        &mut *each,
-                    );
-                }
+                self.crank.each(
+                    ["crank.x", "crank.y", "crank.angle", "crank.vx", "crank.vy", "crank.omega"],
+                    &mut *each,
+                );
+                self.rod.each(["rod.x", "rod.y", "rod.angle", "rod.vx", "rod.vy", "rod.omega"], &mut *each);
+                self.slider.each(
+                    ["slider.x", "slider.y", "slider.angle", "slider.vx", "slider.vy", "slider.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -941,26 +925,28 @@ mod plm_driven_crank_ {
             /// 89 add, 125 mul, 8 div, 4 neg, 3 sin_cos, 24 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 9]) -> S {
+                let crank_angle = x[2];
+                let rod_angle = x[5];
+                let crank_omega = x[11];
+                let rod_omega = x[14];
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
-                let theta_crank = x[2];
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let theta_rod = x[5];
-                let (sin_theta_rod, cos_theta_rod) = theta_rod.sin_cos();
-                let y_0_2 = lit(100.0) * sin_theta_crank;
-                let y_1_2 = lit(-100.0) * cos_theta_crank;
-                let y_2_5 = lit(16.666666666666668) * sin_theta_rod;
-                let y_3_5 = lit(-16.666666666666668) * cos_theta_rod;
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
+                let y_0_2 = lit(100.0) * sin_crank_angle;
+                let y_1_2 = lit(-100.0) * cos_crank_angle;
+                let y_2_5 = lit(16.666666666666668) * sin_rod_angle;
+                let y_3_5 = lit(-16.666666666666668) * cos_rod_angle;
                 // phi_q M^-1 phi_q^T = L D L^T
-                let t1 = lit(0.3) * (sin_theta_rod * y_2_5);
+                let t1 = lit(0.3) * (sin_rod_angle * y_2_5);
                 let r_4 = lit(1.0) / (t1 + lit(3.6666666666666665));
                 let g_2_4 = t1 - lit(1.6666666666666667);
                 let l_2_4 = r_4 * g_2_4;
-                let g_3_4 = lit(-0.3) * cos_theta_rod * y_2_5;
+                let g_3_4 = lit(-0.3) * cos_rod_angle * y_2_5;
                 let l_3_4 = r_4 * g_3_4;
-                let g_5_4 = lit(0.3) * (sin_theta_rod * y_3_5);
+                let g_5_4 = lit(0.3) * (sin_rod_angle * y_3_5);
                 let l_5_4 = r_4 * g_5_4;
-                let t2 = lit(0.3) * (cos_theta_rod * y_3_5);
+                let t2 = lit(0.3) * (cos_rod_angle * y_3_5);
                 let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, lit(1.6666666666666667) - t2);
                 let growth_5 = ((t2 - lit(3.6666666666666665)) * r_5).abs();
                 let most_growth = lit(S::MOST_GROWTH);
@@ -970,24 +956,24 @@ mod plm_driven_crank_ {
                 let l_2_5 = kept_5 * g_2_5;
                 let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-1.6666666666666667) - t2);
                 let l_3_5 = kept_5 * g_3_5;
-                let t4 = lit(0.1) * (sin_theta_crank * y_0_2);
+                let t4 = lit(0.1) * (sin_crank_angle * y_0_2);
                 let r_0 = lit(1.0) / (t4 + lit(5.0));
-                let g_1_0 = lit(0.1) * (sin_theta_crank * y_1_2);
+                let g_1_0 = lit(0.1) * (sin_crank_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t4 - lit(5.0);
                 let l_2_0 = r_0 * g_2_0;
                 let l_8_0 = y_0_2 * r_0;
-                let t5 = lit(0.1) * (cos_theta_crank * y_1_2);
+                let t5 = lit(0.1) * (cos_crank_angle * y_1_2);
                 let t6 = g_1_0.mul_add(l_1_0, t5);
                 let r_1 = lit(1.0) / (lit(5.0) - t6);
                 let growth_1 = ((t5 - lit(5.0)) * r_1).abs();
                 let t7 = most_growth.lt(growth_1);
                 let kept_1 = S::select(t7, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_theta_crank * y_0_2);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_crank_angle * y_0_2);
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-5.0) - t6;
                 let l_3_1 = kept_1 * g_3_1;
-                let t8 = g_1_0.mul_add(l_8_0, lit(100.0) * cos_theta_crank);
+                let t8 = g_1_0.mul_add(l_8_0, lit(100.0) * cos_crank_angle);
                 let g_8_1 = -t8;
                 let l_8_1 = g_8_1 * kept_1;
                 let t9 = t4 + t1 + lit(6.666666666666667);
@@ -1025,18 +1011,15 @@ mod plm_driven_crank_ {
                 let growth_8 = lit(1000.0) * r_8.abs();
                 let t13 = most_growth.lt(growth_8);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
-                let omega_rod = x[14];
-                let t14 = omega_rod * omega_rod;
-                let b_4 = lit(0.3) * (cos_theta_rod * t14);
-                let t15 = lit(0.3) * (sin_theta_rod * t14);
+                let t14 = rod_omega * rod_omega;
+                let b_4 = lit(0.3) * (cos_rod_angle * t14);
+                let t15 = lit(0.3) * (sin_rod_angle * t14);
                 let b_5 = (-l_5_4).mul_add(b_4, t15) + lit(9.81);
-                let omega_crank = x[11];
-                let t16 = omega_crank * omega_crank;
-                let b_0 = lit(0.1) * (cos_theta_crank * t16);
+                let t16 = crank_omega * crank_omega;
+                let b_0 = lit(0.1) * (cos_crank_angle * t16);
                 let amplitude = self.amplitude;
-                let t_2 = t;
-                let t17 = (-l_1_0).mul_add(b_0, lit(0.1) * sin_theta_crank * t16);
-                let b_1 = (lit(400.0) * amplitude).mul_add((lit(20.0) * t_2).sin(), t17) - lit(9.81);
+                let t17 = (-l_1_0).mul_add(b_0, lit(0.1) * sin_crank_angle * t16);
+                let b_1 = (lit(400.0) * amplitude).mul_add((lit(20.0) * t).sin(), t17) - lit(9.81);
                 let b_2 = (-l_2_1).mul_add(
                     b_1,
                     (-l_2_0).mul_add(b_0, (-l_2_5).mul_add(b_5, (-l_2_4).mul_add(b_4, b_4 + b_0))),
@@ -1069,10 +1052,10 @@ mod plm_driven_crank_ {
                 // Results
                 dx[0] = x[9];
                 dx[1] = x[10];
-                dx[2] = omega_crank;
+                dx[2] = crank_omega;
                 dx[3] = x[12];
                 dx[4] = x[13];
-                dx[5] = omega_rod;
+                dx[5] = rod_omega;
                 dx[6] = x[15];
                 dx[7] = x[16];
                 dx[8] = x[17];
@@ -1112,6 +1095,10 @@ mod plm_driven_crank_ {
             /// 3 add, 13 mul, 3 sin_cos.
             #[cold]
             fn free(&self, t: S, u: &Input<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 9]) {
+                let crank_angle = x[2];
+                let rod_angle = x[5];
+                let crank_omega = x[11];
+                let rod_omega = x[14];
                 let lit = S::lit;
                 force[0] = lit(0.0);
                 force[1] = lit(-1.962);
@@ -1122,23 +1109,18 @@ mod plm_driven_crank_ {
                 force[6] = lit(0.0);
                 force[7] = lit(-4.905);
                 force[8] = lit(0.0);
-                let theta_crank = x[2];
-                let theta_rod = x[5];
-                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
-                    S::sin_cos_all([theta_crank, theta_rod]);
-                let omega_crank = x[11];
-                let t1 = omega_crank * omega_crank;
-                let t2 = lit(-0.1) * (cos_theta_crank * t1);
+                let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
+                    S::sin_cos_all([crank_angle, rod_angle]);
+                let t1 = crank_omega * crank_omega;
+                let t2 = lit(-0.1) * (cos_crank_angle * t1);
                 gamma[0] = t2;
                 let amplitude = self.amplitude;
-                let t_2 = t;
-                let t3 = lit(0.1) * (sin_theta_crank * t1);
-                gamma[1] = (lit(-400.0) * amplitude).mul_add((lit(20.0) * t_2).sin(), -t3);
-                let omega_rod = x[14];
-                let t4 = omega_rod * omega_rod;
-                let t5 = lit(-0.3) * (cos_theta_rod * t4);
+                let t3 = lit(0.1) * (sin_crank_angle * t1);
+                gamma[1] = (lit(-400.0) * amplitude).mul_add((lit(20.0) * t).sin(), -t3);
+                let t4 = rod_omega * rod_omega;
+                let t5 = lit(-0.3) * (cos_rod_angle * t4);
                 gamma[2] = t5 + t2;
-                let t6 = lit(-0.3) * (sin_theta_rod * t4);
+                let t6 = lit(-0.3) * (sin_rod_angle * t4);
                 gamma[3] = t6 - t3;
                 gamma[4] = t5;
                 gamma[5] = t6;
@@ -1153,68 +1135,71 @@ mod plm_driven_crank_ {
             ///
             /// 15 add, 7 mul, 2 neg, 3 sin_cos.
             fn residual(&self, t: S, q: &[S; 9], phi: &mut [S; 9]) {
+                let [
+                    crank_x,
+                    crank_y,
+                    crank_angle,
+                    rod_x,
+                    rod_y,
+                    rod_angle,
+                    slider_x,
+                    slider_y,
+                    slider_angle,
+                    ..,
+                ] = *q;
                 let lit = S::lit;
-                let x_crank = q[0];
-                let theta_crank = q[2];
-                let theta_rod = q[5];
-                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
-                    S::sin_cos_all([theta_crank, theta_rod]);
-                let t1 = lit(0.1) * cos_theta_crank;
-                phi[0] = x_crank - t1;
-                let y_crank = q[1];
+                let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
+                    S::sin_cos_all([crank_angle, rod_angle]);
+                let t1 = lit(0.1) * cos_crank_angle;
+                phi[0] = crank_x - t1;
                 let amplitude = self.amplitude;
-                let t_2 = t;
-                let t2 = lit(0.1) * sin_theta_crank;
-                phi[1] = (-amplitude).mul_add((lit(20.0) * t_2).sin(), y_crank - t2);
-                let x_rod = q[3];
-                let t3 = lit(0.3) * cos_theta_rod;
-                phi[2] = x_rod - x_crank - t1 - t3;
-                let y_rod = q[4];
-                let t4 = lit(0.3) * sin_theta_rod;
-                phi[3] = y_rod - y_crank - t2 - t4;
-                let x_slider = q[6];
-                phi[4] = x_slider - x_rod - t3;
-                let y_slider = q[7];
-                phi[5] = y_slider - y_rod - t4;
-                phi[6] = -y_slider;
-                let theta_slider = q[8];
-                phi[7] = -theta_slider;
-                phi[8] = lit(-3.0).mul_add(t_2, theta_crank) - lit(1.0471975511965979);
+                let t2 = lit(0.1) * sin_crank_angle;
+                phi[1] = (-amplitude).mul_add((lit(20.0) * t).sin(), crank_y - t2);
+                let t3 = lit(0.3) * cos_rod_angle;
+                phi[2] = rod_x - crank_x - t1 - t3;
+                let t4 = lit(0.3) * sin_rod_angle;
+                phi[3] = rod_y - crank_y - t2 - t4;
+                phi[4] = slider_x - rod_x - t3;
+                phi[5] = slider_y - rod_y - t4;
+                phi[6] = -slider_y;
+                phi[7] = -slider_angle;
+                phi[8] = lit(-3.0).mul_add(t, crank_angle) - lit(1.0471975511965979);
             }
 
             /// Their rates, `phi_q v - nu`, m/s or rad/s.
             ///
             /// 14 add, 11 mul, 2 neg, 3 sin_cos.
             fn residual_rate(&self, t: S, q: &[S; 9], v: &[S; 9], phi_dot: &mut [S; 9]) {
+                let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
+                let [
+                    crank_vx,
+                    crank_vy,
+                    crank_omega,
+                    rod_vx,
+                    rod_vy,
+                    rod_omega,
+                    slider_vx,
+                    slider_vy,
+                    slider_omega,
+                    ..,
+                ] = *v;
                 let lit = S::lit;
-                let vx_crank = v[0];
-                let omega_crank = v[2];
-                let theta_crank = q[2];
-                let theta_rod = q[5];
-                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
-                    S::sin_cos_all([theta_crank, theta_rod]);
-                let t1 = lit(0.1) * (omega_crank * sin_theta_crank);
-                phi_dot[0] = vx_crank + t1;
-                let vy_crank = v[1];
+                let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
+                    S::sin_cos_all([crank_angle, rod_angle]);
+                let t1 = lit(0.1) * (crank_omega * sin_crank_angle);
+                phi_dot[0] = crank_vx + t1;
                 let amplitude = self.amplitude;
-                let t_2 = t;
-                let t2 = lit(0.1) * (omega_crank * cos_theta_crank);
-                phi_dot[1] = (-(lit(20.0) * amplitude)).mul_add((lit(20.0) * t_2).cos(), vy_crank - t2);
-                let vx_rod = v[3];
-                let omega_rod = v[5];
-                let t3 = lit(0.3) * (omega_rod * sin_theta_rod);
-                phi_dot[2] = vx_rod - vx_crank + t1 + t3;
-                let vy_rod = v[4];
-                let t4 = lit(0.3) * (omega_rod * cos_theta_rod);
-                phi_dot[3] = vy_rod - vy_crank - t2 - t4;
-                let vx_slider = v[6];
-                phi_dot[4] = vx_slider - vx_rod + t3;
-                let vy_slider = v[7];
-                phi_dot[5] = vy_slider - vy_rod - t4;
-                phi_dot[6] = -vy_slider;
-                let omega_slider = v[8];
-                phi_dot[7] = -omega_slider;
-                phi_dot[8] = omega_crank - lit(3.0);
+                let t2 = lit(0.1) * (crank_omega * cos_crank_angle);
+                phi_dot[1] = (-(lit(20.0) * amplitude)).mul_add((lit(20.0) * t).cos(), crank_vy - t2);
+                let t3 = lit(0.3) * (rod_omega * sin_rod_angle);
+                phi_dot[2] = rod_vx - crank_vx + t1 + t3;
+                let t4 = lit(0.3) * (rod_omega * cos_rod_angle);
+                phi_dot[3] = rod_vy - crank_vy - t2 - t4;
+                phi_dot[4] = slider_vx - rod_vx + t3;
+                phi_dot[5] = slider_vy - rod_vy - t4;
+                phi_dot[6] = -slider_vy;
+                phi_dot[7] = -slider_omega;
+                phi_dot[8] = crank_omega - lit(3.0);
             }
 
             /// The Jacobian of the constraints: its entries that are not zero, row by row.
@@ -1222,26 +1207,25 @@ mod plm_driven_crank_ {
             /// 4 mul, 2 sin_cos.
             #[cold]
             fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 21]) {
+                let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
-                let theta_crank = q[2];
-                let theta_rod = q[5];
-                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
-                    S::sin_cos_all([theta_crank, theta_rod]);
-                let t1 = lit(0.1) * sin_theta_crank;
+                let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
+                    S::sin_cos_all([crank_angle, rod_angle]);
+                let t1 = lit(0.1) * sin_crank_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.1) * cos_theta_crank;
+                let t2 = lit(-0.1) * cos_crank_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
                 phi_q[6] = lit(1.0);
-                let t3 = lit(0.3) * sin_theta_rod;
+                let t3 = lit(0.3) * sin_rod_angle;
                 phi_q[7] = t3;
                 phi_q[8] = lit(-1.0);
                 phi_q[9] = t2;
                 phi_q[10] = lit(1.0);
-                let t4 = lit(-0.3) * cos_theta_rod;
+                let t4 = lit(-0.3) * cos_rod_angle;
                 phi_q[11] = t4;
                 phi_q[12] = lit(-1.0);
                 phi_q[13] = t3;
@@ -1259,31 +1243,38 @@ mod plm_driven_crank_ {
             ///
             /// 85 add, 124 mul, 10 div, 4 neg, 2 sin_cos, 24 select.
             fn closing_step(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 9], dq: &mut [S; 9]) -> S {
+                let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
+                let [
+                    residual_0,
+                    residual_1,
+                    residual_2,
+                    residual_3,
+                    residual_4,
+                    residual_5,
+                    residual_6,
+                    residual_7,
+                    residual_8,
+                    ..,
+                ] = *r;
+                let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
                 let lit = S::lit;
                 // phi_q W phi_q^T = L D L^T
-                let w_8 = w[8];
-                let w_7 = w[7];
                 let r_6 = lit(1.0) / w_7;
                 let l_5_6 = -(w_7 * r_6);
-                let w_6 = w[6];
-                let w_3 = w[3];
-                let theta_rod = q[5];
-                let (sin_theta_rod, cos_theta_rod) = theta_rod.sin_cos();
-                let w_5 = w[5];
-                let y_2_5 = lit(0.3) * sin_theta_rod * w_5;
-                let t1 = lit(0.3) * (sin_theta_rod * y_2_5);
+                let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
+                let y_2_5 = lit(0.3) * sin_rod_angle * w_5;
+                let t1 = lit(0.3) * (sin_rod_angle * y_2_5);
                 let t2 = w_3 + t1;
                 let r_4 = lit(1.0) / (w_6 + t2);
                 let g_2_4 = t1 - w_3;
                 let l_2_4 = g_2_4 * r_4;
-                let t3 = lit(-0.3) * cos_theta_rod;
+                let t3 = lit(-0.3) * cos_rod_angle;
                 let g_3_4 = t3 * y_2_5;
                 let l_3_4 = g_3_4 * r_4;
                 let y_3_5 = t3 * w_5;
-                let g_5_4 = lit(0.3) * (sin_theta_rod * y_3_5);
+                let g_5_4 = lit(0.3) * (sin_rod_angle * y_3_5);
                 let l_5_4 = g_5_4 * r_4;
-                let w_4 = w[4];
-                let t4 = cos_theta_rod * y_3_5;
+                let t4 = cos_rod_angle * y_3_5;
                 let t5 = lit(-0.3).mul_add(t4, w_4);
                 let t6 = w_7 + t5;
                 let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, w_7.mul_add(l_5_6, t6));
@@ -1295,23 +1286,19 @@ mod plm_driven_crank_ {
                 let l_2_5 = kept_5 * g_2_5;
                 let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-0.3).mul_add(t4, -w_4));
                 let l_3_5 = kept_5 * g_3_5;
-                let w_0 = w[0];
-                let theta_crank = q[2];
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let w_2 = w[2];
-                let y_0_2 = lit(0.1) * (sin_theta_crank * w_2);
-                let t8 = lit(0.1) * (sin_theta_crank * y_0_2);
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let y_0_2 = lit(0.1) * (sin_crank_angle * w_2);
+                let t8 = lit(0.1) * (sin_crank_angle * y_0_2);
                 let d_0 = w_0 + t8;
                 let r_0 = lit(1.0) / d_0;
-                let t9 = cos_theta_crank * w_2;
+                let t9 = cos_crank_angle * w_2;
                 let y_1_2 = lit(-0.1) * t9;
-                let g_1_0 = lit(0.1) * (sin_theta_crank * y_1_2);
+                let g_1_0 = lit(0.1) * (sin_crank_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t8 - w_0;
                 let l_2_0 = r_0 * g_2_0;
                 let l_8_0 = y_0_2 * r_0;
-                let w_1 = w[1];
-                let t10 = cos_theta_crank * y_1_2;
+                let t10 = cos_crank_angle * y_1_2;
                 let t11 = lit(-0.1).mul_add(t10, w_1);
                 let t12 = g_1_0 * l_1_0;
                 let d_1 = t11 - t12;
@@ -1319,7 +1306,7 @@ mod plm_driven_crank_ {
                 let growth_1 = (t11 * r_1).abs();
                 let t13 = most_growth.lt(growth_1);
                 let kept_1 = S::select(t13, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_theta_crank * y_0_2);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_crank_angle * y_0_2);
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-0.1).mul_add(t10, -w_1) - t12;
                 let l_3_1 = g_3_1 * kept_1;
@@ -1360,22 +1347,14 @@ mod plm_driven_crank_ {
                 let growth_8 = (w_2 * r_8).abs();
                 let t18 = most_growth.lt(growth_8);
                 // (phi_q W phi_q^T) mu = r
-                let residual_7 = r[7];
-                let residual_6 = r[6];
-                let residual_4 = r[4];
-                let residual_5 = r[5];
                 let b_5 = (-residual_4).mul_add(l_5_4, (-residual_6).mul_add(l_5_6, residual_5));
-                let residual_0 = r[0];
-                let residual_1 = r[1];
                 let t19 = residual_0 * l_1_0;
                 let b_1 = residual_1 - t19;
-                let residual_2 = r[2];
                 let b_2 = (-b_1).mul_add(
                     l_2_1,
                     (-l_2_5)
                         .mul_add(b_5, (-residual_4).mul_add(l_2_4, (-residual_0).mul_add(l_2_0, residual_2))),
                 );
-                let residual_3 = r[3];
                 let b_3 = (-l_3_2).mul_add(
                     b_2,
                     (-b_1).mul_add(
@@ -1383,7 +1362,6 @@ mod plm_driven_crank_ {
                         (-l_3_5).mul_add(b_5, (-residual_4).mul_add(l_3_4, residual_3 - t19)),
                     ),
                 );
-                let residual_8 = r[8];
                 let b_8 = (-l_8_3).mul_add(
                     b_3,
                     (-l_8_2).mul_add(b_2, (-b_1).mul_add(l_8_1, (-residual_0).mul_add(l_8_0, residual_8))),
@@ -1440,10 +1418,9 @@ mod plm_driven_crank_ {
                 let lit = S::lit;
                 // Results
                 let amplitude = self.amplitude;
-                let t_2 = t;
                 let loop_0_y = lit(0.2).mul_add(
-                    lit(3.0).mul_add(t_2, lit(1.0471975511965979)).sin(),
-                    amplitude * (lit(20.0) * t_2).sin(),
+                    lit(3.0).mul_add(t, lit(1.0471975511965979)).sin(),
+                    amplitude * (lit(20.0) * t).sin(),
                 );
                 lit(2.7777777777777777) * (-loop_0_y).mul_add(loop_0_y, lit(0.36))
             }
@@ -1460,21 +1437,20 @@ mod plm_driven_crank_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
+                let [_, _, _, _, _, last_angle_2, last_cosine_2, last_sine_2, last_area_0, ..] = *m;
                 let lit = S::lit;
-                let t_2 = t;
-                let crank_angle = lit(3.0).mul_add(t_2, lit(1.0471975511965979));
+                let crank_angle = lit(3.0).mul_add(t, lit(1.0471975511965979));
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let crank_x = lit(0.1) * cos_crank_angle;
                 q[0] = crank_x;
                 let amplitude = self.amplitude;
-                let t1 = lit(20.0) * t_2;
+                let t1 = lit(20.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 let t2 = amplitude * sin_t1;
                 let t3 = lit(0.1) * sin_crank_angle;
                 let crank_y = t2 + t3;
                 q[1] = crank_y;
                 q[2] = crank_angle;
-                let last_area_0 = m[8];
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
                 let root_0 = lit(0.0).max(square_0).sqrt();
@@ -1483,10 +1459,7 @@ mod plm_driven_crank_ {
                 q[3] = crank_x + t4 + crank_x;
                 let t5 = lit(0.5) * loop_0_y;
                 q[4] = t3 - t5 + crank_y;
-                let last_angle_2 = m[5];
-                let last_cosine_2 = m[6];
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
-                let last_sine_2 = m[7];
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t6 = last_angle_2
                     + (-last_sine_2)
@@ -1522,14 +1495,13 @@ mod plm_driven_crank_ {
             ///
             /// 7 add, 17 mul, 3 div, 1 neg, 2 sqrt, 3 sin_cos, 5 select, 1 other.
             fn look_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], memory: &mut [S; 18]) -> S {
+                let [_, _, _, _, _, last_angle_2, last_cosine_2, last_sine_2, last_area_0, ..] = *m;
                 let lit = S::lit;
-                let t_2 = t;
-                memory[0] = t_2;
-                let last_area_0 = m[8];
+                memory[0] = t;
                 let amplitude = self.amplitude;
-                let t1 = lit(20.0) * t_2;
+                let t1 = lit(20.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
-                let crank_angle = lit(3.0).mul_add(t_2, lit(1.0471975511965979));
+                let crank_angle = lit(3.0).mul_add(t, lit(1.0471975511965979));
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, amplitude * sin_t1);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
@@ -1542,10 +1514,7 @@ mod plm_driven_crank_ {
                 memory[2] = crank_angle;
                 memory[3] = cos_crank_angle;
                 memory[4] = sin_crank_angle;
-                let last_angle_2 = m[5];
-                let last_cosine_2 = m[6];
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
-                let last_sine_2 = m[7];
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t3 = last_angle_2
                     + (-last_sine_2)
@@ -1564,21 +1533,20 @@ mod plm_driven_crank_ {
             /// 2 mul, 2 sin_cos.
             #[cold]
             fn survey_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+                let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
                 memory[0] = t;
                 memory[1] = lit(0.0);
-                let theta_crank = q[2];
-                memory[2] = theta_crank;
-                let theta_rod = q[5];
-                let ([sin_theta_crank, sin_theta_rod], [cos_theta_crank, cos_theta_rod]) =
-                    S::sin_cos_all([theta_crank, theta_rod]);
-                memory[3] = cos_theta_crank;
-                memory[4] = sin_theta_crank;
-                memory[5] = theta_rod;
-                memory[6] = cos_theta_rod;
-                memory[7] = sin_theta_rod;
-                memory[8] = lit(0.6) * cos_theta_rod;
-                cos_theta_rod * cos_theta_rod
+                memory[2] = crank_angle;
+                let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
+                    S::sin_cos_all([crank_angle, rod_angle]);
+                memory[3] = cos_crank_angle;
+                memory[4] = sin_crank_angle;
+                memory[5] = rod_angle;
+                memory[6] = cos_rod_angle;
+                memory[7] = sin_rod_angle;
+                memory[8] = lit(0.6) * cos_rod_angle;
+                cos_rod_angle * cos_rod_angle
             }
         }
     }

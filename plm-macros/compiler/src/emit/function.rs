@@ -17,7 +17,7 @@ pub(super) fn function(
     let mut reserved = arguments(signature);
     reserved.push("lit".to_owned());
     let reserved: Vec<&str> = reserved.iter().map(String::as_str).collect();
-    let (body, count) = lower::statements(function, &emission.bindings(origin), &reserved);
+    let (body, count) = lower::statements(function, &emission.bindings(origin), (&reserved, true));
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     let docs = docs::docs(emission, &format!("{docs}{count}"));
     let body = emission.text(body);

@@ -229,6 +229,12 @@ impl Emission<'_> {
         self.text(entries.into_iter().collect::<Vec<String>>().join(", "))
     }
 
+    /// Entries of a list, a line for each, behind what it takes to read their constants.
+    fn values(&self, entries: Vec<String>) -> (Option<TokenStream>, TokenStream) {
+        let literals = entries.iter().any(|entry| entry.contains("lit("));
+        (literals.then(|| quote!(let lit = S::lit;)), self.lines(entries))
+    }
+
     /// Is the state in other coordinates than those of all bodies?
     fn is_reduced(&self) -> bool {
         !matches!(self.form, Form::Absolute)

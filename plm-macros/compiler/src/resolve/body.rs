@@ -73,8 +73,8 @@ impl<'a> Resolver<'a> {
         }
         let Ok(key) = self.key(scope, &ast.name) else { return };
         let name = format!("{}{key}", self.prefix(scope));
-        let symbols = |prefixes: [&str; 3]| prefixes.map(|of| Expr::symbol(format!("{of}_{name}")));
-        let q = symbols(["x", "y", "theta"]);
+        let symbols = |members: [&str; 3]| members.map(|member| Expr::symbol(format!("{name}.{member}")));
+        let q = symbols(["x", "y", "angle"]);
         let v = symbols(["vx", "vy", "omega"]);
         let a = symbols(["ax", "ay", "alpha"]);
         for i in 0..3 {
@@ -82,8 +82,8 @@ impl<'a> Resolver<'a> {
             self.directions.insert(v[i], a[i]);
         }
         let axis = [q[2].cos(), q[2].sin()];
-        axis[0].hint(&format!("c_{name}"));
-        axis[1].hint(&format!("s_{name}"));
+        axis[0].hint(&format!("{name}.cos"));
+        axis[1].hint(&format!("{name}.sin"));
         let span = ast.name.ident.span;
         let slot = self.known_slot(span, Value::Body(Some(self.bodies.len())));
         let ports = self.ports_of(scope, ast);

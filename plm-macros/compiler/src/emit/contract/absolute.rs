@@ -22,7 +22,7 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let places: Vec<String> = places.collect();
     let (entries, places) = (number(places.len()), emission.list(places));
     let length = Literal::f64_unsuffixed(report.length);
-    let [positions, velocities] = starts(emission).map(|list| emission.lines(list));
+    let [(literals, positions), (_, velocities)] = starts(emission).map(|list| emission.values(list));
     let bodies = number(model.bodies.len());
     let branch = branch(emission);
     // rustdoc shows a constant argument by its source, which is the whole declaration.
@@ -66,12 +66,12 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
                 S::lit(#length)
             }
             fn start_position(&self) -> [Start<S>; #nq] {
-                let lit = S::lit;
+                #literals
                 let bodies: [[Start<S>; 3]; #bodies] = [#positions];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
             fn start_velocity(&self, q: &[S; #nq]) -> [Start<S>; #nq] {
-                let lit = S::lit;
+                #literals
                 let bodies: [[Start<S>; 3]; #bodies] = [#velocities];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
@@ -122,11 +122,10 @@ fn branch(emission: &Emission) -> Option<TokenStream> {
     });
     let arms: Vec<String> = arms.collect();
     (!arms.is_empty()).then(|| {
-        let arms = emission.lines(arms);
+        let (literals, arms) = emission.values(arms);
         quote! {
             fn branch(&self, index: usize) -> Option<absolute::Branch<S>> {
-                #[allow(unused_variables)] // where no end is a formula
-                let lit = S::lit;
+                #literals
                 match index {
                     #arms
                     _ => None,

@@ -69,12 +69,11 @@ pub(super) fn check(emission: &Emission) -> TokenStream {
     let (entries, values): (Vec<String>, Vec<String>) =
         all.map(|limited| (limited.entry, inline(limited.value, &bindings))).unzip();
     let limits = (!entries.is_empty()).then(|| {
-        let (count, entries, values) =
-            (number(entries.len()), emission.lines(entries), emission.lines(values));
+        let (count, entries) = (number(entries.len()), emission.lines(entries));
+        let (literals, values) = emission.values(values);
         quote! {
             const LIMITS: [rt::Limit; #count] = [#entries];
-            #[allow(unused_variables)] // where no value is a formula
-            let lit = S::lit;
+            #literals
             let values = [#values];
             rt::limits::check(t, &values, &LIMITS)?;
         }
@@ -114,15 +113,14 @@ pub(super) fn renew(emission: &Emission) -> Option<TokenStream> {
         Form::Tree(_) => (emission.pose_at("held"), quote!(self.project(t, &q, &v, x))),
         Form::Absolute => (emission.pose_at("held"), quote!(absolute::join(&q, &v, x))),
     };
-    let unused = (!emission.is_reduced()).then(|| quote!(let _ = held;));
+    let name = if emission.is_reduced() { quote!(held) } else { quote!(_held) };
     (!shaping.is_empty()).then(|| {
         quote! {
             fn fingerprint(&self) -> u64 {
                 rt::limits::fingerprint([#(self.#shaping),*])
             }
 
-            fn renew(&self, t: S, held: &mut #held, x: &mut [S; #length]) -> Result<(), Fault> {
-                #unused
+            fn renew(&self, t: S, #name: &mut #held, x: &mut [S; #length]) -> Result<(), Fault> {
                 let (mut q, mut v): ([S; #nq], [S; #nq]) = #pose;
                 absolute::renew::<S, Self, NQ, NC>(self, t, &mut q, &mut v)?;
                 #back;

@@ -34,10 +34,18 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     } else {
         quote!(input)
     };
-    let calm = if is_charted {
-        quote!(rt::charts::is_calm::<Self>(t, held, x))
+    let is_calm = if is_charted {
+        quote! {
+            fn is_calm(t: S, held: &#held, x: &Self::X) -> bool {
+                rt::charts::is_calm::<Self>(t, held, x)
+            }
+        }
     } else {
-        quote!(let _ = (t, held, x); true)
+        quote! {
+            fn is_calm(_t: S, _held: &#held, _x: &Self::X) -> bool {
+                true
+            }
+        }
     };
     let chart = is_charted.then(|| {
         quote! {
@@ -66,9 +74,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &#held, x: &Self::X) -> bool {
-                #calm
-            }
+            #is_calm
             #chart
         }
     }

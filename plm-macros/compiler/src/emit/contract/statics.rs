@@ -20,11 +20,13 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     let states = model.states.iter().zip(&fields.states);
     let states = states.map(|(state, field)| format!("each({:?}, &mut self.{field});\n", state.name.text));
     let lines: Vec<String> = bodies.chain(states).collect();
-    let blocks = lines.chunks(MOST_LINES).map(|lines| emission.text(lines.concat()));
+    let blocks: Vec<TokenStream> =
+        lines.chunks(MOST_LINES).map(|lines| emission.text(lines.concat())).collect();
+    let lines = if let [one] = &blocks[..] { one.clone() } else { quote!(#({ #blocks })*) };
     quote! {
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                #({ #blocks })*
+                #lines
             }
         }
 

@@ -49,8 +49,8 @@ pub(crate) fn declared(emission: &Emission) -> TokenStream {
     let Emission { model, fields, name, .. } = emission;
     let (inputs, bindings) = (emission.inputs(&quote!(S)), emission.parameters());
     let values = model.inputs.iter().zip(&fields.inputs);
-    let values =
-        emission.list(values.map(|(input, field)| format!("{field}: {}", inline(input.default, &bindings))));
+    let values = values.map(|(input, field)| format!("{field}: {}", inline(input.default, &bindings)));
+    let (literals, values) = emission.values(values.collect());
     let none = model.inputs.is_empty().then(|| quote!(none: core::marker::PhantomData));
     let mut value = quote!(Input { #values #none });
     if emission.has_sides() {
@@ -61,7 +61,7 @@ pub(crate) fn declared(emission: &Emission) -> TokenStream {
         impl<S: Scalar> #name<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> #inputs {
-                let lit = S::lit;
+                #literals
                 #value
             }
         }

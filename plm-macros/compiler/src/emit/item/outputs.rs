@@ -66,8 +66,9 @@ fn poses(emission: &Emission) -> TokenStream {
             if reduced { ("q", "v", 3 * k, 3 * k) } else { ("self.x", "self.x", 3 * k, nq + 3 * k) };
         let triple =
             |array: &str, k: usize| format!("[{array}[{k}], {array}[{}], {array}[{}]]", k + 1, k + 2);
-        let body = format!("{}BodyState::of({}, {})", pose_line(emission), triple(q, i), triple(v, j));
-        let body = emission.text(body);
+        let body = format!("BodyState::of({}, {})", triple(q, i), triple(v, j));
+        let pose = arrays(&body, ["q", "v"], "self.pose_()");
+        let body = emission.text(pose + &body);
         quote! {
             #docs
             pub fn #field(&self) -> BodyState<S> {
@@ -78,9 +79,18 @@ fn poses(emission: &Emission) -> TokenStream {
     model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect()
 }
 
-/// The line that gives an accessor of `State` the pose, where that is not the state itself.
-fn pose_line(emission: &Emission) -> &'static str {
-    if emission.is_reduced() { "let (q, v) = self.pose_();\n" } else { "" }
+/// The line that gives an accessor of `State` two arrays, as far as it reads them.
+fn arrays(text: &str, [first, second]: [&str; 2], from: &str) -> String {
+    let reads = |array: &str| {
+        text.match_indices(array).any(|(at, _)| {
+            let (before, behind) = (&text[..at], &text[at + array.len()..]);
+            !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && behind.starts_with(['[', ';'])
+        })
+    };
+    match [first, second].map(|array| if reads(array) { array } else { "_" }) {
+        ["_", "_"] => String::new(),
+        [first, second] => format!("let ({first}, {second}) = {from};\n"),
+    }
 }
 
 /// The type of an output.
@@ -101,7 +111,6 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
     let own = if output.docs.is_empty() { String::new() } else { format!("\n\n{}", output.docs) };
     let docs = format!("{what} `{}`, {}.{own}", output.name.text, docs::si(&output.unit));
     let docs = docs::docs(emission, &docs);
-    let solved = laid_out.solves.then(|| quote!(let (a, lambda) = self.solved_();));
     let many = output.components.len() > 1;
     let value = many.then(|| {
         let count = number(output.components.len());
@@ -112,7 +121,6 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
     quote! {
         #docs
         pub fn #name(&self) -> #kind {
-            #solved
             #value
             #body
             #result
@@ -122,8 +130,10 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let (text, _) = statements(function, bindings, &reserved);
-    emission.text(format!("{}{text}", pose_line(emission)))
+    let (text, _) = statements(function, bindings, (&reserved, false));
+    let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
+    let pose = if emission.is_reduced() { arrays(&text, ["q", "v"], "self.pose_()") } else { String::new() };
+    emission.text(solved + &pose + &text)
 }
 
 /// The turns that tell the mirror images of loops apart.

@@ -56,12 +56,12 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     });
     let states = fields.states.iter().zip(2 * nq..);
     let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
-    let starts = emission.lines(bodies.chain(states));
+    let (literals, starts) = emission.values(bodies.chain(states).collect());
     let absolute = emission.absolute_of("self");
     quote! {
         impl<S: Real> #name<S> {
             fn placed(&self, x: &[S; #full]) -> Starts<S> {
-                let lit = S::lit;
+                #literals
                 Starts { #starts }
             }
         }
@@ -120,7 +120,7 @@ fn begin(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let pass = emission.has_sides().then(|| quote!(rt::System::pass(self, t, &mut held);));
     let switch = (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &x);));
-    let mutable = emission.has_sides().then(|| quote!(mut));
+    let held = if emission.has_sides() { quote!(let mut held = input;) } else { quote!(let held = input;) };
     match emission.form {
         Form::Loops(reduced) => {
             let memory = number(reduced.memory_length);
@@ -146,13 +146,13 @@ fn begin(emission: &Emission) -> TokenStream {
         }
         Form::Tree(_) => quote! {
             self.project(t, &assembly.q, &assembly.v, &mut x);
-            let #mutable held = input;
+            #held
             #pass
             #switch
         },
         Form::Absolute => quote! {
             absolute::join(&assembly.q, &assembly.v, &mut x);
-            let #mutable held = input;
+            #held
             #pass
             #switch
         },

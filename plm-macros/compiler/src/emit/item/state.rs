@@ -44,6 +44,13 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
         }
     };
     let (to, from) = (number(2 * emission.equations.q.len()), number(*second_order));
+    let first_order = (!emission.equations.x.is_empty()).then(|| {
+        quote! {
+            for k in 0..#nx {
+                x[#to + k] = self.x[#from + k];
+            }
+        }
+    });
     quote! {
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
@@ -59,9 +66,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); #full];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..#nx {
-                    x[#to + k] = self.x[#from + k];
-                }
+                #first_order
                 x
             }
         }

@@ -42,6 +42,8 @@ enum Statement {
 /// A lowered function.
 #[derive(Debug)]
 struct Lines {
+    /// What is read of each array, by the numbers of its elements: names of locals.
+    inputs: BTreeMap<String, BTreeMap<usize, String>>,
     /// Statements in order.
     statements: Vec<Statement>,
     /// The value that the function returns and the locals that it reads.
@@ -52,10 +54,15 @@ struct Lines {
     count: Count,
 }
 
-/// The statements of a function and its operations; `reserved` are the names of its arguments.
-pub(super) fn statements(function: &Function, bindings: &Bindings, reserved: &[&str]) -> (String, Count) {
+/// The statements of a function and its operations; `reserved` are the names of its arguments, arrays among which are
+/// references or values.
+pub(super) fn statements(
+    function: &Function,
+    bindings: &Bindings,
+    (reserved, by_reference): (&[&str], bool),
+) -> (String, Count) {
     let lines = lower(function, bindings, reserved);
-    (blocks::with_literals(&lines), lines.count)
+    (blocks::with_literals(&lines, by_reference), lines.count)
 }
 
 /// An expression as one of Rust: a block where it needs locals.
@@ -122,8 +129,13 @@ impl<'a> Lowering<'a> {
         let groups = angle_groups(tape, &uses);
         let needed =
             tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
-        let lines =
-            Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
+        let lines = Lines {
+            inputs: BTreeMap::new(),
+            statements: Vec::new(),
+            value: None,
+            locals: Vec::new(),
+            count: Count::of(needed),
+        };
         let names = Names::with_reserved(reserved);
         let mut is_result = vec![false; tape.ops.len()];
         for result in &tape.outputs[first_result..] {
@@ -163,6 +175,9 @@ impl<'a> Lowering<'a> {
             return self.early.remove(&index).unwrap_or_default();
         }
         let piece = self.piece(op);
+        if matches!(op, Op::Symbol(_)) && is_name(&piece.text) {
+            return piece;
+        }
         let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
         let reads_symbol = matches!(op, Op::Symbol(_)) && !(self.uses[index] == 1 && self.is_result[index]);
         if again || reads_symbol || piece.terms > MOST_TERMS { self.bind(index, piece) } else { piece }
@@ -233,6 +248,10 @@ impl<'a> Lowering<'a> {
         };
         let local = self.named(name);
         let (pattern, makes) = (local.text.clone(), local.reads.clone());
+        if let (Op::Symbol(_), Some((array, element))) = (self.tape.ops[index].op, element(&piece.text)) {
+            self.lines.inputs.entry(array.to_owned()).or_default().insert(element, pattern);
+            return local;
+        }
         self.lines.statements.push(Statement::Let { makes, pattern, value: piece.text, reads: piece.reads });
         local
     }
@@ -320,6 +339,17 @@ impl<'a> Lowering<'a> {
         }
         self.lines
     }
+}
+
+/// Is this a name by itself?
+fn is_name(text: &str) -> bool {
+    text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+}
+
+/// Array and element of `x[3]` or `self.x[3]`.
+fn element(text: &str) -> Option<(&str, usize)> {
+    let (array, element) = text.strip_suffix(']')?.split_once('[')?;
+    Some((array, element.parse().ok()?)).filter(|_| array.split('.').all(is_name))
 }
 
 /// Is this a sine that is wanted with the cosine behind it?
