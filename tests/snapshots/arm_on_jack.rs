@@ -573,21 +573,53 @@ mod plm_arm_on_jack_ {
             }
         }
 
+        impl<S: Scalar> ArmOnJack<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 2 mul, 1 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
+                let [_, _, arm_angle, ..] = *q;
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                phi_q[1] = lit(0.8) * sin_arm_angle;
+                phi_q[2] = lit(1.0);
+                phi_q[3] = lit(-0.8) * cos_arm_angle;
+            }
+        }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for ArmOnJack<S> {
             const ROWS: [&'static str; 2] = ["hinge.x", "hinge.y"];
             const PARTS: [&'static str; 2] = ["hinge", "hinge"];
             const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
             const ANGULAR: [bool; 2] = [false, false];
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 2 add, 2 mul, 1 sin_cos.
             fn phi(&self, t: S, q: &[S; 3]) -> [S; 2] {
                 let mut phi = [S::lit(0.0); 2];
-                self.residual(t, q, &mut phi);
+                let [arm_x, arm_y, arm_angle, ..] = *q;
+                let lit = S::lit;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                phi[0] = lit(-0.8).mul_add(cos_arm_angle, arm_x);
+                phi[1] = lit(-0.8).mul_add(sin_arm_angle, arm_y);
                 phi
             }
 
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 2 add, 3 mul, 1 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 3], v: &[S; 3]) -> [S; 2] {
                 let mut phi_dot = [S::lit(0.0); 2];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [_, _, arm_angle, ..] = *q;
+                let [arm_vx, arm_vy, arm_omega, ..] = *v;
+                let lit = S::lit;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(0.8) * arm_omega;
+                phi_dot[0] = t1.mul_add(sin_arm_angle, arm_vx);
+                phi_dot[1] = (-t1).mul_add(cos_arm_angle, arm_vy);
                 phi_dot
             }
 
@@ -600,13 +632,47 @@ mod plm_arm_on_jack_ {
                 }
             }
 
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 6 add, 19 mul, 3 div, 1 sin_cos, 4 select.
             fn min_norm(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [_, _, arm_angle, ..] = *q;
+                    let [residual_0, residual_1, ..] = *r;
+                    let [w_0, w_1, w_2, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                    let t1 = lit(0.8) * sin_arm_angle;
+                    let y_0_2 = t1 * w_2;
+                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
+                    let y_1_2 = lit(-0.8) * cos_arm_angle * w_2;
+                    let g_1_0 = t1 * y_1_2;
+                    let l_1_0 = r_0 * g_1_0;
+                    let t2 = (-(lit(0.8) * cos_arm_angle)).mul_add(y_1_2, w_1);
+                    let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
+                    let growth_1 = (t2 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t3 = most_growth.lt(growth_1);
+                    // (phi_q W phi_q^T) mu = r
+                    let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
+                    let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
+                    // Results
+                    dq[0] = w_0 * mu_0;
+                    dq[1] = w_1 * mu_1;
+                    dq[2] = y_1_2.mul_add(mu_1, y_0_2 * mu_0);
+                    lit(1.0) / S::select(t3, lit(0.0), growth_1)
+                })
             }
 
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 3] {
                 let mut inverse_mass = [S::lit(0.0); 3];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.01);
+                inverse_mass[1] = lit(0.01);
+                inverse_mass[2] = lit(100.0);
                 inverse_mass
             }
 
@@ -778,55 +844,13 @@ mod plm_arm_on_jack_ {
                 state.absolute_()
             }
 
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 14],
-                lambda: &[S; 2],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 3], [S; 3]) = absolute::split(x);
-                let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
-                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
-                    .into_iter()
-                    .for_each(&mut *each);
-                absolute::residuals::<S, Self, NQ, NC, 14>(self, t, x, each);
-                x_dot.into_iter().for_each(each);
-            }
-
-            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
-            }
-
-            fn starts_mut(&mut self) -> &mut Starts<S> {
-                &mut self.start
-            }
-
-            fn starts_at(&self, x: &[S; 14]) -> Starts<S> {
-                self.placed(x)
-            }
-
-            fn size(&self) -> S {
-                absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> ArmOnJack<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
             ///
             /// 54 add, 84 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
             #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Held<S>,
-                x: &[S; 14],
-                lambda: &[S; 2],
-                force: &mut [S; 3],
-                x_dot: &mut [S; 8],
-            ) {
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 14], lambda: &[S; 2], each: &mut impl FnMut(S)) {
+                let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
                 let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
                 let [
                     arm_x,
@@ -947,86 +971,28 @@ mod plm_arm_on_jack_ {
                         .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
                 );
                 x_dot[7] = t42;
-            }
-        }
-
-        impl<S: Scalar> ArmOnJack<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 2 add, 2 mul, 1 sin_cos.
-            fn residual(&self, t: S, q: &[S; 3], phi: &mut [S; 2]) {
-                let [arm_x, arm_y, arm_angle, ..] = *q;
-                let lit = S::lit;
-                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                phi[0] = lit(-0.8).mul_add(cos_arm_angle, arm_x);
-                phi[1] = lit(-0.8).mul_add(sin_arm_angle, arm_y);
+                let (q, _): ([S; 3], [S; 3]) = absolute::split(x);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
+                    .into_iter()
+                    .for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, 14>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
             }
 
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 2 add, 3 mul, 1 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 3], v: &[S; 3], phi_dot: &mut [S; 2]) {
-                let [_, _, arm_angle, ..] = *q;
-                let [arm_vx, arm_vy, arm_omega, ..] = *v;
-                let lit = S::lit;
-                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(0.8) * arm_omega;
-                phi_dot[0] = t1.mul_add(sin_arm_angle, arm_vx);
-                phi_dot[1] = (-t1).mul_add(cos_arm_angle, arm_vy);
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
             }
 
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 2 mul, 1 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
-                let [_, _, arm_angle, ..] = *q;
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                phi_q[1] = lit(0.8) * sin_arm_angle;
-                phi_q[2] = lit(1.0);
-                phi_q[3] = lit(-0.8) * cos_arm_angle;
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
             }
 
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 6 add, 19 mul, 3 div, 1 sin_cos, 4 select.
-            fn closing_step(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> S {
-                let [_, _, arm_angle, ..] = *q;
-                let [residual_0, residual_1, ..] = *r;
-                let [w_0, w_1, w_2, ..] = *w;
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(0.8) * sin_arm_angle;
-                let y_0_2 = t1 * w_2;
-                let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                let y_1_2 = lit(-0.8) * cos_arm_angle * w_2;
-                let g_1_0 = t1 * y_1_2;
-                let l_1_0 = r_0 * g_1_0;
-                let t2 = (-(lit(0.8) * cos_arm_angle)).mul_add(y_1_2, w_1);
-                let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
-                let growth_1 = (t2 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t3 = most_growth.lt(growth_1);
-                // (phi_q W phi_q^T) mu = r
-                let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
-                let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
-                // Results
-                dq[0] = w_0 * mu_0;
-                dq[1] = w_1 * mu_1;
-                dq[2] = y_1_2.mul_add(mu_1, y_0_2 * mu_0);
-                lit(1.0) / S::select(t3, lit(0.0), growth_1)
+            fn starts_at(&self, x: &[S; 14]) -> Starts<S> {
+                self.placed(x)
             }
 
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 3]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(0.01);
-                inverse_mass[1] = lit(0.01);
-                inverse_mass[2] = lit(100.0);
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
             }
         }
 

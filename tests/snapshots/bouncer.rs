@@ -485,6 +485,18 @@ mod plm_bouncer_ {
             }
         }
 
+        impl<S: Scalar> Bouncer<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
+                let lit = S::lit;
+                phi_q[0] = lit(-1.0);
+                phi_q[1] = lit(-1.0);
+                phi_q[2] = lit(-1.0);
+                phi_q[3] = lit(-1.0);
+            }
+        }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Bouncer<S> {
             const ROWS: [&'static str; 4] = ["rail.normal", "rail.angle", "other.normal", "other.angle"];
@@ -492,15 +504,29 @@ mod plm_bouncer_ {
             const COORDINATES: [&'static str; 6] =
                 ["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
             const ANGULAR: [bool; 4] = [false, true, false, true];
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 4 neg.
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
-                self.residual(t, q, &mut phi);
+                let [_, block_y, block_angle, _, clock_y, clock_angle, ..] = *q;
+                phi[0] = -block_y;
+                phi[1] = -block_angle;
+                phi[2] = -clock_y;
+                phi[3] = -clock_angle;
                 phi
             }
 
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 4 neg.
             fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
                 let mut phi_dot = [S::lit(0.0); 4];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [_, block_vy, block_omega, _, clock_vy, clock_omega, ..] = *v;
+                phi_dot[0] = -block_vy;
+                phi_dot[1] = -block_omega;
+                phi_dot[2] = -clock_vy;
+                phi_dot[3] = -clock_omega;
                 phi_dot
             }
 
@@ -513,13 +539,36 @@ mod plm_bouncer_ {
                 }
             }
 
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 8 mul, 4 div, 4 neg.
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                    let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
+                    let lit = S::lit;
+                    // Results
+                    dq[0] = lit(0.0);
+                    dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
+                    dq[2] = -(w_2 * (residual_1 * (lit(1.0) / w_2)));
+                    dq[3] = lit(0.0);
+                    dq[4] = -(w_4 * (residual_2 * (lit(1.0) / w_4)));
+                    dq[5] = -(w_5 * (residual_3 * (lit(1.0) / w_5)));
+                    lit(1.0)
+                })
             }
 
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 6] {
                 let mut inverse_mass = [S::lit(0.0); 6];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.5);
+                inverse_mass[1] = lit(0.5);
+                inverse_mass[2] = lit(1.0);
+                inverse_mass[3] = lit(1.0);
+                inverse_mass[4] = lit(1.0);
+                inverse_mass[5] = lit(1.0);
                 inverse_mass
             }
 
@@ -676,17 +725,31 @@ mod plm_bouncer_ {
                 state.absolute_()
             }
 
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 6], [S; 6]) = absolute::split(x);
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 3 add, 1 mul, 8 select.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 12], lambda: &[S; 4], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 6], [S::lit(0.0); 0]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, _, _, clock_x, ..] = *x;
+                let lit = S::lit;
+                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                force[1] = lit(0.0);
+                force[2] = lit(0.0);
+                let push = u.input.push;
+                let t1 = push
+                    + S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
+                    + S::select(
+                        side_3.lt(lit(0.0)),
+                        lit(0.0),
+                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                    );
+                force[3] = t1;
+                force[4] = lit(0.0);
+                force[5] = lit(0.0);
+                let (q, _): ([S; 6], [S; 6]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
@@ -708,103 +771,6 @@ mod plm_bouncer_ {
 
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> Bouncer<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 3 add, 1 mul, 8 select.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Held<S>,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                force: &mut [S; 6],
-                x_dot: &mut [S; 0],
-            ) {
-                let [_, side_1, side_2, side_3, ..] = u.sides;
-                let [_, _, _, clock_x, ..] = *x;
-                let lit = S::lit;
-                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
-                force[1] = lit(0.0);
-                force[2] = lit(0.0);
-                let push = u.input.push;
-                let t1 = push
-                    + S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
-                    + S::select(
-                        side_3.lt(lit(0.0)),
-                        lit(0.0),
-                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
-                    );
-                force[3] = t1;
-                force[4] = lit(0.0);
-                force[5] = lit(0.0);
-            }
-        }
-
-        impl<S: Scalar> Bouncer<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 4 neg.
-            fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
-                let [_, block_y, block_angle, _, clock_y, clock_angle, ..] = *q;
-                phi[0] = -block_y;
-                phi[1] = -block_angle;
-                phi[2] = -clock_y;
-                phi[3] = -clock_angle;
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 4 neg.
-            fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
-                let [_, block_vy, block_omega, _, clock_vy, clock_omega, ..] = *v;
-                phi_dot[0] = -block_vy;
-                phi_dot[1] = -block_omega;
-                phi_dot[2] = -clock_vy;
-                phi_dot[3] = -clock_omega;
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
-                let lit = S::lit;
-                phi_q[0] = lit(-1.0);
-                phi_q[1] = lit(-1.0);
-                phi_q[2] = lit(-1.0);
-                phi_q[3] = lit(-1.0);
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 8 mul, 4 div, 4 neg.
-            fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
-                let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
-                let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
-                let lit = S::lit;
-                // Results
-                dq[0] = lit(0.0);
-                dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
-                dq[2] = -(w_2 * (residual_1 * (lit(1.0) / w_2)));
-                dq[3] = lit(0.0);
-                dq[4] = -(w_4 * (residual_2 * (lit(1.0) / w_4)));
-                dq[5] = -(w_5 * (residual_3 * (lit(1.0) / w_5)));
-                lit(1.0)
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 6]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(0.5);
-                inverse_mass[1] = lit(0.5);
-                inverse_mass[2] = lit(1.0);
-                inverse_mass[3] = lit(1.0);
-                inverse_mass[4] = lit(1.0);
-                inverse_mass[5] = lit(1.0);
             }
         }
 

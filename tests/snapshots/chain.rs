@@ -537,6 +537,70 @@ mod plm_chain_ {
             }
         }
 
+        impl<S: Scalar> Chain<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 10 mul, 5 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
+                let bar_0_angle = q[2];
+                let bar_1_angle = q[5];
+                let bar_2_angle = q[8];
+                let bar_3_angle = q[11];
+                let bar_4_angle = q[14];
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let t1 = lit(0.5) * sin_bar_0_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.5) * cos_bar_0_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                let t3 = lit(0.5) * sin_bar_1_angle;
+                phi_q[7] = t3;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                let t4 = lit(-0.5) * cos_bar_1_angle;
+                phi_q[11] = t4;
+                phi_q[12] = lit(-1.0);
+                phi_q[13] = t3;
+                phi_q[14] = lit(1.0);
+                let t5 = lit(0.5) * sin_bar_2_angle;
+                phi_q[15] = t5;
+                phi_q[16] = lit(-1.0);
+                phi_q[17] = t4;
+                phi_q[18] = lit(1.0);
+                let t6 = lit(-0.5) * cos_bar_2_angle;
+                phi_q[19] = t6;
+                phi_q[20] = lit(-1.0);
+                phi_q[21] = t5;
+                phi_q[22] = lit(1.0);
+                let t7 = lit(0.5) * sin_bar_3_angle;
+                phi_q[23] = t7;
+                phi_q[24] = lit(-1.0);
+                phi_q[25] = t6;
+                phi_q[26] = lit(1.0);
+                let t8 = lit(-0.5) * cos_bar_3_angle;
+                phi_q[27] = t8;
+                phi_q[28] = lit(-1.0);
+                phi_q[29] = t7;
+                phi_q[30] = lit(1.0);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                phi_q[31] = lit(0.5) * sin_bar_4_angle;
+                phi_q[32] = lit(-1.0);
+                phi_q[33] = t8;
+                phi_q[34] = lit(1.0);
+                phi_q[35] = lit(-0.5) * cos_bar_4_angle;
+            }
+        }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Chain<S> {
             const ROWS: [&'static str; 10] = [
@@ -566,15 +630,100 @@ mod plm_chain_ {
             ];
             const ANGULAR: [bool; 10] =
                 [false, false, false, false, false, false, false, false, false, false];
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 26 add, 10 mul, 5 sin_cos.
             fn phi(&self, t: S, q: &[S; 15]) -> [S; 10] {
                 let mut phi = [S::lit(0.0); 10];
-                self.residual(t, q, &mut phi);
+                let [
+                    bar_0_x,
+                    bar_0_y,
+                    bar_0_angle,
+                    bar_1_x,
+                    bar_1_y,
+                    bar_1_angle,
+                    bar_2_x,
+                    bar_2_y,
+                    bar_2_angle,
+                    bar_3_x,
+                    bar_3_y,
+                    bar_3_angle,
+                    bar_4_x,
+                    bar_4_y,
+                    bar_4_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                let (
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                phi[0] = lit(-0.5).mul_add(cos_bar_0_angle, bar_0_x);
+                phi[1] = lit(-0.5).mul_add(sin_bar_0_angle, bar_0_y);
+                phi[2] = lit(-0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_1_x - bar_0_x);
+                phi[3] = lit(-0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_1_y - bar_0_y);
+                phi[4] = lit(-0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_2_x - bar_1_x);
+                phi[5] = lit(-0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_2_y - bar_1_y);
+                phi[6] = lit(-0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_3_x - bar_2_x);
+                phi[7] = lit(-0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_3_y - bar_2_y);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                phi[8] = lit(-0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_4_x - bar_3_x);
+                phi[9] = lit(-0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_4_y - bar_3_y);
                 phi
             }
 
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 26 add, 20 mul, 5 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 15], v: &[S; 15]) -> [S; 10] {
                 let mut phi_dot = [S::lit(0.0); 10];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let bar_0_angle = q[2];
+                let bar_1_angle = q[5];
+                let bar_2_angle = q[8];
+                let bar_3_angle = q[11];
+                let bar_4_angle = q[14];
+                let [
+                    bar_0_vx,
+                    bar_0_vy,
+                    bar_0_omega,
+                    bar_1_vx,
+                    bar_1_vy,
+                    bar_1_omega,
+                    bar_2_vx,
+                    bar_2_vy,
+                    bar_2_omega,
+                    bar_3_vx,
+                    bar_3_vy,
+                    bar_3_omega,
+                    bar_4_vx,
+                    bar_4_vy,
+                    bar_4_omega,
+                    ..,
+                ] = *v;
+                let lit = S::lit;
+                let (
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let t1 = bar_0_omega * sin_bar_0_angle;
+                phi_dot[0] = lit(0.5).mul_add(t1, bar_0_vx);
+                let t2 = bar_0_omega * cos_bar_0_angle;
+                phi_dot[1] = lit(-0.5).mul_add(t2, bar_0_vy);
+                let t3 = bar_1_omega * sin_bar_1_angle;
+                phi_dot[2] = lit(0.5).mul_add(t1 + t3, bar_1_vx - bar_0_vx);
+                let t4 = bar_1_omega * cos_bar_1_angle;
+                phi_dot[3] = lit(-0.5).mul_add(t2 + t4, bar_1_vy - bar_0_vy);
+                let t5 = bar_2_omega * sin_bar_2_angle;
+                phi_dot[4] = lit(0.5).mul_add(t3 + t5, bar_2_vx - bar_1_vx);
+                let t6 = bar_2_omega * cos_bar_2_angle;
+                phi_dot[5] = lit(-0.5).mul_add(t4 + t6, bar_2_vy - bar_1_vy);
+                let t7 = bar_3_omega * sin_bar_3_angle;
+                phi_dot[6] = lit(0.5).mul_add(t5 + t7, bar_3_vx - bar_2_vx);
+                let t8 = bar_3_omega * cos_bar_3_angle;
+                phi_dot[7] = lit(-0.5).mul_add(t6 + t8, bar_3_vy - bar_2_vy);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                phi_dot[8] = lit(0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_4_vx - bar_3_vx);
+                phi_dot[9] = lit(-0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_4_vy - bar_3_vy);
                 phi_dot
             }
 
@@ -624,6 +773,10 @@ mod plm_chain_ {
                 }
             }
 
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 129 add, 194 mul, 11 div, 5 sin_cos, 44 select.
             fn min_norm(
                 &self,
                 t: S,
@@ -632,12 +785,236 @@ mod plm_chain_ {
                 r: &[S; 10],
                 dq: &mut [S; 15],
             ) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let bar_0_angle = q[2];
+                    let bar_1_angle = q[5];
+                    let bar_2_angle = q[8];
+                    let bar_3_angle = q[11];
+                    let bar_4_angle = q[14];
+                    let [
+                        residual_0,
+                        residual_1,
+                        residual_2,
+                        residual_3,
+                        residual_4,
+                        residual_5,
+                        residual_6,
+                        residual_7,
+                        residual_8,
+                        residual_9,
+                        ..,
+                    ] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, w_12, w_13, w_14, ..] =
+                        *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (
+                        [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                        [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                    ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                    let y_0_2 = lit(0.5) * sin_bar_0_angle * w_2;
+                    let t1 = lit(0.5) * (sin_bar_0_angle * y_0_2);
+                    let d_0 = w_0 + t1;
+                    let r_0 = lit(1.0) / d_0;
+                    let t2 = lit(-0.5) * cos_bar_0_angle;
+                    let y_1_2 = t2 * w_2;
+                    let t3 = sin_bar_0_angle * y_1_2;
+                    let g_1_0 = lit(0.5) * t3;
+                    let l_1_0 = r_0 * g_1_0;
+                    let g_2_0 = t1 - w_0;
+                    let l_2_0 = r_0 * g_2_0;
+                    let t4 = cos_bar_0_angle * y_1_2;
+                    let t5 = lit(-0.5).mul_add(t4, w_1);
+                    let t6 = g_1_0 * l_1_0;
+                    let d_1 = t5 - t6;
+                    let r_1 = lit(1.0) / d_1;
+                    let growth_1 = (t5 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t7 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t7, lit(0.0), r_1);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
+                    let l_2_1 = g_2_1 * kept_1;
+                    let g_3_1 = lit(-0.5).mul_add(t4, -w_1) - t6;
+                    let l_3_1 = g_3_1 * kept_1;
+                    let y_2_5 = lit(0.5) * sin_bar_1_angle * w_5;
+                    let t8 = lit(0.5) * (sin_bar_1_angle * y_2_5);
+                    let t9 = w_3 + t8;
+                    let t10 = d_0 + t9;
+                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t10));
+                    let growth_2 = (t10 * r_2).abs();
+                    let t11 = most_growth.lt(growth_2);
+                    let kept_2 = S::select(t11, lit(0.0), r_2);
+                    let t12 = lit(-0.5) * cos_bar_1_angle;
+                    let y_3_5 = t12 * w_5;
+                    let t13 = sin_bar_1_angle * y_3_5;
+                    let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, lit(0.5) * (t3 + t13)));
+                    let l_3_2 = kept_2 * g_3_2;
+                    let g_4_2 = t8 - w_3;
+                    let l_4_2 = g_4_2 * kept_2;
+                    let g_5_2 = lit(0.5) * t13;
+                    let l_5_2 = g_5_2 * kept_2;
+                    let t14 = cos_bar_1_angle * y_3_5;
+                    let t15 = lit(-0.5).mul_add(t14, w_4);
+                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
+                    let growth_3 = (r_3 * (t5 + t15)).abs();
+                    let t16 = most_growth.lt(growth_3);
+                    let kept_3 = S::select(t16, lit(0.0), r_3);
+                    let g_4_3 = (-g_3_2).mul_add(l_4_2, t12 * y_2_5);
+                    let l_4_3 = kept_3 * g_4_3;
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.5).mul_add(t14, -w_4));
+                    let l_5_3 = kept_3 * g_5_3;
+                    let y_4_8 = lit(0.5) * sin_bar_2_angle * w_8;
+                    let t17 = lit(0.5) * (sin_bar_2_angle * y_4_8);
+                    let t18 = w_6 + t17;
+                    let t19 = t9 + t18;
+                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t19));
+                    let growth_4 = (t19 * r_4).abs();
+                    let t20 = most_growth.lt(growth_4);
+                    let kept_4 = S::select(t20, lit(0.0), r_4);
+                    let t21 = lit(-0.5) * cos_bar_2_angle;
+                    let y_5_8 = t21 * w_8;
+                    let t22 = sin_bar_2_angle * y_5_8;
+                    let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, lit(0.5) * (t13 + t22)));
+                    let l_5_4 = kept_4 * g_5_4;
+                    let g_6_4 = t17 - w_6;
+                    let l_6_4 = g_6_4 * kept_4;
+                    let g_7_4 = lit(0.5) * t22;
+                    let l_7_4 = g_7_4 * kept_4;
+                    let t23 = cos_bar_2_angle * y_5_8;
+                    let t24 = lit(-0.5).mul_add(t23, w_7);
+                    let t25 = t15 + t24;
+                    let r_5 = lit(1.0)
+                        / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t25)));
+                    let growth_5 = (t25 * r_5).abs();
+                    let t26 = most_growth.lt(growth_5);
+                    let kept_5 = S::select(t26, lit(0.0), r_5);
+                    let g_6_5 = (-g_5_4).mul_add(l_6_4, t21 * y_4_8);
+                    let l_6_5 = kept_5 * g_6_5;
+                    let g_7_5 = (-g_5_4).mul_add(l_7_4, lit(-0.5).mul_add(t23, -w_7));
+                    let l_7_5 = kept_5 * g_7_5;
+                    let y_6_11 = lit(0.5) * sin_bar_3_angle * w_11;
+                    let t27 = lit(0.5) * (sin_bar_3_angle * y_6_11);
+                    let t28 = w_9 + t27;
+                    let t29 = t18 + t28;
+                    let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t29));
+                    let growth_6 = (t29 * r_6).abs();
+                    let t30 = most_growth.lt(growth_6);
+                    let kept_6 = S::select(t30, lit(0.0), r_6);
+                    let t31 = lit(-0.5) * cos_bar_3_angle;
+                    let y_7_11 = t31 * w_11;
+                    let t32 = sin_bar_3_angle * y_7_11;
+                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.5) * (t22 + t32)));
+                    let l_7_6 = kept_6 * g_7_6;
+                    let g_8_6 = t27 - w_9;
+                    let l_8_6 = g_8_6 * kept_6;
+                    let g_9_6 = lit(0.5) * t32;
+                    let l_9_6 = g_9_6 * kept_6;
+                    let t33 = cos_bar_3_angle * y_7_11;
+                    let t34 = lit(-0.5).mul_add(t33, w_10);
+                    let t35 = t24 + t34;
+                    let r_7 = lit(1.0)
+                        / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t35)));
+                    let growth_7 = (t35 * r_7).abs();
+                    let t36 = most_growth.lt(growth_7);
+                    let kept_7 = S::select(t36, lit(0.0), r_7);
+                    let g_8_7 = (-g_7_6).mul_add(l_8_6, t31 * y_6_11);
+                    let l_8_7 = kept_7 * g_8_7;
+                    let g_9_7 = (-g_7_6).mul_add(l_9_6, lit(-0.5).mul_add(t33, -w_10));
+                    let l_9_7 = kept_7 * g_9_7;
+                    let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                    let t37 = lit(0.5) * sin_bar_4_angle;
+                    let y_8_14 = t37 * w_14;
+                    let t38 = t37.mul_add(y_8_14, w_12) + t28;
+                    let r_8 = lit(1.0) / (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, t38));
+                    let growth_8 = (t38 * r_8).abs();
+                    let t39 = most_growth.lt(growth_8);
+                    let kept_8 = S::select(t39, lit(0.0), r_8);
+                    let y_9_14 = lit(-0.5) * cos_bar_4_angle * w_14;
+                    let g_9_8 = (-g_8_7).mul_add(
+                        l_9_7,
+                        (-g_8_6).mul_add(l_9_6, lit(0.5) * sin_bar_4_angle.mul_add(y_9_14, t32)),
+                    );
+                    let l_9_8 = kept_8 * g_9_8;
+                    let t40 = (-(lit(0.5) * cos_bar_4_angle)).mul_add(y_9_14, w_13) + t34;
+                    let r_9 = lit(1.0)
+                        / (-g_9_8).mul_add(l_9_8, (-g_9_7).mul_add(l_9_7, (-g_9_6).mul_add(l_9_6, t40)));
+                    let growth_9 = (t40 * r_9).abs();
+                    let t41 = most_growth.lt(growth_9);
+                    // (phi_q W phi_q^T) mu = r
+                    let t42 = residual_0 * l_1_0;
+                    let b_1 = residual_1 - t42;
+                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t42));
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
+                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
+                    let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
+                    let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, residual_8));
+                    let mu_9 = S::select(t41, lit(0.0), r_9)
+                        * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, residual_9)));
+                    let mu_8 = (-l_9_8).mul_add(mu_9, kept_8 * b_8);
+                    let mu_7 = (-l_9_7).mul_add(mu_9, (-l_8_7).mul_add(mu_8, kept_7 * b_7));
+                    let mu_6 =
+                        (-l_9_6).mul_add(mu_9, (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6)));
+                    let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
+                    let mu_4 =
+                        (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
+                    let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
+                    let mu_2 =
+                        (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
+                    let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
+                    let t43 = mu_3 + mu_1;
+                    let mu_0 = (-l_1_0).mul_add(t43, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    // Results
+                    dq[0] = w_0 * (mu_0 - mu_2);
+                    dq[1] = w_1 * (mu_1 - mu_3);
+                    dq[2] = y_1_2.mul_add(t43, y_0_2 * (mu_2 + mu_0));
+                    dq[3] = w_3 * (mu_2 - mu_4);
+                    dq[4] = w_4 * (mu_3 - mu_5);
+                    dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
+                    dq[6] = w_6 * (mu_4 - mu_6);
+                    dq[7] = w_7 * (mu_5 - mu_7);
+                    dq[8] = y_5_8.mul_add(mu_7 + mu_5, y_4_8 * (mu_6 + mu_4));
+                    dq[9] = w_9 * (mu_6 - mu_8);
+                    dq[10] = w_10 * (mu_7 - mu_9);
+                    dq[11] = y_7_11.mul_add(mu_9 + mu_7, y_6_11 * (mu_8 + mu_6));
+                    dq[12] = w_12 * mu_8;
+                    dq[13] = w_13 * mu_9;
+                    dq[14] = y_9_14.mul_add(mu_9, y_8_14 * mu_8);
+                    let t44 = S::select(t7, lit(0.0), growth_1)
+                        .max(S::select(t11, lit(0.0), growth_2))
+                        .max(S::select(t16, lit(0.0), growth_3));
+                    let t45 = t44
+                        .max(S::select(t20, lit(0.0), growth_4))
+                        .max(S::select(t26, lit(0.0), growth_5))
+                        .max(S::select(t30, lit(0.0), growth_6));
+                    let t46 = t45
+                        .max(S::select(t36, lit(0.0), growth_7))
+                        .max(S::select(t39, lit(0.0), growth_8))
+                        .max(S::select(t41, lit(0.0), growth_9));
+                    lit(1.0) / t46
+                })
             }
 
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 15] {
                 let mut inverse_mass = [S::lit(0.0); 15];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(1.0);
+                inverse_mass[1] = lit(1.0);
+                inverse_mass[2] = lit(12.0);
+                inverse_mass[3] = lit(1.0);
+                inverse_mass[4] = lit(1.0);
+                inverse_mass[5] = lit(12.0);
+                inverse_mass[6] = lit(1.0);
+                inverse_mass[7] = lit(1.0);
+                inverse_mass[8] = lit(12.0);
+                inverse_mass[9] = lit(1.0);
+                inverse_mass[10] = lit(1.0);
+                inverse_mass[11] = lit(12.0);
+                inverse_mass[12] = lit(1.0);
+                inverse_mass[13] = lit(1.0);
+                inverse_mass[14] = lit(12.0);
                 inverse_mass
             }
 
@@ -842,17 +1219,31 @@ mod plm_chain_ {
                 state.absolute_()
             }
 
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 30],
-                lambda: &[S; 10],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 15], [S; 15]) = absolute::split(x);
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 1 mul.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 30], lambda: &[S; 10], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 15], [S::lit(0.0); 0]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let bar_0_omega = x[17];
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-9.81);
+                force[2] = lit(-0.1) * bar_0_omega;
+                force[3] = lit(0.0);
+                force[4] = lit(-9.81);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-9.81);
+                force[8] = lit(0.0);
+                force[9] = lit(0.0);
+                force[10] = lit(-9.81);
+                force[11] = lit(0.0);
+                force[12] = lit(0.0);
+                force[13] = lit(-9.81);
+                force[14] = lit(0.0);
+                let (q, _): ([S; 15], [S; 15]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
@@ -874,428 +1265,6 @@ mod plm_chain_ {
 
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> Chain<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 1 mul.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 30],
-                lambda: &[S; 10],
-                force: &mut [S; 15],
-                x_dot: &mut [S; 0],
-            ) {
-                let bar_0_omega = x[17];
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-9.81);
-                force[2] = lit(-0.1) * bar_0_omega;
-                force[3] = lit(0.0);
-                force[4] = lit(-9.81);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-9.81);
-                force[8] = lit(0.0);
-                force[9] = lit(0.0);
-                force[10] = lit(-9.81);
-                force[11] = lit(0.0);
-                force[12] = lit(0.0);
-                force[13] = lit(-9.81);
-                force[14] = lit(0.0);
-            }
-        }
-
-        impl<S: Scalar> Chain<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 26 add, 10 mul, 5 sin_cos.
-            fn residual(&self, t: S, q: &[S; 15], phi: &mut [S; 10]) {
-                let [
-                    bar_0_x,
-                    bar_0_y,
-                    bar_0_angle,
-                    bar_1_x,
-                    bar_1_y,
-                    bar_1_angle,
-                    bar_2_x,
-                    bar_2_y,
-                    bar_2_angle,
-                    bar_3_x,
-                    bar_3_y,
-                    bar_3_angle,
-                    bar_4_x,
-                    bar_4_y,
-                    bar_4_angle,
-                    ..,
-                ] = *q;
-                let lit = S::lit;
-                let (
-                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
-                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
-                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                phi[0] = lit(-0.5).mul_add(cos_bar_0_angle, bar_0_x);
-                phi[1] = lit(-0.5).mul_add(sin_bar_0_angle, bar_0_y);
-                phi[2] = lit(-0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_1_x - bar_0_x);
-                phi[3] = lit(-0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_1_y - bar_0_y);
-                phi[4] = lit(-0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_2_x - bar_1_x);
-                phi[5] = lit(-0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_2_y - bar_1_y);
-                phi[6] = lit(-0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_3_x - bar_2_x);
-                phi[7] = lit(-0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_3_y - bar_2_y);
-                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                phi[8] = lit(-0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_4_x - bar_3_x);
-                phi[9] = lit(-0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_4_y - bar_3_y);
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 26 add, 20 mul, 5 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 15], v: &[S; 15], phi_dot: &mut [S; 10]) {
-                let bar_0_angle = q[2];
-                let bar_1_angle = q[5];
-                let bar_2_angle = q[8];
-                let bar_3_angle = q[11];
-                let bar_4_angle = q[14];
-                let [
-                    bar_0_vx,
-                    bar_0_vy,
-                    bar_0_omega,
-                    bar_1_vx,
-                    bar_1_vy,
-                    bar_1_omega,
-                    bar_2_vx,
-                    bar_2_vy,
-                    bar_2_omega,
-                    bar_3_vx,
-                    bar_3_vy,
-                    bar_3_omega,
-                    bar_4_vx,
-                    bar_4_vy,
-                    bar_4_omega,
-                    ..,
-                ] = *v;
-                let lit = S::lit;
-                let (
-                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
-                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
-                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                let t1 = bar_0_omega * sin_bar_0_angle;
-                phi_dot[0] = lit(0.5).mul_add(t1, bar_0_vx);
-                let t2 = bar_0_omega * cos_bar_0_angle;
-                phi_dot[1] = lit(-0.5).mul_add(t2, bar_0_vy);
-                let t3 = bar_1_omega * sin_bar_1_angle;
-                phi_dot[2] = lit(0.5).mul_add(t1 + t3, bar_1_vx - bar_0_vx);
-                let t4 = bar_1_omega * cos_bar_1_angle;
-                phi_dot[3] = lit(-0.5).mul_add(t2 + t4, bar_1_vy - bar_0_vy);
-                let t5 = bar_2_omega * sin_bar_2_angle;
-                phi_dot[4] = lit(0.5).mul_add(t3 + t5, bar_2_vx - bar_1_vx);
-                let t6 = bar_2_omega * cos_bar_2_angle;
-                phi_dot[5] = lit(-0.5).mul_add(t4 + t6, bar_2_vy - bar_1_vy);
-                let t7 = bar_3_omega * sin_bar_3_angle;
-                phi_dot[6] = lit(0.5).mul_add(t5 + t7, bar_3_vx - bar_2_vx);
-                let t8 = bar_3_omega * cos_bar_3_angle;
-                phi_dot[7] = lit(-0.5).mul_add(t6 + t8, bar_3_vy - bar_2_vy);
-                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                phi_dot[8] = lit(0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_4_vx - bar_3_vx);
-                phi_dot[9] = lit(-0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_4_vy - bar_3_vy);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 10 mul, 5 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
-                let bar_0_angle = q[2];
-                let bar_1_angle = q[5];
-                let bar_2_angle = q[8];
-                let bar_3_angle = q[11];
-                let bar_4_angle = q[14];
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let (
-                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
-                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
-                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                let t1 = lit(0.5) * sin_bar_0_angle;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_bar_0_angle;
-                phi_q[3] = t2;
-                phi_q[4] = lit(-1.0);
-                phi_q[5] = t1;
-                phi_q[6] = lit(1.0);
-                let t3 = lit(0.5) * sin_bar_1_angle;
-                phi_q[7] = t3;
-                phi_q[8] = lit(-1.0);
-                phi_q[9] = t2;
-                phi_q[10] = lit(1.0);
-                let t4 = lit(-0.5) * cos_bar_1_angle;
-                phi_q[11] = t4;
-                phi_q[12] = lit(-1.0);
-                phi_q[13] = t3;
-                phi_q[14] = lit(1.0);
-                let t5 = lit(0.5) * sin_bar_2_angle;
-                phi_q[15] = t5;
-                phi_q[16] = lit(-1.0);
-                phi_q[17] = t4;
-                phi_q[18] = lit(1.0);
-                let t6 = lit(-0.5) * cos_bar_2_angle;
-                phi_q[19] = t6;
-                phi_q[20] = lit(-1.0);
-                phi_q[21] = t5;
-                phi_q[22] = lit(1.0);
-                let t7 = lit(0.5) * sin_bar_3_angle;
-                phi_q[23] = t7;
-                phi_q[24] = lit(-1.0);
-                phi_q[25] = t6;
-                phi_q[26] = lit(1.0);
-                let t8 = lit(-0.5) * cos_bar_3_angle;
-                phi_q[27] = t8;
-                phi_q[28] = lit(-1.0);
-                phi_q[29] = t7;
-                phi_q[30] = lit(1.0);
-                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                phi_q[31] = lit(0.5) * sin_bar_4_angle;
-                phi_q[32] = lit(-1.0);
-                phi_q[33] = t8;
-                phi_q[34] = lit(1.0);
-                phi_q[35] = lit(-0.5) * cos_bar_4_angle;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 129 add, 194 mul, 11 div, 5 sin_cos, 44 select.
-            fn closing_step(&self, t: S, q: &[S; 15], w: &[S; 15], r: &[S; 10], dq: &mut [S; 15]) -> S {
-                let bar_0_angle = q[2];
-                let bar_1_angle = q[5];
-                let bar_2_angle = q[8];
-                let bar_3_angle = q[11];
-                let bar_4_angle = q[14];
-                let [
-                    residual_0,
-                    residual_1,
-                    residual_2,
-                    residual_3,
-                    residual_4,
-                    residual_5,
-                    residual_6,
-                    residual_7,
-                    residual_8,
-                    residual_9,
-                    ..,
-                ] = *r;
-                let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, w_12, w_13, w_14, ..] = *w;
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let (
-                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
-                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
-                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                let y_0_2 = lit(0.5) * sin_bar_0_angle * w_2;
-                let t1 = lit(0.5) * (sin_bar_0_angle * y_0_2);
-                let d_0 = w_0 + t1;
-                let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.5) * cos_bar_0_angle;
-                let y_1_2 = t2 * w_2;
-                let t3 = sin_bar_0_angle * y_1_2;
-                let g_1_0 = lit(0.5) * t3;
-                let l_1_0 = r_0 * g_1_0;
-                let g_2_0 = t1 - w_0;
-                let l_2_0 = r_0 * g_2_0;
-                let t4 = cos_bar_0_angle * y_1_2;
-                let t5 = lit(-0.5).mul_add(t4, w_1);
-                let t6 = g_1_0 * l_1_0;
-                let d_1 = t5 - t6;
-                let r_1 = lit(1.0) / d_1;
-                let growth_1 = (t5 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t7 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t7, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
-                let l_2_1 = g_2_1 * kept_1;
-                let g_3_1 = lit(-0.5).mul_add(t4, -w_1) - t6;
-                let l_3_1 = g_3_1 * kept_1;
-                let y_2_5 = lit(0.5) * sin_bar_1_angle * w_5;
-                let t8 = lit(0.5) * (sin_bar_1_angle * y_2_5);
-                let t9 = w_3 + t8;
-                let t10 = d_0 + t9;
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t10));
-                let growth_2 = (t10 * r_2).abs();
-                let t11 = most_growth.lt(growth_2);
-                let kept_2 = S::select(t11, lit(0.0), r_2);
-                let t12 = lit(-0.5) * cos_bar_1_angle;
-                let y_3_5 = t12 * w_5;
-                let t13 = sin_bar_1_angle * y_3_5;
-                let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, lit(0.5) * (t3 + t13)));
-                let l_3_2 = kept_2 * g_3_2;
-                let g_4_2 = t8 - w_3;
-                let l_4_2 = g_4_2 * kept_2;
-                let g_5_2 = lit(0.5) * t13;
-                let l_5_2 = g_5_2 * kept_2;
-                let t14 = cos_bar_1_angle * y_3_5;
-                let t15 = lit(-0.5).mul_add(t14, w_4);
-                let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
-                let growth_3 = (r_3 * (t5 + t15)).abs();
-                let t16 = most_growth.lt(growth_3);
-                let kept_3 = S::select(t16, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, t12 * y_2_5);
-                let l_4_3 = kept_3 * g_4_3;
-                let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.5).mul_add(t14, -w_4));
-                let l_5_3 = kept_3 * g_5_3;
-                let y_4_8 = lit(0.5) * sin_bar_2_angle * w_8;
-                let t17 = lit(0.5) * (sin_bar_2_angle * y_4_8);
-                let t18 = w_6 + t17;
-                let t19 = t9 + t18;
-                let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t19));
-                let growth_4 = (t19 * r_4).abs();
-                let t20 = most_growth.lt(growth_4);
-                let kept_4 = S::select(t20, lit(0.0), r_4);
-                let t21 = lit(-0.5) * cos_bar_2_angle;
-                let y_5_8 = t21 * w_8;
-                let t22 = sin_bar_2_angle * y_5_8;
-                let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, lit(0.5) * (t13 + t22)));
-                let l_5_4 = kept_4 * g_5_4;
-                let g_6_4 = t17 - w_6;
-                let l_6_4 = g_6_4 * kept_4;
-                let g_7_4 = lit(0.5) * t22;
-                let l_7_4 = g_7_4 * kept_4;
-                let t23 = cos_bar_2_angle * y_5_8;
-                let t24 = lit(-0.5).mul_add(t23, w_7);
-                let t25 = t15 + t24;
-                let r_5 =
-                    lit(1.0) / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t25)));
-                let growth_5 = (t25 * r_5).abs();
-                let t26 = most_growth.lt(growth_5);
-                let kept_5 = S::select(t26, lit(0.0), r_5);
-                let g_6_5 = (-g_5_4).mul_add(l_6_4, t21 * y_4_8);
-                let l_6_5 = kept_5 * g_6_5;
-                let g_7_5 = (-g_5_4).mul_add(l_7_4, lit(-0.5).mul_add(t23, -w_7));
-                let l_7_5 = kept_5 * g_7_5;
-                let y_6_11 = lit(0.5) * sin_bar_3_angle * w_11;
-                let t27 = lit(0.5) * (sin_bar_3_angle * y_6_11);
-                let t28 = w_9 + t27;
-                let t29 = t18 + t28;
-                let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t29));
-                let growth_6 = (t29 * r_6).abs();
-                let t30 = most_growth.lt(growth_6);
-                let kept_6 = S::select(t30, lit(0.0), r_6);
-                let t31 = lit(-0.5) * cos_bar_3_angle;
-                let y_7_11 = t31 * w_11;
-                let t32 = sin_bar_3_angle * y_7_11;
-                let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.5) * (t22 + t32)));
-                let l_7_6 = kept_6 * g_7_6;
-                let g_8_6 = t27 - w_9;
-                let l_8_6 = g_8_6 * kept_6;
-                let g_9_6 = lit(0.5) * t32;
-                let l_9_6 = g_9_6 * kept_6;
-                let t33 = cos_bar_3_angle * y_7_11;
-                let t34 = lit(-0.5).mul_add(t33, w_10);
-                let t35 = t24 + t34;
-                let r_7 =
-                    lit(1.0) / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t35)));
-                let growth_7 = (t35 * r_7).abs();
-                let t36 = most_growth.lt(growth_7);
-                let kept_7 = S::select(t36, lit(0.0), r_7);
-                let g_8_7 = (-g_7_6).mul_add(l_8_6, t31 * y_6_11);
-                let l_8_7 = kept_7 * g_8_7;
-                let g_9_7 = (-g_7_6).mul_add(l_9_6, lit(-0.5).mul_add(t33, -w_10));
-                let l_9_7 = kept_7 * g_9_7;
-                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                let t37 = lit(0.5) * sin_bar_4_angle;
-                let y_8_14 = t37 * w_14;
-                let t38 = t37.mul_add(y_8_14, w_12) + t28;
-                let r_8 = lit(1.0) / (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, t38));
-                let growth_8 = (t38 * r_8).abs();
-                let t39 = most_growth.lt(growth_8);
-                let kept_8 = S::select(t39, lit(0.0), r_8);
-                let y_9_14 = lit(-0.5) * cos_bar_4_angle * w_14;
-                let g_9_8 = (-g_8_7)
-                    .mul_add(l_9_7, (-g_8_6).mul_add(l_9_6, lit(0.5) * sin_bar_4_angle.mul_add(y_9_14, t32)));
-                let l_9_8 = kept_8 * g_9_8;
-                let t40 = (-(lit(0.5) * cos_bar_4_angle)).mul_add(y_9_14, w_13) + t34;
-                let r_9 =
-                    lit(1.0) / (-g_9_8).mul_add(l_9_8, (-g_9_7).mul_add(l_9_7, (-g_9_6).mul_add(l_9_6, t40)));
-                let growth_9 = (t40 * r_9).abs();
-                let t41 = most_growth.lt(growth_9);
-                // (phi_q W phi_q^T) mu = r
-                let t42 = residual_0 * l_1_0;
-                let b_1 = residual_1 - t42;
-                let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t42));
-                let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
-                let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
-                let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
-                let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, residual_8));
-                let mu_9 = S::select(t41, lit(0.0), r_9)
-                    * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, residual_9)));
-                let mu_8 = (-l_9_8).mul_add(mu_9, kept_8 * b_8);
-                let mu_7 = (-l_9_7).mul_add(mu_9, (-l_8_7).mul_add(mu_8, kept_7 * b_7));
-                let mu_6 =
-                    (-l_9_6).mul_add(mu_9, (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6)));
-                let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
-                let mu_4 =
-                    (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
-                let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
-                let mu_2 =
-                    (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
-                let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
-                let t43 = mu_3 + mu_1;
-                let mu_0 = (-l_1_0).mul_add(t43, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
-                // Results
-                dq[0] = w_0 * (mu_0 - mu_2);
-                dq[1] = w_1 * (mu_1 - mu_3);
-                dq[2] = y_1_2.mul_add(t43, y_0_2 * (mu_2 + mu_0));
-                dq[3] = w_3 * (mu_2 - mu_4);
-                dq[4] = w_4 * (mu_3 - mu_5);
-                dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
-                dq[6] = w_6 * (mu_4 - mu_6);
-                dq[7] = w_7 * (mu_5 - mu_7);
-                dq[8] = y_5_8.mul_add(mu_7 + mu_5, y_4_8 * (mu_6 + mu_4));
-                dq[9] = w_9 * (mu_6 - mu_8);
-                dq[10] = w_10 * (mu_7 - mu_9);
-                dq[11] = y_7_11.mul_add(mu_9 + mu_7, y_6_11 * (mu_8 + mu_6));
-                dq[12] = w_12 * mu_8;
-                dq[13] = w_13 * mu_9;
-                dq[14] = y_9_14.mul_add(mu_9, y_8_14 * mu_8);
-                let t44 = S::select(t7, lit(0.0), growth_1)
-                    .max(S::select(t11, lit(0.0), growth_2))
-                    .max(S::select(t16, lit(0.0), growth_3));
-                let t45 = t44
-                    .max(S::select(t20, lit(0.0), growth_4))
-                    .max(S::select(t26, lit(0.0), growth_5))
-                    .max(S::select(t30, lit(0.0), growth_6));
-                let t46 = t45
-                    .max(S::select(t36, lit(0.0), growth_7))
-                    .max(S::select(t39, lit(0.0), growth_8))
-                    .max(S::select(t41, lit(0.0), growth_9));
-                lit(1.0) / t46
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 15]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(1.0);
-                inverse_mass[1] = lit(1.0);
-                inverse_mass[2] = lit(12.0);
-                inverse_mass[3] = lit(1.0);
-                inverse_mass[4] = lit(1.0);
-                inverse_mass[5] = lit(12.0);
-                inverse_mass[6] = lit(1.0);
-                inverse_mass[7] = lit(1.0);
-                inverse_mass[8] = lit(12.0);
-                inverse_mass[9] = lit(1.0);
-                inverse_mass[10] = lit(1.0);
-                inverse_mass[11] = lit(12.0);
-                inverse_mass[12] = lit(1.0);
-                inverse_mass[13] = lit(1.0);
-                inverse_mass[14] = lit(12.0);
             }
         }
 

@@ -410,6 +410,33 @@ mod plm_double_pendulum_ {
             }
         }
 
+        impl<S: Scalar> DoublePendulum<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 2 mul, 1 neg, 2 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * sin_arm_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.5) * cos_arm_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                phi_q[7] = sin_forearm_angle;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                phi_q[11] = -cos_forearm_angle;
+            }
+        }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for DoublePendulum<S> {
             const ROWS: [&'static str; 4] = ["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
@@ -417,15 +444,40 @@ mod plm_double_pendulum_ {
             const COORDINATES: [&'static str; 6] =
                 ["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
             const ANGULAR: [bool; 4] = [false, false, false, false];
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 8 add, 2 mul, 2 sin_cos.
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
-                self.residual(t, q, &mut phi);
+                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, forearm_angle, ..] = *q;
+                let lit = S::lit;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * cos_arm_angle;
+                phi[0] = arm_x - t1;
+                let t2 = lit(0.5) * sin_arm_angle;
+                phi[1] = arm_y - t2;
+                phi[2] = forearm_x - arm_x - t1 - cos_forearm_angle;
+                phi[3] = forearm_y - arm_y - t2 - sin_forearm_angle;
                 phi
             }
 
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 8 add, 6 mul, 2 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
                 let mut phi_dot = [S::lit(0.0); 4];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = *v;
+                let lit = S::lit;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * (arm_omega * sin_arm_angle);
+                phi_dot[0] = arm_vx + t1;
+                let t2 = lit(0.5) * (arm_omega * cos_arm_angle);
+                phi_dot[1] = arm_vy - t2;
+                phi_dot[2] = forearm_omega.mul_add(sin_forearm_angle, forearm_vx - arm_vx + t1);
+                phi_dot[3] = (-forearm_omega).mul_add(cos_forearm_angle, forearm_vy - arm_vy - t2);
                 phi_dot
             }
 
@@ -451,13 +503,90 @@ mod plm_double_pendulum_ {
                 }
             }
 
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 36 add, 55 mul, 5 div, 1 neg, 2 sin_cos, 14 select.
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                    let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                    let y_0_2 = lit(0.5) * sin_arm_angle * w_2;
+                    let t1 = lit(0.5) * (sin_arm_angle * y_0_2);
+                    let d_0 = w_0 + t1;
+                    let r_0 = lit(1.0) / d_0;
+                    let t2 = lit(-0.5) * cos_arm_angle;
+                    let y_1_2 = t2 * w_2;
+                    let g_1_0 = lit(0.5) * (sin_arm_angle * y_1_2);
+                    let l_1_0 = r_0 * g_1_0;
+                    let g_2_0 = t1 - w_0;
+                    let l_2_0 = r_0 * g_2_0;
+                    let t3 = cos_arm_angle * y_1_2;
+                    let t4 = lit(-0.5).mul_add(t3, w_1);
+                    let t5 = g_1_0 * l_1_0;
+                    let d_1 = t4 - t5;
+                    let r_1 = lit(1.0) / d_1;
+                    let growth_1 = (t4 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t6 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t6, lit(0.0), r_1);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
+                    let l_2_1 = g_2_1 * kept_1;
+                    let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
+                    let l_3_1 = g_3_1 * kept_1;
+                    let (sin_forearm_angle, cos_forearm_angle) = forearm_angle.sin_cos();
+                    let y_2_5 = sin_forearm_angle * w_5;
+                    let t7 = sin_forearm_angle.mul_add(y_2_5, w_3) + d_0;
+                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
+                    let growth_2 = (t7 * r_2).abs();
+                    let t8 = most_growth.lt(growth_2);
+                    let kept_2 = S::select(t8, lit(0.0), r_2);
+                    let y_3_5 = -(cos_forearm_angle * w_5);
+                    let g_3_2 = (-g_2_1)
+                        .mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_forearm_angle.mul_add(y_3_5, g_1_0)));
+                    let l_3_2 = kept_2 * g_3_2;
+                    let t9 = (-cos_forearm_angle).mul_add(y_3_5, w_4);
+                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
+                    let growth_3 = (r_3 * (t4 + t9)).abs();
+                    let t10 = most_growth.lt(growth_3);
+                    // (phi_q W phi_q^T) mu = r
+                    let t11 = residual_0 * l_1_0;
+                    let b_1 = residual_1 - t11;
+                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let mu_3 = S::select(t10, lit(0.0), r_3)
+                        * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
+                    let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);
+                    let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
+                    let t12 = mu_3 + mu_1;
+                    let mu_0 = (-l_1_0).mul_add(t12, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    // Results
+                    dq[0] = w_0 * (mu_0 - mu_2);
+                    dq[1] = w_1 * (mu_1 - mu_3);
+                    dq[2] = y_1_2.mul_add(t12, y_0_2 * (mu_2 + mu_0));
+                    dq[3] = w_3 * mu_2;
+                    dq[4] = w_4 * mu_3;
+                    dq[5] = y_3_5.mul_add(mu_3, y_2_5 * mu_2);
+                    let t13 = S::select(t6, lit(0.0), growth_1)
+                        .max(S::select(t8, lit(0.0), growth_2))
+                        .max(S::select(t10, lit(0.0), growth_3));
+                    lit(1.0) / t13
+                })
             }
 
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 6] {
                 let mut inverse_mass = [S::lit(0.0); 6];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.1);
+                inverse_mass[1] = lit(0.1);
+                inverse_mass[2] = lit(100.0);
+                inverse_mass[3] = lit(0.1);
+                inverse_mass[4] = lit(0.1);
+                inverse_mass[5] = lit(100.0);
                 inverse_mass
             }
 
@@ -613,17 +742,23 @@ mod plm_double_pendulum_ {
                 state.absolute_()
             }
 
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 6], [S; 6]) = absolute::split(x);
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 2 add, 3 mul.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 12], lambda: &[S; 4], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 6], [S::lit(0.0); 0]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let arm_omega = x[8];
+                let forearm_omega = x[11];
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-98.1);
+                force[2] = lit(-19.09859317102744).mul_add(arm_omega, lit(9.54929658551372) * forearm_omega);
+                force[3] = lit(0.0);
+                force[4] = lit(-98.1);
+                force[5] = lit(9.54929658551372) * (arm_omega - forearm_omega);
+                let (q, _): ([S; 6], [S; 6]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
@@ -645,175 +780,6 @@ mod plm_double_pendulum_ {
 
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> DoublePendulum<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 2 add, 3 mul.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                force: &mut [S; 6],
-                x_dot: &mut [S; 0],
-            ) {
-                let arm_omega = x[8];
-                let forearm_omega = x[11];
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-98.1);
-                force[2] = lit(-19.09859317102744).mul_add(arm_omega, lit(9.54929658551372) * forearm_omega);
-                force[3] = lit(0.0);
-                force[4] = lit(-98.1);
-                force[5] = lit(9.54929658551372) * (arm_omega - forearm_omega);
-            }
-        }
-
-        impl<S: Scalar> DoublePendulum<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 8 add, 2 mul, 2 sin_cos.
-            fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
-                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, forearm_angle, ..] = *q;
-                let lit = S::lit;
-                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
-                    S::sin_cos_all([arm_angle, forearm_angle]);
-                let t1 = lit(0.5) * cos_arm_angle;
-                phi[0] = arm_x - t1;
-                let t2 = lit(0.5) * sin_arm_angle;
-                phi[1] = arm_y - t2;
-                phi[2] = forearm_x - arm_x - t1 - cos_forearm_angle;
-                phi[3] = forearm_y - arm_y - t2 - sin_forearm_angle;
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 8 add, 6 mul, 2 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
-                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
-                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = *v;
-                let lit = S::lit;
-                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
-                    S::sin_cos_all([arm_angle, forearm_angle]);
-                let t1 = lit(0.5) * (arm_omega * sin_arm_angle);
-                phi_dot[0] = arm_vx + t1;
-                let t2 = lit(0.5) * (arm_omega * cos_arm_angle);
-                phi_dot[1] = arm_vy - t2;
-                phi_dot[2] = forearm_omega.mul_add(sin_forearm_angle, forearm_vx - arm_vx + t1);
-                phi_dot[3] = (-forearm_omega).mul_add(cos_forearm_angle, forearm_vy - arm_vy - t2);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 2 mul, 1 neg, 2 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
-                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
-                    S::sin_cos_all([arm_angle, forearm_angle]);
-                let t1 = lit(0.5) * sin_arm_angle;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_arm_angle;
-                phi_q[3] = t2;
-                phi_q[4] = lit(-1.0);
-                phi_q[5] = t1;
-                phi_q[6] = lit(1.0);
-                phi_q[7] = sin_forearm_angle;
-                phi_q[8] = lit(-1.0);
-                phi_q[9] = t2;
-                phi_q[10] = lit(1.0);
-                phi_q[11] = -cos_forearm_angle;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 36 add, 55 mul, 5 div, 1 neg, 2 sin_cos, 14 select.
-            fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
-                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
-                let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
-                let [w_0, w_1, w_2, w_3, w_4, w_5, ..] = *w;
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let y_0_2 = lit(0.5) * sin_arm_angle * w_2;
-                let t1 = lit(0.5) * (sin_arm_angle * y_0_2);
-                let d_0 = w_0 + t1;
-                let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.5) * cos_arm_angle;
-                let y_1_2 = t2 * w_2;
-                let g_1_0 = lit(0.5) * (sin_arm_angle * y_1_2);
-                let l_1_0 = r_0 * g_1_0;
-                let g_2_0 = t1 - w_0;
-                let l_2_0 = r_0 * g_2_0;
-                let t3 = cos_arm_angle * y_1_2;
-                let t4 = lit(-0.5).mul_add(t3, w_1);
-                let t5 = g_1_0 * l_1_0;
-                let d_1 = t4 - t5;
-                let r_1 = lit(1.0) / d_1;
-                let growth_1 = (t4 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t6 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t6, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
-                let l_2_1 = g_2_1 * kept_1;
-                let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
-                let l_3_1 = g_3_1 * kept_1;
-                let (sin_forearm_angle, cos_forearm_angle) = forearm_angle.sin_cos();
-                let y_2_5 = sin_forearm_angle * w_5;
-                let t7 = sin_forearm_angle.mul_add(y_2_5, w_3) + d_0;
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
-                let growth_2 = (t7 * r_2).abs();
-                let t8 = most_growth.lt(growth_2);
-                let kept_2 = S::select(t8, lit(0.0), r_2);
-                let y_3_5 = -(cos_forearm_angle * w_5);
-                let g_3_2 =
-                    (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_forearm_angle.mul_add(y_3_5, g_1_0)));
-                let l_3_2 = kept_2 * g_3_2;
-                let t9 = (-cos_forearm_angle).mul_add(y_3_5, w_4);
-                let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
-                let growth_3 = (r_3 * (t4 + t9)).abs();
-                let t10 = most_growth.lt(growth_3);
-                // (phi_q W phi_q^T) mu = r
-                let t11 = residual_0 * l_1_0;
-                let b_1 = residual_1 - t11;
-                let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let mu_3 = S::select(t10, lit(0.0), r_3)
-                    * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
-                let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);
-                let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
-                let t12 = mu_3 + mu_1;
-                let mu_0 = (-l_1_0).mul_add(t12, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
-                // Results
-                dq[0] = w_0 * (mu_0 - mu_2);
-                dq[1] = w_1 * (mu_1 - mu_3);
-                dq[2] = y_1_2.mul_add(t12, y_0_2 * (mu_2 + mu_0));
-                dq[3] = w_3 * mu_2;
-                dq[4] = w_4 * mu_3;
-                dq[5] = y_3_5.mul_add(mu_3, y_2_5 * mu_2);
-                let t13 = S::select(t6, lit(0.0), growth_1)
-                    .max(S::select(t8, lit(0.0), growth_2))
-                    .max(S::select(t10, lit(0.0), growth_3));
-                lit(1.0) / t13
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 6]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(0.1);
-                inverse_mass[1] = lit(0.1);
-                inverse_mass[2] = lit(100.0);
-                inverse_mass[3] = lit(0.1);
-                inverse_mass[4] = lit(0.1);
-                inverse_mass[5] = lit(100.0);
             }
         }
 

@@ -579,6 +579,51 @@ mod plm_four_bar_ {
             }
         }
 
+        impl<S: Scalar> FourBar<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 8 mul, 3 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 24]) {
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.15) * sin_crank_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.15) * cos_crank_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                let t3 = lit(0.45) * sin_coupler_angle;
+                phi_q[7] = t3;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                let t4 = lit(-0.45) * cos_coupler_angle;
+                phi_q[11] = t4;
+                phi_q[12] = lit(-1.0);
+                phi_q[13] = t3;
+                phi_q[14] = lit(1.0);
+                phi_q[15] = lit(-0.35) * sin_rocker_angle;
+                phi_q[16] = lit(-1.0);
+                phi_q[17] = t4;
+                phi_q[18] = lit(1.0);
+                phi_q[19] = lit(0.35) * cos_rocker_angle;
+                phi_q[20] = lit(1.0);
+                phi_q[21] = lit(0.35) * sin_rocker_angle;
+                phi_q[22] = lit(1.0);
+                phi_q[23] = lit(-0.35) * cos_rocker_angle;
+            }
+        }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for FourBar<S> {
             const ROWS: [&'static str; 8] = [
@@ -613,15 +658,84 @@ mod plm_four_bar_ {
                 "rocker.angle",
             ];
             const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, false];
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 17 add, 6 mul, 3 sin_cos.
             fn phi(&self, t: S, q: &[S; 9]) -> [S; 8] {
                 let mut phi = [S::lit(0.0); 8];
-                self.residual(t, q, &mut phi);
+                let [
+                    crank_x,
+                    crank_y,
+                    crank_angle,
+                    coupler_x,
+                    coupler_y,
+                    coupler_angle,
+                    rocker_x,
+                    rocker_y,
+                    rocker_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                let (
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.15) * cos_crank_angle;
+                phi[0] = crank_x - t1;
+                let t2 = lit(0.15) * sin_crank_angle;
+                phi[1] = crank_y - t2;
+                let t3 = lit(0.45) * cos_coupler_angle;
+                phi[2] = coupler_x - crank_x - t1 - t3;
+                let t4 = lit(0.45) * sin_coupler_angle;
+                phi[3] = coupler_y - crank_y - t2 - t4;
+                let t5 = lit(0.35) * cos_rocker_angle;
+                phi[4] = rocker_x - coupler_x - t3 + t5;
+                let t6 = lit(0.35) * sin_rocker_angle;
+                phi[5] = rocker_y - coupler_y - t4 + t6;
+                phi[6] = rocker_x - t5 - lit(1.0);
+                phi[7] = rocker_y - t6;
                 phi
             }
 
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 16 add, 12 mul, 3 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 9], v: &[S; 9]) -> [S; 8] {
                 let mut phi_dot = [S::lit(0.0); 8];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
+                let [
+                    crank_vx,
+                    crank_vy,
+                    crank_omega,
+                    coupler_vx,
+                    coupler_vy,
+                    coupler_omega,
+                    rocker_vx,
+                    rocker_vy,
+                    rocker_omega,
+                    ..,
+                ] = *v;
+                let lit = S::lit;
+                let (
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.15) * (crank_omega * sin_crank_angle);
+                phi_dot[0] = crank_vx + t1;
+                let t2 = lit(0.15) * (crank_omega * cos_crank_angle);
+                phi_dot[1] = crank_vy - t2;
+                let t3 = lit(0.45) * (coupler_omega * sin_coupler_angle);
+                phi_dot[2] = coupler_vx - crank_vx + t1 + t3;
+                let t4 = lit(0.45) * (coupler_omega * cos_coupler_angle);
+                phi_dot[3] = coupler_vy - crank_vy - t2 - t4;
+                let t5 = lit(0.35) * (rocker_omega * sin_rocker_angle);
+                phi_dot[4] = rocker_vx - coupler_vx + t3 - t5;
+                let t6 = lit(0.35) * (rocker_omega * cos_rocker_angle);
+                phi_dot[5] = rocker_vy - coupler_vy - t4 + t6;
+                phi_dot[6] = rocker_vx + t5;
+                phi_dot[7] = rocker_vy - t6;
                 phi_dot
             }
 
@@ -659,13 +773,180 @@ mod plm_four_bar_ {
                 }
             }
 
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 94 add, 143 mul, 9 div, 3 sin_cos, 34 select.
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let crank_angle = q[2];
+                    let coupler_angle = q[5];
+                    let rocker_angle = q[8];
+                    let [
+                        residual_0,
+                        residual_1,
+                        residual_2,
+                        residual_3,
+                        residual_4,
+                        residual_5,
+                        residual_6,
+                        residual_7,
+                        ..,
+                    ] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                    let y_0_2 = lit(0.15) * sin_crank_angle * w_2;
+                    let t1 = lit(0.15) * (sin_crank_angle * y_0_2);
+                    let d_0 = w_0 + t1;
+                    let r_0 = lit(1.0) / d_0;
+                    let t2 = lit(-0.15) * cos_crank_angle;
+                    let y_1_2 = t2 * w_2;
+                    let g_1_0 = lit(0.15) * (sin_crank_angle * y_1_2);
+                    let l_1_0 = r_0 * g_1_0;
+                    let g_2_0 = t1 - w_0;
+                    let l_2_0 = r_0 * g_2_0;
+                    let t3 = cos_crank_angle * y_1_2;
+                    let t4 = lit(-0.15).mul_add(t3, w_1);
+                    let t5 = g_1_0 * l_1_0;
+                    let d_1 = t4 - t5;
+                    let r_1 = lit(1.0) / d_1;
+                    let growth_1 = (t4 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t6 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t6, lit(0.0), r_1);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
+                    let l_2_1 = g_2_1 * kept_1;
+                    let g_3_1 = lit(-0.15).mul_add(t3, -w_1) - t5;
+                    let l_3_1 = g_3_1 * kept_1;
+                    let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                    let y_2_5 = lit(0.45) * sin_coupler_angle * w_5;
+                    let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
+                    let t8 = w_3 + t7;
+                    let t9 = d_0 + t8;
+                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
+                    let growth_2 = (t9 * r_2).abs();
+                    let t10 = most_growth.lt(growth_2);
+                    let kept_2 = S::select(t10, lit(0.0), r_2);
+                    let t11 = lit(-0.45) * cos_coupler_angle;
+                    let y_3_5 = t11 * w_5;
+                    let g_5_2 = lit(0.45) * (sin_coupler_angle * y_3_5);
+                    let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
+                    let l_3_2 = kept_2 * g_3_2;
+                    let g_4_2 = t7 - w_3;
+                    let l_4_2 = g_4_2 * kept_2;
+                    let l_5_2 = g_5_2 * kept_2;
+                    let t12 = cos_coupler_angle * y_3_5;
+                    let t13 = lit(-0.45).mul_add(t12, w_4);
+                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
+                    let growth_3 = (r_3 * (t4 + t13)).abs();
+                    let t14 = most_growth.lt(growth_3);
+                    let kept_3 = S::select(t14, lit(0.0), r_3);
+                    let g_4_3 = (-g_3_2).mul_add(l_4_2, t11 * y_2_5);
+                    let l_4_3 = kept_3 * g_4_3;
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.45).mul_add(t12, -w_4));
+                    let l_5_3 = kept_3 * g_5_3;
+                    let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                    let t15 = sin_rocker_angle * w_8;
+                    let y_4_8 = lit(-0.35) * t15;
+                    let t16 = lit(0.35) * sin_rocker_angle;
+                    let t17 = (-t16).mul_add(y_4_8, w_6) + t8;
+                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t17));
+                    let growth_4 = (t17 * r_4).abs();
+                    let t18 = most_growth.lt(growth_4);
+                    let kept_4 = S::select(t18, lit(0.0), r_4);
+                    let t19 = cos_rocker_angle * w_8;
+                    let y_5_8 = lit(0.35) * t19;
+                    let g_5_4 =
+                        (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t16).mul_add(y_5_8, g_5_2)));
+                    let l_5_4 = kept_4 * g_5_4;
+                    let y_6_8 = lit(0.35) * t15;
+                    let t20 = lit(0.35) * (sin_rocker_angle * y_6_8);
+                    let g_6_4 = w_6 - t20;
+                    let l_6_4 = g_6_4 * kept_4;
+                    let y_7_8 = lit(-0.35) * t19;
+                    let t21 = sin_rocker_angle * y_7_8;
+                    let g_7_4 = lit(-0.35) * t21;
+                    let l_7_4 = g_7_4 * kept_4;
+                    let t22 = lit(0.35) * cos_rocker_angle;
+                    let t23 = t22.mul_add(y_5_8, w_7) + t13;
+                    let r_5 = lit(1.0)
+                        / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t23)));
+                    let growth_5 = (t23 * r_5).abs();
+                    let t24 = most_growth.lt(growth_5);
+                    let kept_5 = S::select(t24, lit(0.0), r_5);
+                    let g_6_5 = (-g_5_4).mul_add(l_6_4, t22 * y_6_8);
+                    let l_6_5 = kept_5 * g_6_5;
+                    let t25 = lit(0.35) * (cos_rocker_angle * y_7_8);
+                    let g_7_5 = (-g_5_4).mul_add(l_7_4, w_7 + t25);
+                    let l_7_5 = kept_5 * g_7_5;
+                    let t26 = w_6 + t20;
+                    let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t26));
+                    let growth_6 = (t26 * r_6).abs();
+                    let t27 = most_growth.lt(growth_6);
+                    let kept_6 = S::select(t27, lit(0.0), r_6);
+                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.35) * t21));
+                    let l_7_6 = kept_6 * g_7_6;
+                    let t28 = w_7 - t25;
+                    let r_7 = lit(1.0)
+                        / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t28)));
+                    let growth_7 = (t28 * r_7).abs();
+                    let t29 = most_growth.lt(growth_7);
+                    // (phi_q W phi_q^T) mu = r
+                    let t30 = residual_0 * l_1_0;
+                    let b_1 = residual_1 - t30;
+                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t30));
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
+                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
+                    let mu_7 = S::select(t29, lit(0.0), r_7)
+                        * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
+                    let mu_6 = (-l_7_6).mul_add(mu_7, kept_6 * b_6);
+                    let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
+                    let mu_4 =
+                        (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
+                    let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
+                    let mu_2 =
+                        (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
+                    let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
+                    let t31 = mu_3 + mu_1;
+                    let mu_0 = (-l_1_0).mul_add(t31, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    // Results
+                    dq[0] = w_0 * (mu_0 - mu_2);
+                    dq[1] = w_1 * (mu_1 - mu_3);
+                    dq[2] = y_1_2.mul_add(t31, y_0_2 * (mu_2 + mu_0));
+                    dq[3] = w_3 * (mu_2 - mu_4);
+                    dq[4] = w_4 * (mu_3 - mu_5);
+                    dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
+                    dq[6] = w_6 * (mu_6 + mu_4);
+                    dq[7] = w_7 * (mu_7 + mu_5);
+                    dq[8] = y_7_8.mul_add(mu_7, y_6_8.mul_add(mu_6, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
+                    let t32 = S::select(t6, lit(0.0), growth_1)
+                        .max(S::select(t10, lit(0.0), growth_2))
+                        .max(S::select(t14, lit(0.0), growth_3));
+                    let t33 = t32
+                        .max(S::select(t18, lit(0.0), growth_4))
+                        .max(S::select(t24, lit(0.0), growth_5))
+                        .max(S::select(t27, lit(0.0), growth_6));
+                    lit(1.0) / t33.max(S::select(t29, lit(0.0), growth_7))
+                })
             }
 
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 9] {
                 let mut inverse_mass = [S::lit(0.0); 9];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(3.3333333333333335);
+                inverse_mass[1] = lit(3.3333333333333335);
+                inverse_mass[2] = lit(444.44444444444446);
+                inverse_mass[3] = lit(1.1111111111111112);
+                inverse_mass[4] = lit(1.1111111111111112);
+                inverse_mass[5] = lit(16.46090534979424);
+                inverse_mass[6] = lit(1.4285714285714286);
+                inverse_mass[7] = lit(1.4285714285714286);
+                inverse_mass[8] = lit(34.98542274052478);
                 inverse_mass
             }
 
@@ -706,8 +987,7 @@ mod plm_four_bar_ {
                 let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
                 let (mut force, mut gamma) = ([S::lit(0.0); 9], [S::lit(0.0); 8]);
                 self.free(t, u, x, &mut force, &mut gamma);
-                let mut inverse_mass = [S::lit(0.0); 9];
-                self.reciprocal_mass(&mut inverse_mass);
+                let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
                     absolute::jacobian(self, t, &q, rows)
                 })
@@ -889,6 +1169,9 @@ mod plm_four_bar_ {
                 state.absolute_()
             }
 
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            #[cold]
             fn equations(
                 &self,
                 t: S,
@@ -897,9 +1180,19 @@ mod plm_four_bar_ {
                 lambda: &[S; 8],
                 each: &mut impl FnMut(S),
             ) {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(x);
+                let u = &held.input;
                 let (mut force, mut x_dot) = ([S::lit(0.0); 9], [S::lit(0.0); 0]);
-                self.at_rest(t, &held.input, x, lambda, &mut force, &mut x_dot);
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-2.943);
+                force[2] = lit(0.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-8.829);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-6.867);
+                force[8] = lit(0.0);
+                let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
@@ -921,31 +1214,6 @@ mod plm_four_bar_ {
 
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> FourBar<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 18],
-                lambda: &[S; 8],
-                force: &mut [S; 9],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-2.943);
-                force[2] = lit(0.0);
-                force[3] = lit(0.0);
-                force[4] = lit(-8.829);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-6.867);
-                force[8] = lit(0.0);
             }
         }
 
@@ -1182,300 +1450,6 @@ mod plm_four_bar_ {
                 gamma[5] = lit(0.35).mul_add(t9, -t6);
                 gamma[6] = lit(-0.35) * t8;
                 gamma[7] = lit(-0.35) * t9;
-            }
-        }
-
-        impl<S: Scalar> FourBar<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 17 add, 6 mul, 3 sin_cos.
-            fn residual(&self, t: S, q: &[S; 9], phi: &mut [S; 8]) {
-                let [
-                    crank_x,
-                    crank_y,
-                    crank_angle,
-                    coupler_x,
-                    coupler_y,
-                    coupler_angle,
-                    rocker_x,
-                    rocker_y,
-                    rocker_angle,
-                    ..,
-                ] = *q;
-                let lit = S::lit;
-                let (
-                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
-                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
-                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.15) * cos_crank_angle;
-                phi[0] = crank_x - t1;
-                let t2 = lit(0.15) * sin_crank_angle;
-                phi[1] = crank_y - t2;
-                let t3 = lit(0.45) * cos_coupler_angle;
-                phi[2] = coupler_x - crank_x - t1 - t3;
-                let t4 = lit(0.45) * sin_coupler_angle;
-                phi[3] = coupler_y - crank_y - t2 - t4;
-                let t5 = lit(0.35) * cos_rocker_angle;
-                phi[4] = rocker_x - coupler_x - t3 + t5;
-                let t6 = lit(0.35) * sin_rocker_angle;
-                phi[5] = rocker_y - coupler_y - t4 + t6;
-                phi[6] = rocker_x - t5 - lit(1.0);
-                phi[7] = rocker_y - t6;
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 16 add, 12 mul, 3 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 9], v: &[S; 9], phi_dot: &mut [S; 8]) {
-                let crank_angle = q[2];
-                let coupler_angle = q[5];
-                let rocker_angle = q[8];
-                let [
-                    crank_vx,
-                    crank_vy,
-                    crank_omega,
-                    coupler_vx,
-                    coupler_vy,
-                    coupler_omega,
-                    rocker_vx,
-                    rocker_vy,
-                    rocker_omega,
-                    ..,
-                ] = *v;
-                let lit = S::lit;
-                let (
-                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
-                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
-                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.15) * (crank_omega * sin_crank_angle);
-                phi_dot[0] = crank_vx + t1;
-                let t2 = lit(0.15) * (crank_omega * cos_crank_angle);
-                phi_dot[1] = crank_vy - t2;
-                let t3 = lit(0.45) * (coupler_omega * sin_coupler_angle);
-                phi_dot[2] = coupler_vx - crank_vx + t1 + t3;
-                let t4 = lit(0.45) * (coupler_omega * cos_coupler_angle);
-                phi_dot[3] = coupler_vy - crank_vy - t2 - t4;
-                let t5 = lit(0.35) * (rocker_omega * sin_rocker_angle);
-                phi_dot[4] = rocker_vx - coupler_vx + t3 - t5;
-                let t6 = lit(0.35) * (rocker_omega * cos_rocker_angle);
-                phi_dot[5] = rocker_vy - coupler_vy - t4 + t6;
-                phi_dot[6] = rocker_vx + t5;
-                phi_dot[7] = rocker_vy - t6;
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 8 mul, 3 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 24]) {
-                let crank_angle = q[2];
-                let coupler_angle = q[5];
-                let rocker_angle = q[8];
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let (
-                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
-                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
-                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.15) * sin_crank_angle;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.15) * cos_crank_angle;
-                phi_q[3] = t2;
-                phi_q[4] = lit(-1.0);
-                phi_q[5] = t1;
-                phi_q[6] = lit(1.0);
-                let t3 = lit(0.45) * sin_coupler_angle;
-                phi_q[7] = t3;
-                phi_q[8] = lit(-1.0);
-                phi_q[9] = t2;
-                phi_q[10] = lit(1.0);
-                let t4 = lit(-0.45) * cos_coupler_angle;
-                phi_q[11] = t4;
-                phi_q[12] = lit(-1.0);
-                phi_q[13] = t3;
-                phi_q[14] = lit(1.0);
-                phi_q[15] = lit(-0.35) * sin_rocker_angle;
-                phi_q[16] = lit(-1.0);
-                phi_q[17] = t4;
-                phi_q[18] = lit(1.0);
-                phi_q[19] = lit(0.35) * cos_rocker_angle;
-                phi_q[20] = lit(1.0);
-                phi_q[21] = lit(0.35) * sin_rocker_angle;
-                phi_q[22] = lit(1.0);
-                phi_q[23] = lit(-0.35) * cos_rocker_angle;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 94 add, 143 mul, 9 div, 3 sin_cos, 34 select.
-            fn closing_step(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> S {
-                let crank_angle = q[2];
-                let coupler_angle = q[5];
-                let rocker_angle = q[8];
-                let [
-                    residual_0,
-                    residual_1,
-                    residual_2,
-                    residual_3,
-                    residual_4,
-                    residual_5,
-                    residual_6,
-                    residual_7,
-                    ..,
-                ] = *r;
-                let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let y_0_2 = lit(0.15) * sin_crank_angle * w_2;
-                let t1 = lit(0.15) * (sin_crank_angle * y_0_2);
-                let d_0 = w_0 + t1;
-                let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.15) * cos_crank_angle;
-                let y_1_2 = t2 * w_2;
-                let g_1_0 = lit(0.15) * (sin_crank_angle * y_1_2);
-                let l_1_0 = r_0 * g_1_0;
-                let g_2_0 = t1 - w_0;
-                let l_2_0 = r_0 * g_2_0;
-                let t3 = cos_crank_angle * y_1_2;
-                let t4 = lit(-0.15).mul_add(t3, w_1);
-                let t5 = g_1_0 * l_1_0;
-                let d_1 = t4 - t5;
-                let r_1 = lit(1.0) / d_1;
-                let growth_1 = (t4 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t6 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t6, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
-                let l_2_1 = g_2_1 * kept_1;
-                let g_3_1 = lit(-0.15).mul_add(t3, -w_1) - t5;
-                let l_3_1 = g_3_1 * kept_1;
-                let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
-                let y_2_5 = lit(0.45) * sin_coupler_angle * w_5;
-                let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
-                let t8 = w_3 + t7;
-                let t9 = d_0 + t8;
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
-                let growth_2 = (t9 * r_2).abs();
-                let t10 = most_growth.lt(growth_2);
-                let kept_2 = S::select(t10, lit(0.0), r_2);
-                let t11 = lit(-0.45) * cos_coupler_angle;
-                let y_3_5 = t11 * w_5;
-                let g_5_2 = lit(0.45) * (sin_coupler_angle * y_3_5);
-                let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
-                let l_3_2 = kept_2 * g_3_2;
-                let g_4_2 = t7 - w_3;
-                let l_4_2 = g_4_2 * kept_2;
-                let l_5_2 = g_5_2 * kept_2;
-                let t12 = cos_coupler_angle * y_3_5;
-                let t13 = lit(-0.45).mul_add(t12, w_4);
-                let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
-                let growth_3 = (r_3 * (t4 + t13)).abs();
-                let t14 = most_growth.lt(growth_3);
-                let kept_3 = S::select(t14, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, t11 * y_2_5);
-                let l_4_3 = kept_3 * g_4_3;
-                let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.45).mul_add(t12, -w_4));
-                let l_5_3 = kept_3 * g_5_3;
-                let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
-                let t15 = sin_rocker_angle * w_8;
-                let y_4_8 = lit(-0.35) * t15;
-                let t16 = lit(0.35) * sin_rocker_angle;
-                let t17 = (-t16).mul_add(y_4_8, w_6) + t8;
-                let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t17));
-                let growth_4 = (t17 * r_4).abs();
-                let t18 = most_growth.lt(growth_4);
-                let kept_4 = S::select(t18, lit(0.0), r_4);
-                let t19 = cos_rocker_angle * w_8;
-                let y_5_8 = lit(0.35) * t19;
-                let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t16).mul_add(y_5_8, g_5_2)));
-                let l_5_4 = kept_4 * g_5_4;
-                let y_6_8 = lit(0.35) * t15;
-                let t20 = lit(0.35) * (sin_rocker_angle * y_6_8);
-                let g_6_4 = w_6 - t20;
-                let l_6_4 = g_6_4 * kept_4;
-                let y_7_8 = lit(-0.35) * t19;
-                let t21 = sin_rocker_angle * y_7_8;
-                let g_7_4 = lit(-0.35) * t21;
-                let l_7_4 = g_7_4 * kept_4;
-                let t22 = lit(0.35) * cos_rocker_angle;
-                let t23 = t22.mul_add(y_5_8, w_7) + t13;
-                let r_5 =
-                    lit(1.0) / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t23)));
-                let growth_5 = (t23 * r_5).abs();
-                let t24 = most_growth.lt(growth_5);
-                let kept_5 = S::select(t24, lit(0.0), r_5);
-                let g_6_5 = (-g_5_4).mul_add(l_6_4, t22 * y_6_8);
-                let l_6_5 = kept_5 * g_6_5;
-                let t25 = lit(0.35) * (cos_rocker_angle * y_7_8);
-                let g_7_5 = (-g_5_4).mul_add(l_7_4, w_7 + t25);
-                let l_7_5 = kept_5 * g_7_5;
-                let t26 = w_6 + t20;
-                let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t26));
-                let growth_6 = (t26 * r_6).abs();
-                let t27 = most_growth.lt(growth_6);
-                let kept_6 = S::select(t27, lit(0.0), r_6);
-                let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.35) * t21));
-                let l_7_6 = kept_6 * g_7_6;
-                let t28 = w_7 - t25;
-                let r_7 =
-                    lit(1.0) / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t28)));
-                let growth_7 = (t28 * r_7).abs();
-                let t29 = most_growth.lt(growth_7);
-                // (phi_q W phi_q^T) mu = r
-                let t30 = residual_0 * l_1_0;
-                let b_1 = residual_1 - t30;
-                let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t30));
-                let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
-                let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
-                let mu_7 = S::select(t29, lit(0.0), r_7)
-                    * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
-                let mu_6 = (-l_7_6).mul_add(mu_7, kept_6 * b_6);
-                let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
-                let mu_4 =
-                    (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
-                let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
-                let mu_2 =
-                    (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
-                let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
-                let t31 = mu_3 + mu_1;
-                let mu_0 = (-l_1_0).mul_add(t31, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
-                // Results
-                dq[0] = w_0 * (mu_0 - mu_2);
-                dq[1] = w_1 * (mu_1 - mu_3);
-                dq[2] = y_1_2.mul_add(t31, y_0_2 * (mu_2 + mu_0));
-                dq[3] = w_3 * (mu_2 - mu_4);
-                dq[4] = w_4 * (mu_3 - mu_5);
-                dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
-                dq[6] = w_6 * (mu_6 + mu_4);
-                dq[7] = w_7 * (mu_7 + mu_5);
-                dq[8] = y_7_8.mul_add(mu_7, y_6_8.mul_add(mu_6, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
-                let t32 = S::select(t6, lit(0.0), growth_1)
-                    .max(S::select(t10, lit(0.0), growth_2))
-                    .max(S::select(t14, lit(0.0), growth_3));
-                let t33 = t32
-                    .max(S::select(t18, lit(0.0), growth_4))
-                    .max(S::select(t24, lit(0.0), growth_5))
-                    .max(S::select(t27, lit(0.0), growth_6));
-                lit(1.0) / t33.max(S::select(t29, lit(0.0), growth_7))
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 9]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(3.3333333333333335);
-                inverse_mass[1] = lit(3.3333333333333335);
-                inverse_mass[2] = lit(444.44444444444446);
-                inverse_mass[3] = lit(1.1111111111111112);
-                inverse_mass[4] = lit(1.1111111111111112);
-                inverse_mass[5] = lit(16.46090534979424);
-                inverse_mass[6] = lit(1.4285714285714286);
-                inverse_mass[7] = lit(1.4285714285714286);
-                inverse_mass[8] = lit(34.98542274052478);
             }
         }
 

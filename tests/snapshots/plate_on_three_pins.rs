@@ -623,6 +623,106 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
+        impl<S: Scalar> PlateOnThreePins<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 40 add, 37 mul, 6 neg, 4 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                let t1 = lit(0.1) * sin_crank_0_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.1) * cos_crank_0_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(1.0);
+                let t3 = lit(0.1) * sin_crank_1_angle;
+                phi_q[5] = t3;
+                phi_q[6] = lit(1.0);
+                let t4 = lit(-0.1) * cos_crank_1_angle;
+                phi_q[7] = t4;
+                phi_q[8] = lit(1.0);
+                let t5 = lit(0.1) * sin_crank_2_angle;
+                phi_q[9] = t5;
+                phi_q[10] = lit(1.0);
+                let t6 = lit(-0.1) * cos_crank_2_angle;
+                phi_q[11] = t6;
+                let t7 = lit(0.8191520442889918)
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                phi_q[12] = t7;
+                let t8 = lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                phi_q[13] = -t8;
+                phi_q[14] = lit(-0.1) * cos_crank_0_angle.mul_add(t8, sin_crank_0_angle * t7);
+                phi_q[15] = -t7;
+                phi_q[16] = t8;
+                let t9 = lit(0.4) * cos_plate_angle;
+                let t10 = lit(0.3) * sin_plate_angle;
+                let t11 = t9 - t10;
+                let t12 = lit(0.3) * cos_plate_angle;
+                let t13 = lit(0.4) * sin_plate_angle;
+                let t14 = t12 + t13;
+                let t15 = t7.mul_add(
+                    crank_0_y + t1 - plate_y + t14 - t14,
+                    t8 * (crank_0_x - t2 - plate_x + t11 - t11),
+                );
+                phi_q[17] = t15;
+                let t16 = lit(-0.766044443118978)
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                phi_q[18] = t16;
+                let t17 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                phi_q[19] = t17;
+                phi_q[20] = lit(-0.1) * (-cos_crank_1_angle).mul_add(t17, sin_crank_1_angle * t16);
+                phi_q[21] = -t16;
+                phi_q[22] = -t17;
+                let t18 = t9 + t10;
+                let t19 = t12 - t13;
+                let t20 = (-t17).mul_add(
+                    t18 + (crank_1_x - t4 - plate_x - t18),
+                    t16 * (crank_1_y + t3 - plate_y + t19 - t19),
+                );
+                phi_q[23] = t20;
+                let t21 = lit(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                phi_q[24] = t21;
+                let t22 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                phi_q[25] = t22;
+                phi_q[26] = lit(-0.1) * (-cos_crank_2_angle).mul_add(t22, sin_crank_2_angle * t21);
+                phi_q[27] = -t21;
+                phi_q[28] = -t22;
+                let t23 = (-t22).mul_add(
+                    crank_2_x - t6 - plate_x + t13 - t13,
+                    t21 * (t9 + (crank_2_y + t5 - plate_y - t9)),
+                );
+                phi_q[29] = t23;
+                phi_q[30] = lit(1.0);
+                phi_q[31] = lit(1.0);
+                phi_q[32] = lit(1.0);
+            }
+        }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for PlateOnThreePins<S> {
             const ROWS: [&'static str; 12] = [
@@ -659,15 +759,178 @@ mod plm_plate_on_three_pins_ {
             ];
             const ANGULAR: [bool; 12] =
                 [false, false, false, false, false, false, false, false, false, true, true, true];
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 42 add, 34 mul, 7 sin_cos.
             fn phi(&self, t: S, q: &[S; 12]) -> [S; 12] {
                 let mut phi = [S::lit(0.0); 12];
-                self.residual(t, q, &mut phi);
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                let (
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                let t1 = lit(0.1) * cos_crank_0_angle;
+                phi[0] = crank_0_x - t1;
+                let t2 = lit(0.1) * sin_crank_0_angle;
+                phi[1] = crank_0_y - t2;
+                let t3 = lit(0.1) * cos_crank_1_angle;
+                phi[2] = crank_1_x - t3 - lit(1.0);
+                let t4 = lit(0.1) * sin_crank_1_angle;
+                phi[3] = crank_1_y - t4;
+                let t5 = lit(0.1) * cos_crank_2_angle;
+                phi[4] = crank_2_x - t5 - lit(0.5);
+                let t6 = lit(0.1) * sin_crank_2_angle;
+                phi[5] = crank_2_y - t6 - lit(0.9);
+                let t7 = lit(0.3).mul_add(sin_plate_angle, plate_x);
+                let t8 = lit(0.4) * cos_plate_angle;
+                let t9 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t10 = lit(0.4) * sin_plate_angle;
+                let t11 = (-lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
+                .mul_add(
+                    crank_0_y + t2 + t10 - t9,
+                    lit(0.8191520442889918)
+                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
+                        * (crank_0_x + t1 + t8 - t7),
+                );
+                phi[6] = t11;
+                let t12 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                    .mul_add(
+                        crank_1_y + t4 - t10 - t9,
+                        lit(-0.766044443118978)
+                            .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
+                            * (crank_1_x + t3 - t8 - t7),
+                    );
+                phi[7] = t12;
+                let t13 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
+                    .mul_add(
+                        crank_2_y + t6 - plate_y - t8,
+                        lit(-0.17364817766693033)
+                            .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                            * (crank_2_x + t5 - plate_x + t10),
+                    );
+                phi[8] = t13;
+                phi[9] = lit(-0.4).mul_add((lit(3.0) * t).sin(), crank_0_angle);
+                phi[10] = lit(-0.3).mul_add((lit(2.0) * t).cos(), crank_1_angle);
+                phi[11] = lit(-0.2).mul_add((lit(4.0) * t).sin(), crank_2_angle) + lit(0.1);
                 phi
             }
 
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 70 add, 70 mul, 7 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 12], v: &[S; 12]) -> [S; 12] {
                 let mut phi_dot = [S::lit(0.0); 12];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let [
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    crank_1_vx,
+                    crank_1_vy,
+                    crank_1_omega,
+                    crank_2_vx,
+                    crank_2_vy,
+                    crank_2_omega,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = *v;
+                let lit = S::lit;
+                let (
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                let t1 = lit(0.1) * (crank_0_omega * sin_crank_0_angle);
+                phi_dot[0] = crank_0_vx + t1;
+                let t2 = lit(0.1) * (crank_0_omega * cos_crank_0_angle);
+                phi_dot[1] = crank_0_vy - t2;
+                let t3 = lit(0.1) * (crank_1_omega * sin_crank_1_angle);
+                phi_dot[2] = crank_1_vx + t3;
+                let t4 = lit(0.1) * (crank_1_omega * cos_crank_1_angle);
+                phi_dot[3] = crank_1_vy - t4;
+                let t5 = lit(0.1) * (crank_2_omega * sin_crank_2_angle);
+                phi_dot[4] = crank_2_vx + t5;
+                let t6 = lit(0.1) * (crank_2_omega * cos_crank_2_angle);
+                phi_dot[5] = crank_2_vy - t6;
+                let t7 = plate_omega * sin_plate_angle;
+                let t8 = plate_omega * cos_plate_angle;
+                let t9 = lit(0.3).mul_add(sin_plate_angle, plate_x);
+                let t10 = lit(0.4) * cos_plate_angle;
+                let t11 = lit(-0.8191520442889918).mul_add(t8, lit(0.573576436351046) * t7)
+                    * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t10 - t9);
+                let t12 = lit(0.3).mul_add(t8, plate_vx);
+                let t13 = lit(0.4) * t7;
+                let t14 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t15 = lit(0.4) * sin_plate_angle;
+                let t16 = lit(0.573576436351046).mul_add(t8, lit(0.8191520442889918) * t7)
+                    * (lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t15 - t14);
+                let t17 = lit(0.3).mul_add(t7, plate_vy);
+                let t18 = lit(0.4) * t8;
+                let t19 = lit(0.8191520442889918)
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
+                    .mul_add(crank_0_vx - t1 - t13 - t12, -t11);
+                let t20 = (-lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
+                .mul_add(crank_0_vy + t2 + t18 - t17, t19 + t16);
+                phi_dot[6] = t20;
+                let t21 = lit(0.766044443118978).mul_add(t8, lit(0.6427876096865393) * t7)
+                    * (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t10 - t9);
+                let t22 = lit(-0.6427876096865393).mul_add(t8, lit(0.766044443118978) * t7)
+                    * (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t15 - t14);
+                let t23 = lit(-0.766044443118978)
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
+                    .mul_add(crank_1_vx + t13 - t3 - t12, -t21);
+                let t24 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                    .mul_add(crank_1_vy - t18 + t4 - t17, t23 - t22);
+                phi_dot[7] = t24;
+                let t25 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t15)
+                    * lit(0.17364817766693033).mul_add(t8, lit(0.984807753012208) * t7);
+                let t26 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t10)
+                    * lit(-0.984807753012208).mul_add(t8, lit(0.17364817766693033) * t7);
+                let t27 = lit(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                    .mul_add(crank_2_vx - plate_vx + t18 - t5, -t25);
+                let t28 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
+                    .mul_add(crank_2_vy - plate_vy + t13 + t6, t27 - t26);
+                phi_dot[8] = t28;
+                phi_dot[9] = lit(-1.2).mul_add((lit(3.0) * t).cos(), crank_0_omega);
+                phi_dot[10] = lit(0.6).mul_add((lit(2.0) * t).sin(), crank_1_omega);
+                phi_dot[11] = lit(-0.8).mul_add((lit(4.0) * t).cos(), crank_2_omega);
                 phi_dot
             }
 
@@ -714,6 +977,10 @@ mod plm_plate_on_three_pins_ {
                 }
             }
 
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 170 add, 260 mul, 13 div, 9 neg, 4 sin_cos, 44 select.
             fn min_norm(
                 &self,
                 t: S,
@@ -722,12 +989,288 @@ mod plm_plate_on_three_pins_ {
                 r: &[S; 12],
                 dq: &mut [S; 12],
             ) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [
+                        crank_0_x,
+                        crank_0_y,
+                        crank_0_angle,
+                        crank_1_x,
+                        crank_1_y,
+                        crank_1_angle,
+                        crank_2_x,
+                        crank_2_y,
+                        crank_2_angle,
+                        plate_x,
+                        plate_y,
+                        plate_angle,
+                        ..,
+                    ] = *q;
+                    let [
+                        residual_0,
+                        residual_1,
+                        residual_2,
+                        residual_3,
+                        residual_4,
+                        residual_5,
+                        residual_6,
+                        residual_7,
+                        residual_8,
+                        residual_9,
+                        residual_10,
+                        residual_11,
+                        ..,
+                    ] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (
+                        [sin_crank_0_angle, sin_plate_angle, sin_crank_1_angle, sin_crank_2_angle],
+                        [cos_crank_0_angle, cos_plate_angle, cos_crank_1_angle, cos_crank_2_angle],
+                    ) = S::sin_cos_all([crank_0_angle, plate_angle, crank_1_angle, crank_2_angle]);
+                    let t1 = lit(0.1) * sin_crank_0_angle;
+                    let y_0_2 = t1 * w_2;
+                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
+                    let y_1_2 = lit(-0.1) * (cos_crank_0_angle * w_2);
+                    let g_1_0 = t1 * y_1_2;
+                    let l_1_0 = r_0 * g_1_0;
+                    let t2 = lit(0.8191520442889918)
+                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                    let y_6_0 = t2 * w_0;
+                    let t3 = lit(-0.573576436351046)
+                        .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                    let t4 = cos_crank_0_angle.mul_add(t3, sin_crank_0_angle * t2);
+                    let y_6_2 = lit(-0.1) * (t4 * w_2);
+                    let g_6_0 = t1.mul_add(y_6_2, y_6_0);
+                    let l_6_0 = r_0 * g_6_0;
+                    let l_9_0 = y_0_2 * r_0;
+                    let t5 = lit(0.1) * cos_crank_0_angle;
+                    let t6 = (-t5).mul_add(y_1_2, w_1);
+                    let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t6);
+                    let growth_1 = (t6 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t7 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t7, lit(0.0), r_1);
+                    let y_6_1 = -(t3 * w_1);
+                    let g_6_1 = (-g_1_0).mul_add(l_6_0, (-t5).mul_add(y_6_2, y_6_1));
+                    let l_6_1 = g_6_1 * kept_1;
+                    let g_9_1 = (-g_1_0).mul_add(l_9_0, y_1_2);
+                    let l_9_1 = g_9_1 * kept_1;
+                    let r_9 = lit(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, w_2));
+                    let growth_9 = (w_2 * r_9).abs();
+                    let t8 = most_growth.lt(growth_9);
+                    let kept_9 = S::select(t8, lit(0.0), r_9);
+                    let g_6_9 = (-g_6_1).mul_add(l_9_1, (-g_6_0).mul_add(l_9_0, y_6_2));
+                    let l_6_9 = kept_9 * g_6_9;
+                    let y_6_9 = -(t2 * w_9);
+                    let y_6_10 = t3 * w_10;
+                    let t9 = lit(0.4) * cos_plate_angle;
+                    let t10 = lit(0.3) * sin_plate_angle;
+                    let t11 = t9 - t10;
+                    let t12 = lit(0.3) * cos_plate_angle;
+                    let t13 = lit(0.4) * sin_plate_angle;
+                    let t14 = t12 + t13;
+                    let t15 = t2.mul_add(
+                        crank_0_y + t1 - plate_y + t14 - t14,
+                        t3 * (crank_0_x + t5 - plate_x + t11 - t11),
+                    );
+                    let y_6_11 = w_11 * t15;
+                    let t16 = (-t2)
+                        .mul_add(y_6_9, (-(lit(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
+                    let t17 = t15.mul_add(y_6_11, t3.mul_add(y_6_10, t16));
+                    let r_6 = lit(1.0)
+                        / (-g_6_9).mul_add(l_6_9, (-g_6_1).mul_add(l_6_1, (-g_6_0).mul_add(l_6_0, t17)));
+                    let growth_6 = (t17 * r_6).abs();
+                    let t18 = most_growth.lt(growth_6);
+                    let kept_6 = S::select(t18, lit(0.0), r_6);
+                    let t19 = lit(-0.766044443118978)
+                        .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                    let y_7_9 = -(t19 * w_9);
+                    let t20 = lit(0.6427876096865393)
+                        .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                    let y_7_10 = -(t20 * w_10);
+                    let t21 = t9 + t10;
+                    let t22 = lit(0.1) * cos_crank_1_angle;
+                    let t23 = t12 - t13;
+                    let t24 = lit(0.1) * sin_crank_1_angle;
+                    let t25 = (-t19).mul_add(
+                        crank_1_y + t24 - plate_y + t23 - t23,
+                        t20 * (t21 + (crank_1_x + t22 - plate_x - t21)),
+                    );
+                    let y_7_11 = -(w_11 * t25);
+                    let g_7_6 = t15.mul_add(y_7_11, (-t2).mul_add(y_7_9, t3 * y_7_10));
+                    let l_7_6 = kept_6 * g_7_6;
+                    let t26 = lit(-0.17364817766693033)
+                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                    let y_8_9 = -(t26 * w_9);
+                    let t27 = lit(0.984807753012208)
+                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                    let y_8_10 = -(t27 * w_10);
+                    let t28 = lit(0.1) * cos_crank_2_angle;
+                    let t29 = lit(0.1) * sin_crank_2_angle;
+                    let t30 = (-t26).mul_add(
+                        t9 + (crank_2_y + t29 - plate_y - t9),
+                        t27 * (crank_2_x + t28 - plate_x + t13 - t13),
+                    );
+                    let y_8_11 = -(w_11 * t30);
+                    let g_8_6 = t15.mul_add(y_8_11, (-t2).mul_add(y_8_9, t3 * y_8_10));
+                    let l_8_6 = kept_6 * g_8_6;
+                    let y_2_5 = t24 * w_5;
+                    let r_2 = lit(1.0) / t24.mul_add(y_2_5, w_3);
+                    let y_3_5 = lit(-0.1) * (cos_crank_1_angle * w_5);
+                    let g_3_2 = t24 * y_3_5;
+                    let l_3_2 = r_2 * g_3_2;
+                    let y_7_3 = t19 * w_3;
+                    let t31 = (-cos_crank_1_angle).mul_add(t20, sin_crank_1_angle * t19);
+                    let y_7_5 = lit(-0.1) * (t31 * w_5);
+                    let g_7_2 = t24.mul_add(y_7_5, y_7_3);
+                    let l_7_2 = r_2 * g_7_2;
+                    let l_10_2 = y_2_5 * r_2;
+                    let t32 = (-t22).mul_add(y_3_5, w_4);
+                    let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, t32);
+                    let growth_3 = (t32 * r_3).abs();
+                    let t33 = most_growth.lt(growth_3);
+                    let kept_3 = S::select(t33, lit(0.0), r_3);
+                    let y_7_4 = t20 * w_4;
+                    let g_7_3 = (-g_3_2).mul_add(l_7_2, (-t22).mul_add(y_7_5, y_7_4));
+                    let l_7_3 = g_7_3 * kept_3;
+                    let g_10_3 = (-g_3_2).mul_add(l_10_2, y_3_5);
+                    let l_10_3 = g_10_3 * kept_3;
+                    let r_10 = lit(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, w_5));
+                    let growth_10 = (w_5 * r_10).abs();
+                    let t34 = most_growth.lt(growth_10);
+                    let kept_10 = S::select(t34, lit(0.0), r_10);
+                    let g_7_10 = (-g_7_3).mul_add(l_10_3, (-g_7_2).mul_add(l_10_2, y_7_5));
+                    let l_7_10 = kept_10 * g_7_10;
+                    let t35 = (-t19)
+                        .mul_add(y_7_9, (-(lit(0.1) * t31)).mul_add(y_7_5, t20.mul_add(y_7_4, t19 * y_7_3)));
+                    let t36 = (-t25).mul_add(y_7_11, (-t20).mul_add(y_7_10, t35));
+                    let d_7 = (-g_7_10).mul_add(
+                        l_7_10,
+                        (-g_7_3).mul_add(l_7_3, (-g_7_6).mul_add(l_7_6, (-g_7_2).mul_add(l_7_2, t36))),
+                    );
+                    let r_7 = lit(1.0) / d_7;
+                    let growth_7 = (t36 * r_7).abs();
+                    let t37 = most_growth.lt(growth_7);
+                    let kept_7 = S::select(t37, lit(0.0), r_7);
+                    let g_8_7 = -g_7_6.mul_add(l_8_6, t25.mul_add(y_8_11, t20.mul_add(y_8_10, t19 * y_8_9)));
+                    let l_8_7 = kept_7 * g_8_7;
+                    let y_4_8 = t29 * w_8;
+                    let r_4 = lit(1.0) / t29.mul_add(y_4_8, w_6);
+                    let y_5_8 = lit(-0.1) * (cos_crank_2_angle * w_8);
+                    let g_5_4 = t29 * y_5_8;
+                    let l_5_4 = r_4 * g_5_4;
+                    let y_8_6 = t26 * w_6;
+                    let t38 = (-cos_crank_2_angle).mul_add(t27, sin_crank_2_angle * t26);
+                    let y_8_8 = lit(-0.1) * (t38 * w_8);
+                    let g_8_4 = t29.mul_add(y_8_8, y_8_6);
+                    let l_8_4 = r_4 * g_8_4;
+                    let l_11_4 = y_4_8 * r_4;
+                    let t39 = (-t28).mul_add(y_5_8, w_7);
+                    let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, t39);
+                    let growth_5 = (t39 * r_5).abs();
+                    let t40 = most_growth.lt(growth_5);
+                    let kept_5 = S::select(t40, lit(0.0), r_5);
+                    let y_8_7 = t27 * w_7;
+                    let g_8_5 = (-g_5_4).mul_add(l_8_4, (-t28).mul_add(y_8_8, y_8_7));
+                    let l_8_5 = g_8_5 * kept_5;
+                    let g_11_5 = (-g_5_4).mul_add(l_11_4, y_5_8);
+                    let l_11_5 = g_11_5 * kept_5;
+                    let t41 = (-t26)
+                        .mul_add(y_8_9, (-(lit(0.1) * t38)).mul_add(y_8_8, t27.mul_add(y_8_7, t26 * y_8_6)));
+                    let t42 = (-t30).mul_add(y_8_11, (-t27).mul_add(y_8_10, t41));
+                    let d_8 = (-g_8_5).mul_add(
+                        l_8_5,
+                        (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t42))),
+                    );
+                    let r_8 = lit(1.0) / d_8;
+                    let growth_8 = (t42 * r_8).abs();
+                    let t43 = most_growth.lt(growth_8);
+                    let kept_8 = S::select(t43, lit(0.0), r_8);
+                    let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
+                    let l_11_8 = kept_8 * g_11_8;
+                    let r_11 = lit(1.0)
+                        / (-g_11_8).mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, w_8)));
+                    let growth_11 = (w_8 * r_11).abs();
+                    let t44 = most_growth.lt(growth_11);
+                    // (phi_q W phi_q^T) mu = r
+                    let b_1 = (-residual_0).mul_add(l_1_0, residual_1);
+                    let b_9 = (-b_1).mul_add(l_9_1, (-residual_0).mul_add(l_9_0, residual_9));
+                    let b_6 = (-l_6_9)
+                        .mul_add(b_9, (-b_1).mul_add(l_6_1, (-residual_0).mul_add(l_6_0, residual_6)));
+                    let b_3 = (-residual_2).mul_add(l_3_2, residual_3);
+                    let b_10 = (-b_3).mul_add(l_10_3, (-residual_2).mul_add(l_10_2, residual_10));
+                    let b_7 = (-l_7_10).mul_add(
+                        b_10,
+                        (-b_3)
+                            .mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-residual_2).mul_add(l_7_2, residual_7))),
+                    );
+                    let b_5 = (-residual_4).mul_add(l_5_4, residual_5);
+                    let b_8 = (-b_5).mul_add(
+                        l_8_5,
+                        (-l_8_7)
+                            .mul_add(b_7, (-l_8_6).mul_add(b_6, (-residual_4).mul_add(l_8_4, residual_8))),
+                    );
+                    let mu_11 = S::select(t44, lit(0.0), r_11)
+                        * (-l_11_8)
+                            .mul_add(b_8, (-b_5).mul_add(l_11_5, (-residual_4).mul_add(l_11_4, residual_11)));
+                    let mu_8 = (-l_11_8).mul_add(mu_11, kept_8 * b_8);
+                    let mu_5 = (-l_11_5).mul_add(mu_11, (-l_8_5).mul_add(mu_8, b_5 * kept_5));
+                    let mu_4 = (-l_11_4)
+                        .mul_add(mu_11, (-l_8_4).mul_add(mu_8, (-l_5_4).mul_add(mu_5, residual_4 * r_4)));
+                    let mu_7 = (-l_8_7).mul_add(mu_8, kept_7 * b_7);
+                    let mu_10 = (-l_7_10).mul_add(mu_7, kept_10 * b_10);
+                    let mu_3 = (-l_10_3).mul_add(mu_10, (-l_7_3).mul_add(mu_7, b_3 * kept_3));
+                    let mu_2 = (-l_10_2)
+                        .mul_add(mu_10, (-l_7_2).mul_add(mu_7, (-l_3_2).mul_add(mu_3, residual_2 * r_2)));
+                    let mu_6 = (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6));
+                    let mu_9 = (-l_6_9).mul_add(mu_6, kept_9 * b_9);
+                    let mu_1 = (-l_9_1).mul_add(mu_9, (-l_6_1).mul_add(mu_6, b_1 * kept_1));
+                    let mu_0 = (-l_9_0)
+                        .mul_add(mu_9, (-l_6_0).mul_add(mu_6, (-l_1_0).mul_add(mu_1, residual_0 * r_0)));
+                    // Results
+                    dq[0] = y_6_0.mul_add(mu_6, w_0 * mu_0);
+                    dq[1] = y_6_1.mul_add(mu_6, w_1 * mu_1);
+                    dq[2] = w_2.mul_add(mu_9, y_6_2.mul_add(mu_6, y_1_2.mul_add(mu_1, y_0_2 * mu_0)));
+                    dq[3] = y_7_3.mul_add(mu_7, w_3 * mu_2);
+                    dq[4] = y_7_4.mul_add(mu_7, w_4 * mu_3);
+                    dq[5] = w_5.mul_add(mu_10, y_7_5.mul_add(mu_7, y_3_5.mul_add(mu_3, y_2_5 * mu_2)));
+                    dq[6] = y_8_6.mul_add(mu_8, w_6 * mu_4);
+                    dq[7] = y_8_7.mul_add(mu_8, w_7 * mu_5);
+                    dq[8] = w_8.mul_add(mu_11, y_8_8.mul_add(mu_8, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
+                    dq[9] = y_8_9.mul_add(mu_8, y_7_9.mul_add(mu_7, y_6_9 * mu_6));
+                    dq[10] = y_8_10.mul_add(mu_8, y_7_10.mul_add(mu_7, y_6_10 * mu_6));
+                    dq[11] = y_8_11.mul_add(mu_8, y_7_11.mul_add(mu_7, y_6_11 * mu_6));
+                    let t45 = S::select(t7, lit(0.0), growth_1)
+                        .max(S::select(t8, lit(0.0), growth_9))
+                        .max(S::select(t18, lit(0.0), growth_6));
+                    let t46 = t45
+                        .max(S::select(t33, lit(0.0), growth_3))
+                        .max(S::select(t34, lit(0.0), growth_10))
+                        .max(S::select(t37, lit(0.0), growth_7));
+                    let t47 = t46
+                        .max(S::select(t40, lit(0.0), growth_5))
+                        .max(S::select(t43, lit(0.0), growth_8))
+                        .max(S::select(t44, lit(0.0), growth_11));
+                    lit(1.0) / t47
+                })
             }
 
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 12] {
                 let mut inverse_mass = [S::lit(0.0); 12];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(3.3333333333333335);
+                inverse_mass[1] = lit(3.3333333333333335);
+                inverse_mass[2] = lit(100.0);
+                inverse_mass[3] = lit(3.3333333333333335);
+                inverse_mass[4] = lit(3.3333333333333335);
+                inverse_mass[5] = lit(100.0);
+                inverse_mass[6] = lit(3.3333333333333335);
+                inverse_mass[7] = lit(3.3333333333333335);
+                inverse_mass[8] = lit(100.0);
+                inverse_mass[9] = lit(0.5);
+                inverse_mass[10] = lit(0.5);
+                inverse_mass[11] = lit(3.3333333333333335);
                 inverse_mass
             }
 
@@ -770,8 +1313,7 @@ mod plm_plate_on_three_pins_ {
                 let (q, _): ([S; 12], [S; 12]) = absolute::split(x);
                 let (mut force, mut gamma) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
                 self.free(t, u, x, &mut force, &mut gamma);
-                let mut inverse_mass = [S::lit(0.0); 12];
-                self.reciprocal_mass(&mut inverse_mass);
+                let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
                     absolute::jacobian(self, t, &q, rows)
                 })
@@ -993,6 +1535,11 @@ mod plm_plate_on_three_pins_ {
                 state.absolute_()
             }
 
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 15 add, 25 mul, 2 sin_cos.
+            #[cold]
             fn equations(
                 &self,
                 t: S,
@@ -1001,47 +1548,8 @@ mod plm_plate_on_three_pins_ {
                 lambda: &[S; 12],
                 each: &mut impl FnMut(S),
             ) {
-                let (q, v): ([S; 12], [S; 12]) = absolute::split(x);
+                let u = &held.input;
                 let (mut force, mut x_dot) = ([S::lit(0.0); 12], [S::lit(0.0); 0]);
-                self.at_rest(t, &held.input, x, lambda, &mut force, &mut x_dot);
-                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
-                    .into_iter()
-                    .for_each(&mut *each);
-                absolute::residuals::<S, Self, NQ, NC, 24>(self, t, x, each);
-                x_dot.into_iter().for_each(each);
-            }
-
-            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, held.input)
-            }
-
-            fn starts_mut(&mut self) -> &mut Starts<S> {
-                &mut self.start
-            }
-
-            fn starts_at(&self, x: &[S; 24]) -> Starts<S> {
-                self.placed(x)
-            }
-
-            fn size(&self) -> S {
-                absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> PlateOnThreePins<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 15 add, 25 mul, 2 sin_cos.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 24],
-                lambda: &[S; 12],
-                force: &mut [S; 12],
-                x_dot: &mut [S; 0],
-            ) {
                 let [
                     crank_0_x,
                     crank_0_y,
@@ -1084,6 +1592,28 @@ mod plm_plate_on_three_pins_ {
                 force[9] = lit(100.0) * t6;
                 force[10] = t7 - lit(19.62);
                 force[11] = lit(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
+                let (q, _): ([S; 12], [S; 12]) = absolute::split(x);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
+                    .into_iter()
+                    .for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, 24>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
+            }
+
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, held.input)
+            }
+
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
+            }
+
+            fn starts_at(&self, x: &[S; 24]) -> Starts<S> {
+                self.placed(x)
+            }
+
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
             }
         }
 
@@ -1900,561 +2430,6 @@ mod plm_plate_on_three_pins_ {
                 gamma[9] = lit(-3.6) * (lit(3.0) * t).sin();
                 gamma[10] = lit(-1.2) * (lit(2.0) * t).cos();
                 gamma[11] = lit(-3.2) * (lit(4.0) * t).sin();
-            }
-        }
-
-        impl<S: Scalar> PlateOnThreePins<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 42 add, 34 mul, 7 sin_cos.
-            fn residual(&self, t: S, q: &[S; 12], phi: &mut [S; 12]) {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
-                let lit = S::lit;
-                let (
-                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
-                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
-                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                let t1 = lit(0.1) * cos_crank_0_angle;
-                phi[0] = crank_0_x - t1;
-                let t2 = lit(0.1) * sin_crank_0_angle;
-                phi[1] = crank_0_y - t2;
-                let t3 = lit(0.1) * cos_crank_1_angle;
-                phi[2] = crank_1_x - t3 - lit(1.0);
-                let t4 = lit(0.1) * sin_crank_1_angle;
-                phi[3] = crank_1_y - t4;
-                let t5 = lit(0.1) * cos_crank_2_angle;
-                phi[4] = crank_2_x - t5 - lit(0.5);
-                let t6 = lit(0.1) * sin_crank_2_angle;
-                phi[5] = crank_2_y - t6 - lit(0.9);
-                let t7 = lit(0.3).mul_add(sin_plate_angle, plate_x);
-                let t8 = lit(0.4) * cos_plate_angle;
-                let t9 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t10 = lit(0.4) * sin_plate_angle;
-                let t11 = (-lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
-                .mul_add(
-                    crank_0_y + t2 + t10 - t9,
-                    lit(0.8191520442889918)
-                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
-                        * (crank_0_x + t1 + t8 - t7),
-                );
-                phi[6] = t11;
-                let t12 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
-                    .mul_add(
-                        crank_1_y + t4 - t10 - t9,
-                        lit(-0.766044443118978)
-                            .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
-                            * (crank_1_x + t3 - t8 - t7),
-                    );
-                phi[7] = t12;
-                let t13 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
-                    .mul_add(
-                        crank_2_y + t6 - plate_y - t8,
-                        lit(-0.17364817766693033)
-                            .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
-                            * (crank_2_x + t5 - plate_x + t10),
-                    );
-                phi[8] = t13;
-                phi[9] = lit(-0.4).mul_add((lit(3.0) * t).sin(), crank_0_angle);
-                phi[10] = lit(-0.3).mul_add((lit(2.0) * t).cos(), crank_1_angle);
-                phi[11] = lit(-0.2).mul_add((lit(4.0) * t).sin(), crank_2_angle) + lit(0.1);
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 70 add, 70 mul, 7 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 12], v: &[S; 12], phi_dot: &mut [S; 12]) {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
-                let [
-                    crank_0_vx,
-                    crank_0_vy,
-                    crank_0_omega,
-                    crank_1_vx,
-                    crank_1_vy,
-                    crank_1_omega,
-                    crank_2_vx,
-                    crank_2_vy,
-                    crank_2_omega,
-                    plate_vx,
-                    plate_vy,
-                    plate_omega,
-                    ..,
-                ] = *v;
-                let lit = S::lit;
-                let (
-                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
-                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
-                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                let t1 = lit(0.1) * (crank_0_omega * sin_crank_0_angle);
-                phi_dot[0] = crank_0_vx + t1;
-                let t2 = lit(0.1) * (crank_0_omega * cos_crank_0_angle);
-                phi_dot[1] = crank_0_vy - t2;
-                let t3 = lit(0.1) * (crank_1_omega * sin_crank_1_angle);
-                phi_dot[2] = crank_1_vx + t3;
-                let t4 = lit(0.1) * (crank_1_omega * cos_crank_1_angle);
-                phi_dot[3] = crank_1_vy - t4;
-                let t5 = lit(0.1) * (crank_2_omega * sin_crank_2_angle);
-                phi_dot[4] = crank_2_vx + t5;
-                let t6 = lit(0.1) * (crank_2_omega * cos_crank_2_angle);
-                phi_dot[5] = crank_2_vy - t6;
-                let t7 = plate_omega * sin_plate_angle;
-                let t8 = plate_omega * cos_plate_angle;
-                let t9 = lit(0.3).mul_add(sin_plate_angle, plate_x);
-                let t10 = lit(0.4) * cos_plate_angle;
-                let t11 = lit(-0.8191520442889918).mul_add(t8, lit(0.573576436351046) * t7)
-                    * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t10 - t9);
-                let t12 = lit(0.3).mul_add(t8, plate_vx);
-                let t13 = lit(0.4) * t7;
-                let t14 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t15 = lit(0.4) * sin_plate_angle;
-                let t16 = lit(0.573576436351046).mul_add(t8, lit(0.8191520442889918) * t7)
-                    * (lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t15 - t14);
-                let t17 = lit(0.3).mul_add(t7, plate_vy);
-                let t18 = lit(0.4) * t8;
-                let t19 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
-                    .mul_add(crank_0_vx - t1 - t13 - t12, -t11);
-                let t20 = (-lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
-                .mul_add(crank_0_vy + t2 + t18 - t17, t19 + t16);
-                phi_dot[6] = t20;
-                let t21 = lit(0.766044443118978).mul_add(t8, lit(0.6427876096865393) * t7)
-                    * (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t10 - t9);
-                let t22 = lit(-0.6427876096865393).mul_add(t8, lit(0.766044443118978) * t7)
-                    * (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t15 - t14);
-                let t23 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
-                    .mul_add(crank_1_vx + t13 - t3 - t12, -t21);
-                let t24 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
-                    .mul_add(crank_1_vy - t18 + t4 - t17, t23 - t22);
-                phi_dot[7] = t24;
-                let t25 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t15)
-                    * lit(0.17364817766693033).mul_add(t8, lit(0.984807753012208) * t7);
-                let t26 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t10)
-                    * lit(-0.984807753012208).mul_add(t8, lit(0.17364817766693033) * t7);
-                let t27 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
-                    .mul_add(crank_2_vx - plate_vx + t18 - t5, -t25);
-                let t28 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
-                    .mul_add(crank_2_vy - plate_vy + t13 + t6, t27 - t26);
-                phi_dot[8] = t28;
-                phi_dot[9] = lit(-1.2).mul_add((lit(3.0) * t).cos(), crank_0_omega);
-                phi_dot[10] = lit(0.6).mul_add((lit(2.0) * t).sin(), crank_1_omega);
-                phi_dot[11] = lit(-0.8).mul_add((lit(4.0) * t).cos(), crank_2_omega);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 40 add, 37 mul, 6 neg, 4 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let (
-                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
-                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
-                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                let t1 = lit(0.1) * sin_crank_0_angle;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.1) * cos_crank_0_angle;
-                phi_q[3] = t2;
-                phi_q[4] = lit(1.0);
-                let t3 = lit(0.1) * sin_crank_1_angle;
-                phi_q[5] = t3;
-                phi_q[6] = lit(1.0);
-                let t4 = lit(-0.1) * cos_crank_1_angle;
-                phi_q[7] = t4;
-                phi_q[8] = lit(1.0);
-                let t5 = lit(0.1) * sin_crank_2_angle;
-                phi_q[9] = t5;
-                phi_q[10] = lit(1.0);
-                let t6 = lit(-0.1) * cos_crank_2_angle;
-                phi_q[11] = t6;
-                let t7 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                phi_q[12] = t7;
-                let t8 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
-                phi_q[13] = -t8;
-                phi_q[14] = lit(-0.1) * cos_crank_0_angle.mul_add(t8, sin_crank_0_angle * t7);
-                phi_q[15] = -t7;
-                phi_q[16] = t8;
-                let t9 = lit(0.4) * cos_plate_angle;
-                let t10 = lit(0.3) * sin_plate_angle;
-                let t11 = t9 - t10;
-                let t12 = lit(0.3) * cos_plate_angle;
-                let t13 = lit(0.4) * sin_plate_angle;
-                let t14 = t12 + t13;
-                let t15 = t7.mul_add(
-                    crank_0_y + t1 - plate_y + t14 - t14,
-                    t8 * (crank_0_x - t2 - plate_x + t11 - t11),
-                );
-                phi_q[17] = t15;
-                let t16 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
-                phi_q[18] = t16;
-                let t17 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
-                phi_q[19] = t17;
-                phi_q[20] = lit(-0.1) * (-cos_crank_1_angle).mul_add(t17, sin_crank_1_angle * t16);
-                phi_q[21] = -t16;
-                phi_q[22] = -t17;
-                let t18 = t9 + t10;
-                let t19 = t12 - t13;
-                let t20 = (-t17).mul_add(
-                    t18 + (crank_1_x - t4 - plate_x - t18),
-                    t16 * (crank_1_y + t3 - plate_y + t19 - t19),
-                );
-                phi_q[23] = t20;
-                let t21 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
-                phi_q[24] = t21;
-                let t22 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
-                phi_q[25] = t22;
-                phi_q[26] = lit(-0.1) * (-cos_crank_2_angle).mul_add(t22, sin_crank_2_angle * t21);
-                phi_q[27] = -t21;
-                phi_q[28] = -t22;
-                let t23 = (-t22).mul_add(
-                    crank_2_x - t6 - plate_x + t13 - t13,
-                    t21 * (t9 + (crank_2_y + t5 - plate_y - t9)),
-                );
-                phi_q[29] = t23;
-                phi_q[30] = lit(1.0);
-                phi_q[31] = lit(1.0);
-                phi_q[32] = lit(1.0);
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 170 add, 260 mul, 13 div, 9 neg, 4 sin_cos, 44 select.
-            fn closing_step(&self, t: S, q: &[S; 12], w: &[S; 12], r: &[S; 12], dq: &mut [S; 12]) -> S {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
-                let [
-                    residual_0,
-                    residual_1,
-                    residual_2,
-                    residual_3,
-                    residual_4,
-                    residual_5,
-                    residual_6,
-                    residual_7,
-                    residual_8,
-                    residual_9,
-                    residual_10,
-                    residual_11,
-                    ..,
-                ] = *r;
-                let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, ..] = *w;
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let (
-                    [sin_crank_0_angle, sin_plate_angle, sin_crank_1_angle, sin_crank_2_angle],
-                    [cos_crank_0_angle, cos_plate_angle, cos_crank_1_angle, cos_crank_2_angle],
-                ) = S::sin_cos_all([crank_0_angle, plate_angle, crank_1_angle, crank_2_angle]);
-                let t1 = lit(0.1) * sin_crank_0_angle;
-                let y_0_2 = t1 * w_2;
-                let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                let y_1_2 = lit(-0.1) * (cos_crank_0_angle * w_2);
-                let g_1_0 = t1 * y_1_2;
-                let l_1_0 = r_0 * g_1_0;
-                let t2 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                let y_6_0 = t2 * w_0;
-                let t3 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
-                let t4 = cos_crank_0_angle.mul_add(t3, sin_crank_0_angle * t2);
-                let y_6_2 = lit(-0.1) * (t4 * w_2);
-                let g_6_0 = t1.mul_add(y_6_2, y_6_0);
-                let l_6_0 = r_0 * g_6_0;
-                let l_9_0 = y_0_2 * r_0;
-                let t5 = lit(0.1) * cos_crank_0_angle;
-                let t6 = (-t5).mul_add(y_1_2, w_1);
-                let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t6);
-                let growth_1 = (t6 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t7 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t7, lit(0.0), r_1);
-                let y_6_1 = -(t3 * w_1);
-                let g_6_1 = (-g_1_0).mul_add(l_6_0, (-t5).mul_add(y_6_2, y_6_1));
-                let l_6_1 = g_6_1 * kept_1;
-                let g_9_1 = (-g_1_0).mul_add(l_9_0, y_1_2);
-                let l_9_1 = g_9_1 * kept_1;
-                let r_9 = lit(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, w_2));
-                let growth_9 = (w_2 * r_9).abs();
-                let t8 = most_growth.lt(growth_9);
-                let kept_9 = S::select(t8, lit(0.0), r_9);
-                let g_6_9 = (-g_6_1).mul_add(l_9_1, (-g_6_0).mul_add(l_9_0, y_6_2));
-                let l_6_9 = kept_9 * g_6_9;
-                let y_6_9 = -(t2 * w_9);
-                let y_6_10 = t3 * w_10;
-                let t9 = lit(0.4) * cos_plate_angle;
-                let t10 = lit(0.3) * sin_plate_angle;
-                let t11 = t9 - t10;
-                let t12 = lit(0.3) * cos_plate_angle;
-                let t13 = lit(0.4) * sin_plate_angle;
-                let t14 = t12 + t13;
-                let t15 = t2.mul_add(
-                    crank_0_y + t1 - plate_y + t14 - t14,
-                    t3 * (crank_0_x + t5 - plate_x + t11 - t11),
-                );
-                let y_6_11 = w_11 * t15;
-                let t16 =
-                    (-t2).mul_add(y_6_9, (-(lit(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
-                let t17 = t15.mul_add(y_6_11, t3.mul_add(y_6_10, t16));
-                let r_6 =
-                    lit(1.0) / (-g_6_9).mul_add(l_6_9, (-g_6_1).mul_add(l_6_1, (-g_6_0).mul_add(l_6_0, t17)));
-                let growth_6 = (t17 * r_6).abs();
-                let t18 = most_growth.lt(growth_6);
-                let kept_6 = S::select(t18, lit(0.0), r_6);
-                let t19 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
-                let y_7_9 = -(t19 * w_9);
-                let t20 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
-                let y_7_10 = -(t20 * w_10);
-                let t21 = t9 + t10;
-                let t22 = lit(0.1) * cos_crank_1_angle;
-                let t23 = t12 - t13;
-                let t24 = lit(0.1) * sin_crank_1_angle;
-                let t25 = (-t19).mul_add(
-                    crank_1_y + t24 - plate_y + t23 - t23,
-                    t20 * (t21 + (crank_1_x + t22 - plate_x - t21)),
-                );
-                let y_7_11 = -(w_11 * t25);
-                let g_7_6 = t15.mul_add(y_7_11, (-t2).mul_add(y_7_9, t3 * y_7_10));
-                let l_7_6 = kept_6 * g_7_6;
-                let t26 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
-                let y_8_9 = -(t26 * w_9);
-                let t27 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
-                let y_8_10 = -(t27 * w_10);
-                let t28 = lit(0.1) * cos_crank_2_angle;
-                let t29 = lit(0.1) * sin_crank_2_angle;
-                let t30 = (-t26).mul_add(
-                    t9 + (crank_2_y + t29 - plate_y - t9),
-                    t27 * (crank_2_x + t28 - plate_x + t13 - t13),
-                );
-                let y_8_11 = -(w_11 * t30);
-                let g_8_6 = t15.mul_add(y_8_11, (-t2).mul_add(y_8_9, t3 * y_8_10));
-                let l_8_6 = kept_6 * g_8_6;
-                let y_2_5 = t24 * w_5;
-                let r_2 = lit(1.0) / t24.mul_add(y_2_5, w_3);
-                let y_3_5 = lit(-0.1) * (cos_crank_1_angle * w_5);
-                let g_3_2 = t24 * y_3_5;
-                let l_3_2 = r_2 * g_3_2;
-                let y_7_3 = t19 * w_3;
-                let t31 = (-cos_crank_1_angle).mul_add(t20, sin_crank_1_angle * t19);
-                let y_7_5 = lit(-0.1) * (t31 * w_5);
-                let g_7_2 = t24.mul_add(y_7_5, y_7_3);
-                let l_7_2 = r_2 * g_7_2;
-                let l_10_2 = y_2_5 * r_2;
-                let t32 = (-t22).mul_add(y_3_5, w_4);
-                let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, t32);
-                let growth_3 = (t32 * r_3).abs();
-                let t33 = most_growth.lt(growth_3);
-                let kept_3 = S::select(t33, lit(0.0), r_3);
-                let y_7_4 = t20 * w_4;
-                let g_7_3 = (-g_3_2).mul_add(l_7_2, (-t22).mul_add(y_7_5, y_7_4));
-                let l_7_3 = g_7_3 * kept_3;
-                let g_10_3 = (-g_3_2).mul_add(l_10_2, y_3_5);
-                let l_10_3 = g_10_3 * kept_3;
-                let r_10 = lit(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, w_5));
-                let growth_10 = (w_5 * r_10).abs();
-                let t34 = most_growth.lt(growth_10);
-                let kept_10 = S::select(t34, lit(0.0), r_10);
-                let g_7_10 = (-g_7_3).mul_add(l_10_3, (-g_7_2).mul_add(l_10_2, y_7_5));
-                let l_7_10 = kept_10 * g_7_10;
-                let t35 = (-t19)
-                    .mul_add(y_7_9, (-(lit(0.1) * t31)).mul_add(y_7_5, t20.mul_add(y_7_4, t19 * y_7_3)));
-                let t36 = (-t25).mul_add(y_7_11, (-t20).mul_add(y_7_10, t35));
-                let d_7 = (-g_7_10).mul_add(
-                    l_7_10,
-                    (-g_7_3).mul_add(l_7_3, (-g_7_6).mul_add(l_7_6, (-g_7_2).mul_add(l_7_2, t36))),
-                );
-                let r_7 = lit(1.0) / d_7;
-                let growth_7 = (t36 * r_7).abs();
-                let t37 = most_growth.lt(growth_7);
-                let kept_7 = S::select(t37, lit(0.0), r_7);
-                let g_8_7 = -g_7_6.mul_add(l_8_6, t25.mul_add(y_8_11, t20.mul_add(y_8_10, t19 * y_8_9)));
-                let l_8_7 = kept_7 * g_8_7;
-                let y_4_8 = t29 * w_8;
-                let r_4 = lit(1.0) / t29.mul_add(y_4_8, w_6);
-                let y_5_8 = lit(-0.1) * (cos_crank_2_angle * w_8);
-                let g_5_4 = t29 * y_5_8;
-                let l_5_4 = r_4 * g_5_4;
-                let y_8_6 = t26 * w_6;
-                let t38 = (-cos_crank_2_angle).mul_add(t27, sin_crank_2_angle * t26);
-                let y_8_8 = lit(-0.1) * (t38 * w_8);
-                let g_8_4 = t29.mul_add(y_8_8, y_8_6);
-                let l_8_4 = r_4 * g_8_4;
-                let l_11_4 = y_4_8 * r_4;
-                let t39 = (-t28).mul_add(y_5_8, w_7);
-                let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, t39);
-                let growth_5 = (t39 * r_5).abs();
-                let t40 = most_growth.lt(growth_5);
-                let kept_5 = S::select(t40, lit(0.0), r_5);
-                let y_8_7 = t27 * w_7;
-                let g_8_5 = (-g_5_4).mul_add(l_8_4, (-t28).mul_add(y_8_8, y_8_7));
-                let l_8_5 = g_8_5 * kept_5;
-                let g_11_5 = (-g_5_4).mul_add(l_11_4, y_5_8);
-                let l_11_5 = g_11_5 * kept_5;
-                let t41 = (-t26)
-                    .mul_add(y_8_9, (-(lit(0.1) * t38)).mul_add(y_8_8, t27.mul_add(y_8_7, t26 * y_8_6)));
-                let t42 = (-t30).mul_add(y_8_11, (-t27).mul_add(y_8_10, t41));
-                let d_8 = (-g_8_5).mul_add(
-                    l_8_5,
-                    (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t42))),
-                );
-                let r_8 = lit(1.0) / d_8;
-                let growth_8 = (t42 * r_8).abs();
-                let t43 = most_growth.lt(growth_8);
-                let kept_8 = S::select(t43, lit(0.0), r_8);
-                let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
-                let l_11_8 = kept_8 * g_11_8;
-                let r_11 = lit(1.0)
-                    / (-g_11_8).mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, w_8)));
-                let growth_11 = (w_8 * r_11).abs();
-                let t44 = most_growth.lt(growth_11);
-                // (phi_q W phi_q^T) mu = r
-                let b_1 = (-residual_0).mul_add(l_1_0, residual_1);
-                let b_9 = (-b_1).mul_add(l_9_1, (-residual_0).mul_add(l_9_0, residual_9));
-                let b_6 =
-                    (-l_6_9).mul_add(b_9, (-b_1).mul_add(l_6_1, (-residual_0).mul_add(l_6_0, residual_6)));
-                let b_3 = (-residual_2).mul_add(l_3_2, residual_3);
-                let b_10 = (-b_3).mul_add(l_10_3, (-residual_2).mul_add(l_10_2, residual_10));
-                let b_7 = (-l_7_10).mul_add(
-                    b_10,
-                    (-b_3).mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-residual_2).mul_add(l_7_2, residual_7))),
-                );
-                let b_5 = (-residual_4).mul_add(l_5_4, residual_5);
-                let b_8 = (-b_5).mul_add(
-                    l_8_5,
-                    (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, (-residual_4).mul_add(l_8_4, residual_8))),
-                );
-                let mu_11 = S::select(t44, lit(0.0), r_11)
-                    * (-l_11_8)
-                        .mul_add(b_8, (-b_5).mul_add(l_11_5, (-residual_4).mul_add(l_11_4, residual_11)));
-                let mu_8 = (-l_11_8).mul_add(mu_11, kept_8 * b_8);
-                let mu_5 = (-l_11_5).mul_add(mu_11, (-l_8_5).mul_add(mu_8, b_5 * kept_5));
-                let mu_4 = (-l_11_4)
-                    .mul_add(mu_11, (-l_8_4).mul_add(mu_8, (-l_5_4).mul_add(mu_5, residual_4 * r_4)));
-                let mu_7 = (-l_8_7).mul_add(mu_8, kept_7 * b_7);
-                let mu_10 = (-l_7_10).mul_add(mu_7, kept_10 * b_10);
-                let mu_3 = (-l_10_3).mul_add(mu_10, (-l_7_3).mul_add(mu_7, b_3 * kept_3));
-                let mu_2 = (-l_10_2)
-                    .mul_add(mu_10, (-l_7_2).mul_add(mu_7, (-l_3_2).mul_add(mu_3, residual_2 * r_2)));
-                let mu_6 = (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6));
-                let mu_9 = (-l_6_9).mul_add(mu_6, kept_9 * b_9);
-                let mu_1 = (-l_9_1).mul_add(mu_9, (-l_6_1).mul_add(mu_6, b_1 * kept_1));
-                let mu_0 =
-                    (-l_9_0).mul_add(mu_9, (-l_6_0).mul_add(mu_6, (-l_1_0).mul_add(mu_1, residual_0 * r_0)));
-                // Results
-                dq[0] = y_6_0.mul_add(mu_6, w_0 * mu_0);
-                dq[1] = y_6_1.mul_add(mu_6, w_1 * mu_1);
-                dq[2] = w_2.mul_add(mu_9, y_6_2.mul_add(mu_6, y_1_2.mul_add(mu_1, y_0_2 * mu_0)));
-                dq[3] = y_7_3.mul_add(mu_7, w_3 * mu_2);
-                dq[4] = y_7_4.mul_add(mu_7, w_4 * mu_3);
-                dq[5] = w_5.mul_add(mu_10, y_7_5.mul_add(mu_7, y_3_5.mul_add(mu_3, y_2_5 * mu_2)));
-                dq[6] = y_8_6.mul_add(mu_8, w_6 * mu_4);
-                dq[7] = y_8_7.mul_add(mu_8, w_7 * mu_5);
-                dq[8] = w_8.mul_add(mu_11, y_8_8.mul_add(mu_8, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
-                dq[9] = y_8_9.mul_add(mu_8, y_7_9.mul_add(mu_7, y_6_9 * mu_6));
-                dq[10] = y_8_10.mul_add(mu_8, y_7_10.mul_add(mu_7, y_6_10 * mu_6));
-                dq[11] = y_8_11.mul_add(mu_8, y_7_11.mul_add(mu_7, y_6_11 * mu_6));
-                let t45 = S::select(t7, lit(0.0), growth_1)
-                    .max(S::select(t8, lit(0.0), growth_9))
-                    .max(S::select(t18, lit(0.0), growth_6));
-                let t46 = t45
-                    .max(S::select(t33, lit(0.0), growth_3))
-                    .max(S::select(t34, lit(0.0), growth_10))
-                    .max(S::select(t37, lit(0.0), growth_7));
-                let t47 = t46
-                    .max(S::select(t40, lit(0.0), growth_5))
-                    .max(S::select(t43, lit(0.0), growth_8))
-                    .max(S::select(t44, lit(0.0), growth_11));
-                lit(1.0) / t47
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 12]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(3.3333333333333335);
-                inverse_mass[1] = lit(3.3333333333333335);
-                inverse_mass[2] = lit(100.0);
-                inverse_mass[3] = lit(3.3333333333333335);
-                inverse_mass[4] = lit(3.3333333333333335);
-                inverse_mass[5] = lit(100.0);
-                inverse_mass[6] = lit(3.3333333333333335);
-                inverse_mass[7] = lit(3.3333333333333335);
-                inverse_mass[8] = lit(100.0);
-                inverse_mass[9] = lit(0.5);
-                inverse_mass[10] = lit(0.5);
-                inverse_mass[11] = lit(3.3333333333333335);
             }
         }
 

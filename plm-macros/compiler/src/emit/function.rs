@@ -14,19 +14,28 @@ pub(super) fn function(
     signature: &TokenStream,
     (function, origin): (&Function, Origin),
 ) -> TokenStream {
-    let mut reserved = arguments(signature);
-    reserved.push("lit".to_owned());
-    let reserved: Vec<&str> = reserved.iter().map(String::as_str).collect();
-    let (body, count) = lower::statements(function, &emission.bindings(origin), (&reserved, true));
-    let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
-    let docs = docs::docs(emission, &format!("{docs}{count}"));
-    let body = emission.text(body);
+    let arguments = arguments(signature);
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (docs, body) = body(emission, docs, &arguments, (function, origin));
     quote! {
         #docs
         #signature {
             #body
         }
     }
+}
+
+/// The documentation of a straight-line function of these arguments, with its operations, and its body.
+pub(super) fn body(
+    emission: &Emission,
+    docs: &str,
+    arguments: &[&str],
+    (function, origin): (&Function, Origin),
+) -> (TokenStream, TokenStream) {
+    let reserved = [arguments, &["lit"]].concat();
+    let (body, count) = lower::statements(function, &emission.bindings(origin), (&reserved, true));
+    let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
+    (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))
 }
 
 /// Names of the arguments of a function.
@@ -44,24 +53,6 @@ fn arguments(signature: &TokenStream) -> Vec<String> {
         _ => None,
     });
     named.collect()
-}
-
-/// Forces and rates where nothing accelerates.
-pub(super) fn at_rest(emission: &Emission) -> TokenStream {
-    let Emission { name, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
-    let inputs = emission.inputs(&quote!(S));
-    let at_rest = function(
-        emission,
-        "Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.",
-        &quote! {
-            #[cold]
-            fn at_rest(
-                &self, t: S, u: &#inputs, x: &[S; #full], lambda: &[S; #nc], force: &mut [S; #nq], x_dot: &mut [S; #nx]
-            )
-        },
-        (&program.at_rest, Origin::Arguments),
-    );
-    quote!(impl<S: Scalar> #name<S> { #at_rest })
 }
 
 /// The equations of motion of rung 5, and what the rank-revealing fallback needs.
@@ -132,51 +123,6 @@ fn switching(
         &quote!(fn #name(&self, #state, g: &mut [S; #count])),
         guards,
     )
-}
-
-/// The constraints as functions of the pose, which assembly and projection call.
-pub(super) fn constraints(emission: &Emission) -> TokenStream {
-    let Emission { name, program, sizes: Sizes { nq, nc, .. }, .. } = emission;
-    let entries = number(program.phi_q.results.len());
-    let of_pose = |docs, signature, of| function(emission, docs, &signature, (of, Origin::Pose));
-    let residual = of_pose(
-        "Residuals of the constraints, m or rad; the rows stand in the table of this module.",
-        quote!(fn residual(&self, t: S, q: &[S; #nq], phi: &mut [S; #nc])),
-        &program.phi,
-    );
-    let residual_rate = of_pose(
-        "Their rates, `phi_q v - nu`, m/s or rad/s.",
-        quote!(fn residual_rate(&self, t: S, q: &[S; #nq], v: &[S; #nq], phi_dot: &mut [S; #nc])),
-        &program.phi_dot,
-    );
-    let jacobian = of_pose(
-        "The Jacobian of the constraints: its entries that are not zero, row by row.",
-        quote! {
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; #nq], phi_q: &mut [S; #entries])
-        },
-        &program.phi_q,
-    );
-    let closing_step = of_pose(
-        "The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-Returns the smallest pivot ratio of the factorisation.",
-        quote!(fn closing_step(&self, t: S, q: &[S; #nq], w: &[S; #nq], r: &[S; #nc], dq: &mut [S; #nq]) -> S),
-        &program.min_norm,
-    );
-    let reciprocal_mass = of_pose(
-        "Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.",
-        quote!(fn reciprocal_mass(&self, inverse_mass: &mut [S; #nq])),
-        &program.inverse_mass,
-    );
-    quote! {
-        impl<S: Scalar> #name<S> {
-            #residual
-            #residual_rate
-            #jacobian
-            #closing_step
-            #reciprocal_mass
-        }
-    }
 }
 
 /// The right-hand side in joint coordinates, and the way to those of all bodies and back.
@@ -298,25 +244,6 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
         )
     });
     quote!(#motion #place #switching #project #look #survey)
-}
-
-/// What rows do where conditions in them change.
-pub(super) fn jumps(emission: &Emission) -> TokenStream {
-    let Emission { model, name, program, sizes: Sizes { nq, .. }, .. } = emission;
-    let count = number(5 * model.jumps.len());
-    if model.jumps.is_empty() {
-        return TokenStream::new();
-    }
-    let jumps = function(
-        emission,
-        "How rows differ on both sides of conditions: residual, rate, its rate; the distance, its rate.",
-        &quote! {
-            #[cold]
-            fn jumps(&self, t: S, q: &[S; #nq], v: &[S; #nq], jump: &mut [S; #count])
-        },
-        (&program.jumps, Origin::Pose),
-    );
-    quote!(impl<S: Scalar> #name<S> { #jumps })
 }
 
 /// When conditions on the time alone change.

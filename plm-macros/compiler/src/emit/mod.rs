@@ -145,12 +145,9 @@ fn module(emission: &Emission) -> TokenStream {
         contract::statics::start_values,
         item::start::placed,
         contract::statics::statics,
-        function::at_rest,
         function::dynamics,
-        function::constraints,
         function::motion,
         contract::linear::augmented,
-        function::jumps,
         function::instants,
     ];
     let items = items.iter().map(|item| item(emission));

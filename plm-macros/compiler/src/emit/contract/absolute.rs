@@ -4,6 +4,8 @@ use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::super::bindings::Origin;
+use super::super::function::{body, function};
 use super::super::lower::inline;
 use super::super::{Emission, Sizes, number, quoted};
 use crate::formulate::coordinate_name;
@@ -11,7 +13,7 @@ use crate::model::Turn;
 
 /// `Absolute`.
 pub(crate) fn absolute(emission: &Emission) -> TokenStream {
-    let Emission { name, equations, model, report, sizes: Sizes { nq, nc, .. }, .. } = emission;
+    let Emission { name, equations, program, model, report, sizes: Sizes { nq, nc, .. }, .. } = emission;
     let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
     let parts = emission.text(quoted(model.rows.iter().map(|row| &model.parts[row.part].name.text)));
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
@@ -25,8 +27,39 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let [(literals, positions), (_, velocities)] = starts(emission).map(|list| emission.values(list));
     let bodies = number(model.bodies.len());
     let branch = branch(emission);
+    let of_pose = |docs, arguments: &[&str], of| body(emission, docs, arguments, (of, Origin::Pose));
+    let (phi_docs, phi) = of_pose(
+        "Residuals of the constraints, m or rad; the rows stand in the table of this module.",
+        &["t", "q", "phi"],
+        &program.phi,
+    );
+    let (phi_dot_docs, phi_dot) =
+        of_pose("Their rates, `phi_q v - nu`, m/s or rad/s.", &["t", "q", "v", "phi_dot"], &program.phi_dot);
+    // By itself, since `phi_q` is compiled for each of its callers.
+    let jacobian = function(
+        emission,
+        "The Jacobian of the constraints: its entries that are not zero, row by row.",
+        &quote! {
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; #nq], phi_q: &mut [S; #entries])
+        },
+        (&program.phi_q, Origin::Pose),
+    );
+    let (min_norm_docs, min_norm) = of_pose(
+        "The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+Returns the smallest pivot ratio of the factorisation.",
+        &["t", "q", "w", "r", "dq"],
+        &program.min_norm,
+    );
+    let (inverse_mass_docs, inverse_mass) = of_pose(
+        "Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.",
+        &["inverse_mass"],
+        &program.inverse_mass,
+    );
     // rustdoc shows a constant argument by its source, which is the whole declaration.
     quote! {
+        impl<S: Scalar> #name<S> { #jacobian }
+
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for #name<S> {
             const ROWS: [&'static str; #nc] = [#rows];
@@ -34,16 +67,20 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
             const COORDINATES: [&'static str; #nq] = [#coordinates];
             const ANGULAR: [bool; #nc] = [#angular];
 
+            #phi_docs
             fn phi(&self, t: S, q: &[S; #nq]) -> [S; #nc] {
                 let mut phi = [S::lit(0.0); #nc];
-                self.residual(t, q, &mut phi);
+                #phi
                 phi
             }
+
+            #phi_dot_docs
             fn phi_dot(&self, t: S, q: &[S; #nq], v: &[S; #nq]) -> [S; #nc] {
                 let mut phi_dot = [S::lit(0.0); #nc];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                #phi_dot
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; #nq], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[#places];
                 let mut entries = [S::lit(0.0); #entries];
@@ -52,16 +89,23 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            #min_norm_docs
             fn min_norm(
                 &self, t: S, q: &[S; #nq], w: &[S; #nq], r: &[S; #nc], dq: &mut [S; #nq]
             ) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    #min_norm
+                })
             }
+
+            #inverse_mass_docs
             fn inverse_mass(&self) -> [S; #nq] {
                 let mut inverse_mass = [S::lit(0.0); #nq];
-                self.reciprocal_mass(&mut inverse_mass);
+                #inverse_mass
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(#length)
             }

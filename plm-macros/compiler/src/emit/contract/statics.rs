@@ -3,6 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::super::bindings::Origin;
+use super::super::function::body;
 use super::super::{Emission, Sizes, docs, quoted};
 use crate::formulate::coordinate_name;
 
@@ -40,7 +42,7 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
 
 /// `Statics`.
 pub(crate) fn statics(emission: &Emission) -> TokenStream {
-    let Emission { model, name, equations, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
+    let Emission { model, name, equations, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
     let coordinates = emission.text(quoted(coordinates));
     let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
@@ -54,7 +56,17 @@ pub(crate) fn statics(emission: &Emission) -> TokenStream {
         (false, true) => quote!(held.input),
         (true, _) => quote!(Held { input: #input, ..self.declared_input() }),
     };
-    let inputs = if emission.loops().is_some() { quote!(&held.input) } else { quote!(held) };
+    let (held, inputs) = match emission.loops() {
+        Some(_) => (quote!(held), quote!(let u = &held.input;)),
+        None => (quote!(u), TokenStream::new()),
+    };
+    let (at_rest_docs, at_rest) = body(
+        emission,
+        "What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+constraints, rates of the first-order states, without accelerations.",
+        &["t", "u", "x", "lambda", "force", "x_dot", "held", "each", "q", "v"],
+        (&program.at_rest, Origin::Arguments),
+    );
     quote! {
         impl<S: Real> rt::Statics for #name<S> {
             type Full = [S; #full];
@@ -67,12 +79,15 @@ pub(crate) fn statics(emission: &Emission) -> TokenStream {
             fn full(state: &State<S>) -> [S; #full] {
                 #absolute
             }
+            #at_rest_docs
+            #[cold]
             fn equations(
-                &self, t: S, held: &Self::U, x: &[S; #full], lambda: &[S; #nc], each: &mut impl FnMut(S)
+                &self, t: S, #held: &Self::U, x: &[S; #full], lambda: &[S; #nc], each: &mut impl FnMut(S)
             ) {
-                let (q, v): ([S; #nq], [S; #nq]) = absolute::split(x);
+                #inputs
                 let (mut force, mut x_dot) = ([S::lit(0.0); #nq], [S::lit(0.0); #nx]);
-                self.at_rest(t, #inputs, x, lambda, &mut force, &mut x_dot);
+                #at_rest
+                let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force).into_iter().for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, #full>(self, t, x, each);
                 x_dot.into_iter().for_each(each);

@@ -3,6 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::super::bindings::Origin;
+use super::super::function::body;
 use super::super::{Emission, Sizes, number, quoted};
 use super::charted::chosen;
 
@@ -154,19 +156,27 @@ pub(super) fn jump(emission: &Emission) -> TokenStream {
     let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.side)));
     let [u, after] = ["u", "after"].map(|held| emission.inputs_of(held));
     let pose = emission.pose_at("u");
+    let (jump_docs, jump) = body(
+        emission,
+        "How rows differ on both sides of conditions: residual, rate, its rate; the distance, its rate.",
+        &["t", "u", "x", "after", "q", "v", "jump"],
+        (&emission.program.jumps, Origin::Pose),
+    );
     quote! {
+        #jump_docs
         #[cold]
         fn jump(&self, t: S, u: &Self::U, x: &[S; #length], after: Option<&Self::U>) -> Option<Fault> {
             const JUMPS: [(usize, usize); #count] = [#places];
             let (q, v): ([S; #nq], [S; #nq]) = #pose;
+            let (q, v) = (&q, &v);
             let mut jump = [S::lit(0.0); #terms];
-            self.jumps(t, &q, &v, &mut jump);
+            #jump
             let (terms, _) = jump.as_chunks::<5>();
             let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {
                 let changes = after.is_some_and(|after| #after.sides[side] != #u.sides[side]);
                 (changes || after.is_none()).then_some(absolute::Crossing { row, terms, changes })
             });
-            absolute::jump::<S, Self, NQ, NC>(self, t, (&q, &v), crossings)
+            absolute::jump::<S, Self, NQ, NC>(self, t, (q, v), crossings)
         }
     }
 }

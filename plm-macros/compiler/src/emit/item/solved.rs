@@ -55,8 +55,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
                 let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
                 let (mut force, mut gamma) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
                 self.free(t, u, x, &mut force, &mut gamma);
-                let mut inverse_mass = [S::lit(0.0); #nq];
-                self.reciprocal_mass(&mut inverse_mass);
+                let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| absolute::jacobian(self, t, &q, rows))
             }
         }

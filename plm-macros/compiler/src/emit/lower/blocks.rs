@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use super::{Lines, Statement};
+use super::statement::{Lines, Statement};
 
 /// Statements in one block.
 const BLOCK: usize = 160;

@@ -10,9 +10,11 @@ use plm_cas::{Count, Expr, Op, Ref, Tape};
 mod blocks;
 pub(crate) mod names;
 mod piece;
+mod statement;
 
 use self::names::Names;
 use self::piece::{Piece, literal};
+use self::statement::{Lines, Statement};
 use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
@@ -27,32 +29,6 @@ const SHORT: usize = 40;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = BTreeMap<Expr, String>;
-
-/// A statement and what it needs.
-#[derive(Debug)]
-enum Statement {
-    /// A comment above what follows.
-    Title(String),
-    /// `let name = value;` (`name` may be a pattern).
-    Let { makes: Vec<usize>, pattern: String, value: String, reads: Vec<usize> },
-    /// `place = value;`
-    Store { place: String, value: String, reads: Vec<usize> },
-}
-
-/// A lowered function.
-#[derive(Debug)]
-struct Lines {
-    /// What is read of each array, by the numbers of its elements: names of locals.
-    inputs: BTreeMap<String, BTreeMap<usize, String>>,
-    /// Statements in order.
-    statements: Vec<Statement>,
-    /// The value that the function returns and the locals that it reads.
-    value: Option<(String, Vec<usize>)>,
-    /// Names of the locals, by their numbers.
-    locals: Vec<String>,
-    /// Operations of one call.
-    count: Count,
-}
 
 /// The statements of a function and its operations; `reserved` are the names of its arguments, arrays among which are
 /// references or values.
@@ -393,24 +369,4 @@ fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
         }
     }
     uses
-}
-
-impl Statement {
-    /// Locals that the statement reads.
-    fn reads(&self) -> impl Iterator<Item = usize> {
-        let reads: &[usize] = match self {
-            Statement::Title(_) => &[],
-            Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
-        };
-        reads.iter().copied()
-    }
-
-    /// Locals that the statement makes.
-    fn makes(&self) -> impl Iterator<Item = usize> {
-        let makes: &[usize] = match self {
-            Statement::Let { makes, .. } => makes,
-            Statement::Title(_) | Statement::Store { .. } => &[],
-        };
-        makes.iter().copied()
-    }
 }

@@ -2,84 +2,30 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Is it one of these words?
+fn is_among(words: &str, word: &str) -> bool {
+    words.split(' ').any(|of| of == word)
+}
+
 /// Words that cannot be identifiers in Rust 2024 without `r#`.
-const KEYWORDS: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else",
-    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
-    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait",
-    "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
+const KEYWORDS: &str = "abstract as async await become box break const continue do dyn else enum extern false final fn for \
+    gen if impl in let loop macro match mod move mut override priv pub ref return static struct trait \
+    true try type typeof unsafe unsized use virtual where while yield";
 /// Words that not even `r#` makes an identifier.
-const PATHS: &[&str] = &["crate", "self", "super", "Self", "_"];
+const PATHS: &str = "crate self super Self _";
 
 /// Names of crates and of primitive types: a module by such a name would stand before them where the user names them.
-const TAKEN: &[&str] = &[
-    "plm",
-    "core",
-    "std",
-    "alloc",
-    "proc_macro",
-    "test",
-    "bool",
-    "char",
-    "str",
-    "f16",
-    "f32",
-    "f64",
-    "f128",
-    "i8",
-    "i16",
-    "i32",
-    "i64",
-    "i128",
-    "isize",
-    "u8",
-    "u16",
-    "u32",
-    "u64",
-    "u128",
-    "usize",
-];
+const TAKEN: &str = "plm core std alloc proc_macro test bool char str f16 f32 f64 f128 i8 i16 i32 i64 i128 isize u8 u16 \
+    u32 u64 u128 usize";
 
 /// Types, traits and arguments of generics that emitted code names without a path: the mechanism's type has another name in
 /// it where the user took one of these.
-const IN_USE: &[&str] = &[
-    "Assembly",
-    "Augmented",
-    "BodyStart",
-    "BodyState",
-    "Default",
-    "Err",
-    "Fault",
-    "Fn",
-    "FnMut",
-    "Held",
-    "I",
-    "Input",
-    "K",
-    "Method",
-    "N",
-    "NC",
-    "NQ",
-    "None",
-    "Ok",
-    "Operations",
-    "Option",
-    "Real",
-    "Result",
-    "S",
-    "Scalar",
-    "Sim",
-    "Some",
-    "Start",
-    "Starts",
-    "State",
-    "T",
-];
+const IN_USE: &str = "Assembly Augmented BodyStart BodyState Default Err Fault Fn FnMut Held I Input K Method N NC NQ None \
+    Ok Operations Option Real Result S Scalar Sim Some Start Starts State T";
 
 /// The name by which emitted code has the mechanism's type: the user's, unless the code has another thing of that name.
 pub(crate) fn free(name: &str) -> &str {
-    if IN_USE.contains(&name) { "Mechanism_" } else { name }
+    if is_among(IN_USE, name) { "Mechanism_" } else { name }
 }
 
 /// An identifier as a token.
@@ -92,14 +38,14 @@ pub(crate) fn token(text: &str, span: proc_macro2::Span) -> proc_macro2::Ident {
 
 /// The name of the mechanism as that of a type; one that cannot be has been reported.
 pub(crate) fn type_name(name: &str) -> String {
-    let is_name = !KEYWORDS.contains(&name) && !PATHS.contains(&name);
+    let is_name = !is_among(KEYWORDS, name) && !is_among(PATHS, name);
     if is_name { name.to_owned() } else { ident(name) }
 }
 
 /// Letters of a type: is there a capital, or none that could be one?
 pub(crate) fn is_type_name(name: &str) -> bool {
     let has_case = name.chars().any(char::is_lowercase);
-    !PATHS.contains(&name) && (name.chars().any(char::is_uppercase) || !has_case)
+    !is_among(PATHS, name) && (name.chars().any(char::is_uppercase) || !has_case)
 }
 
 /// `double_pendulum` becomes `DoublePendulum`.
@@ -119,9 +65,9 @@ pub(crate) fn ident(path: &str) -> String {
 
 /// A word that Rust has taken with `r#`, or with `_` where that does not help.
 fn raw(text: &str) -> String {
-    if KEYWORDS.contains(&text) {
+    if is_among(KEYWORDS, text) {
         format!("r#{text}")
-    } else if PATHS.contains(&text) {
+    } else if is_among(PATHS, text) {
         format!("{text}_")
     } else {
         text.to_owned()
@@ -157,7 +103,7 @@ pub(crate) fn module_name(name: &str) -> String {
         text.extend(character.to_lowercase());
         previous = character;
     }
-    let is_taken = [KEYWORDS, PATHS, TAKEN].iter().any(|list| list.contains(&text.as_str()));
+    let is_taken = [KEYWORDS, PATHS, TAKEN].iter().any(|words| is_among(words, &text));
     if is_taken || text == name { text + "_mechanism" } else { text }
 }
 
