@@ -8,7 +8,7 @@ mod sharing;
 mod tokens;
 
 use plm_compiler::token::Sources;
-use plm_compiler::{Expansion, compile, names_only, without_panic};
+use plm_compiler::{Code, Expansion, compile, names_only, without_panic};
 use proc_macro::{Span, TokenStream};
 
 /// Declares a planar mechanism; the language is described in the documentation of `plm`.
@@ -20,13 +20,14 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
     let (tokens, spans) = tokens::flatten(input);
     let mut sources = Sources::new();
     sources.add_tokens("declaration", tokens);
+    sources.add_places(spans.iter().map(|span| (*span).into()).collect());
     files::read(&mut sources);
     match without_panic(|| compile(&mut sources)) {
         Ok(expansion) => emit(&expansion, &sources, &spans),
         Err(what) => {
             let mut output = diagnostics::bug(&what);
             let names = without_panic(|| names_only(&mut sources)).ok().flatten();
-            output.extend(names.and_then(|code| tokens::code(&code, &spans).ok()));
+            output.extend(names.and_then(|code| code.tokens().ok()).map(TokenStream::from));
             output
         }
     }
@@ -45,8 +46,8 @@ fn emit(expansion: &Expansion, sources: &Sources, spans: &[Span]) -> TokenStream
     for diagnostic in expansion.diagnostics.sorted() {
         output.extend(diagnostics::tokens(diagnostic, sources, spans));
     }
-    match expansion.code.as_ref().map(|code| tokens::code(code, spans)) {
-        Some(Ok(code)) => output.extend(code),
+    match expansion.code.as_ref().map(Code::tokens) {
+        Some(Ok(code)) => output.extend(TokenStream::from(code)),
         Some(Err(error)) => {
             output.extend(diagnostics::bug(&format!("the emitted code does not lex: {error}")));
         }

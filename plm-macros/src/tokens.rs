@@ -1,10 +1,7 @@
-//! From rustc's tokens to the compiler's, and names of the emitted code back to where the user wrote them.
+//! From rustc's tokens to the compiler's.
 
-use std::collections::BTreeMap;
-
-use plm_compiler::Code;
 use plm_compiler::token::{Delimiter, Token};
-use proc_macro::{Group, LexError, Spacing, Span, TokenStream, TokenTree};
+use proc_macro::{Group, Spacing, Span, TokenStream, TokenTree};
 
 /// The compiler's tokens, brackets among them, and rustc's span of each.
 pub(crate) fn flatten(input: TokenStream) -> (Vec<Token>, Vec<Span>) {
@@ -71,47 +68,4 @@ fn delimiter(group: &Group) -> Option<Delimiter> {
 
 fn is_operator(tree: TokenTree) -> bool {
     matches!(tree, TokenTree::Punct(mark) if "+-*/<>&|^".contains(mark.as_char()))
-}
-
-/// Emitted source as tokens. Identifiers of its public part get the spans of their declarations, so that an editor
-/// finds them; what stands behind is long and is not walked.
-pub(crate) fn code(code: &Code, spans: &[Span]) -> Result<TokenStream, LexError> {
-    let places: BTreeMap<&str, Span> = code
-        .names
-        .iter()
-        .filter_map(|(name, span)| Some((name.as_str(), *spans.get(span.first as usize)?)))
-        .map(|(name, span)| (name, span.resolved_at(Span::call_site())))
-        .collect();
-    let mut output = respan(code.before.parse()?, &places, 1);
-    let mut inner = respan(code.public.parse()?, &places, 2);
-    inner.extend(code.implementation.parse::<TokenStream>()?);
-    let mut content = respan(code.face.parse()?, &places, 2);
-    content.extend(code.inner.parse::<TokenStream>()?);
-    content.extend(braces(inner));
-    output.extend(code.module.parse::<TokenStream>()?);
-    output.extend(braces(content));
-    Ok(output)
-}
-
-fn braces(content: TokenStream) -> [TokenTree; 1] {
-    [TokenTree::Group(Group::new(proc_macro::Delimiter::Brace, content))]
-}
-
-fn respan(code: TokenStream, places: &BTreeMap<&str, Span>, depth: usize) -> TokenStream {
-    let respan = |tree| match tree {
-        // The identifier stays what it is, raw or not; what is made anew from text would have to know.
-        TokenTree::Ident(mut ident) => {
-            if let Some(&span) = places.get(ident.to_string().as_str()) {
-                ident.set_span(span);
-            }
-            TokenTree::Ident(ident)
-        }
-        TokenTree::Group(group) if depth > 0 => {
-            let mut inner = Group::new(group.delimiter(), respan(group.stream(), places, depth - 1));
-            inner.set_span(group.span());
-            TokenTree::Group(inner)
-        }
-        other => other,
-    };
-    code.into_iter().map(respan).collect()
 }

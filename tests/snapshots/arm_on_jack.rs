@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_arm_on_jack_::arm_on_jack;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_arm_on_jack_::arm_on_jack::ArmOnJack;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_arm_on_jack_::arm_on_jack;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_arm_on_jack_ {
     /// The arm of the manual, section 3.2.1.
@@ -18,8 +19,8 @@ mod plm_arm_on_jack_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `hinge.x` | `x_arm - 0.8*cos(theta_arm) = 0` | m |
-    /// | 1 | `hinge.y` | `y_arm - 0.8*sin(theta_arm) = 0` | m |
+    /// | 0 | `hinge.x` | `arm.x - 0.8*cos(arm.angle) = 0` | m |
+    /// | 1 | `hinge.y` | `arm.y - 0.8*sin(arm.angle) = 0` | m |
     pub mod arm_on_jack {
         pub use super::code_::*;
         pub use super::type_::ArmOnJack;
@@ -48,6 +49,8 @@ mod plm_arm_on_jack_ {
 
     mod code_ {
         use super::type_::ArmOnJack;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -72,6 +75,9 @@ mod plm_arm_on_jack_ {
             /// State `valve.servo.swing`, no unit.
             pub valve_servo_swing: Start<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,68 +137,57 @@ mod plm_arm_on_jack_ {
 
             /// Output `press.chamber1.pressure`, Pa.
             pub fn press_chamber1_pressure(&self) -> S {
-                let (q, v) = self.pose_();
                 self.x[2]
             }
 
             /// Output `press.chamber2.pressure`, Pa.
             pub fn press_chamber2_pressure(&self) -> S {
-                let (q, v) = self.pose_();
                 self.x[3]
             }
 
             /// Output `ram.length`, m.
             pub fn ram_length(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [arm_x, arm_y, arm_angle, ..] = q;
                 let lit = S::lit;
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
-                let y_arm = q[1];
-                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 t2.mul_add(t2, t1 * t1).sqrt()
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [arm_vx, arm_vy, arm_omega, ..] = v;
                 let lit = S::lit;
-                let omega_arm = v[2];
-                let vx_arm = v[0];
-                let vy_arm = v[1];
-                lit(50.0).mul_add(vy_arm.mul_add(vy_arm, vx_arm * vx_arm), lit(0.005) * omega_arm * omega_arm)
+                lit(50.0).mul_add(arm_vy.mul_add(arm_vy, arm_vx * arm_vx), lit(0.005) * arm_omega * arm_omega)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [_, arm_y, ..] = q;
                 let lit = S::lit;
                 let g = self.mechanism.g;
-                let y_arm = q[1];
-                lit(100.0) * g * y_arm
+                lit(100.0) * g * arm_y
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
+                let [arm_x, arm_y, arm_angle, ..] = q;
+                let [_, _, press_chamber1_pressure, press_chamber2_pressure, ..] = self.x;
+                let [arm_vx, arm_vy, arm_omega, ..] = v;
                 let lit = S::lit;
-                let omega_arm = v[2];
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
-                let y_arm = q[1];
-                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
-                let press_chamber1_pressure = self.x[2];
-                let press_chamber2_pressure = self.x[3];
-                let vx_arm = v[0];
-                let t5 = lit(0.5) * omega_arm;
-                let vy_arm = v[1];
+                let t5 = lit(0.5) * arm_omega;
                 let t6 = t2
-                    .mul_add((-t5).mul_add(cos_theta_arm, vy_arm), t1 * t5.mul_add(sin_theta_arm, vx_arm))
+                    .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
                     * t4;
                 let t7 = lit(0.0).max(t3 - lit(0.57));
                 let t8 = lit(0.0).max(lit(0.22) - t3);
@@ -211,8 +206,8 @@ mod plm_arm_on_jack_ {
                             .mul_add(t6, lit(100000000.0) * t8),
                     );
                 let t11 = (-t5).mul_add(
-                    t4 * (t10 * (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2)),
-                    t4 * (t10 * vy_arm.mul_add(t2, vx_arm * t1)),
+                    t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2)),
+                    t4 * (t10 * arm_vy.mul_add(t2, arm_vx * t1)),
                 );
                 t11
             }
@@ -221,14 +216,12 @@ mod plm_arm_on_jack_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 0] {
                 let mut value = [S::lit(0.0); 0];
-                let (q, v) = self.pose_();
                 []
             }
 
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 3] =
                 [("press.chamber1.pressure", "Pa"), ("press.chamber2.pressure", "Pa"), ("ram.length", "m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 3] {
                 [self.press_chamber1_pressure(), self.press_chamber2_pressure(), self.ram_length()]
@@ -309,23 +302,15 @@ mod plm_arm_on_jack_ {
         impl<S: Scalar> ArmOnJack<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Held<S> {
-                let lit = S::lit;
                 Held { input: Input { none: core::marker::PhantomData }, sides: [S::lit(1.0); 8] }
             }
         }
-
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         impl<S: Scalar> rt::lanes::Rate for ArmOnJack<S> {
             type S = S;
             type X = [S; 10];
             type U = Held<S>;
             const NQ: usize = 1;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -340,14 +325,12 @@ mod plm_arm_on_jack_ {
             type G = [S; 4];
             const NQ: usize = 1;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
             const KINKS: usize = 13;
-
             fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 4]) {
                 let mut all = [S::lit(0.0); 17];
                 let out = g;
@@ -521,18 +504,23 @@ mod plm_arm_on_jack_ {
             fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
                 State { mechanism, time, x, input: held.input, sides: held.sides }
             }
+
             fn mechanism(&self) -> &ArmOnJack<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Held<S> {
                 Held { input: self.input, sides: self.sides }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 10] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
                 let held = *held;
                 self.time = time;
@@ -546,7 +534,6 @@ mod plm_arm_on_jack_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 10]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -586,23 +573,56 @@ mod plm_arm_on_jack_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Scalar> ArmOnJack<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 2 mul, 1 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
+                let [_, _, arm_angle, ..] = *q;
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                phi_q[1] = lit(0.8) * sin_arm_angle;
+                phi_q[2] = lit(1.0);
+                phi_q[3] = lit(-0.8) * cos_arm_angle;
+            }
+        }
+
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for ArmOnJack<S> {
             const ROWS: [&'static str; 2] = ["hinge.x", "hinge.y"];
             const PARTS: [&'static str; 2] = ["hinge", "hinge"];
             const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
             const ANGULAR: [bool; 2] = [false, false];
-
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 2 add, 2 mul, 1 sin_cos.
             fn phi(&self, t: S, q: &[S; 3]) -> [S; 2] {
                 let mut phi = [S::lit(0.0); 2];
-                self.residual(t, q, &mut phi);
+                let [arm_x, arm_y, arm_angle, ..] = *q;
+                let lit = S::lit;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                phi[0] = lit(-0.8).mul_add(cos_arm_angle, arm_x);
+                phi[1] = lit(-0.8).mul_add(sin_arm_angle, arm_y);
                 phi
             }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 2 add, 3 mul, 1 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 3], v: &[S; 3]) -> [S; 2] {
                 let mut phi_dot = [S::lit(0.0); 2];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [_, _, arm_angle, ..] = *q;
+                let [arm_vx, arm_vy, arm_omega, ..] = *v;
+                let lit = S::lit;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(0.8) * arm_omega;
+                phi_dot[0] = t1.mul_add(sin_arm_angle, arm_vx);
+                phi_dot[1] = (-t1).mul_add(cos_arm_angle, arm_vy);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 3], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[[0, 0], [0, 2], [1, 1], [1, 2]];
                 let mut entries = [S::lit(0.0); 4];
@@ -611,22 +631,61 @@ mod plm_arm_on_jack_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 6 add, 19 mul, 3 div, 1 sin_cos, 4 select.
             fn min_norm(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [_, _, arm_angle, ..] = *q;
+                    let [residual_0, residual_1, ..] = *r;
+                    let [w_0, w_1, w_2, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                    let t1 = lit(0.8) * sin_arm_angle;
+                    let y_0_2 = t1 * w_2;
+                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
+                    let y_1_2 = lit(-0.8) * cos_arm_angle * w_2;
+                    let g_1_0 = t1 * y_1_2;
+                    let l_1_0 = r_0 * g_1_0;
+                    let t2 = (-(lit(0.8) * cos_arm_angle)).mul_add(y_1_2, w_1);
+                    let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
+                    let growth_1 = (t2 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t3 = most_growth.lt(growth_1);
+                    // (phi_q W phi_q^T) mu = r
+                    let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
+                    let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
+                    // Results
+                    dq[0] = w_0 * mu_0;
+                    dq[1] = w_1 * mu_1;
+                    dq[2] = y_1_2.mul_add(mu_1, y_0_2 * mu_0);
+                    lit(1.0) / S::select(t3, lit(0.0), growth_1)
+                })
             }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 3] {
                 let mut inverse_mass = [S::lit(0.0); 3];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.01);
+                inverse_mass[1] = lit(0.01);
+                inverse_mass[2] = lit(100.0);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.8)
             }
+
             fn start_position(&self) -> [Start<S>; 3] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 1] = [self.start.arm.of_centre([lit(0.0), lit(0.0)])];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 3]) -> [Start<S>; 3] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 1] =
@@ -645,7 +704,7 @@ mod plm_arm_on_jack_ {
         impl<S: Real> rt::lanes::Pack for ArmOnJack<S> {
             type Packed<T: Scalar> = ArmOnJack<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -670,7 +729,7 @@ mod plm_arm_on_jack_ {
                 }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Held<S>,
                 all: [&Held<S>; N],
@@ -683,8 +742,7 @@ mod plm_arm_on_jack_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Held<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -723,11 +781,8 @@ mod plm_arm_on_jack_ {
         impl<S: Real> rt::Ports for ArmOnJack<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
-            fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut Held<S>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -737,158 +792,17 @@ mod plm_arm_on_jack_ {
             }
         }
 
-        impl<S: Scalar> ArmOnJack<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 54 add, 84 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Held<S>,
-                x: &[S; 14],
-                lambda: &[S; 2],
-                force: &mut [S; 3],
-                x_dot: &mut [S; 8],
-            ) {
-                let lit = S::lit;
-                let x_arm = x[0];
-                let theta_arm = x[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_theta_arm, x_arm);
-                let y_arm = x[1];
-                let t2 = lit(-0.5).mul_add(sin_theta_arm, y_arm) + lit(0.25);
-                let t3 = t2.mul_add(t2, t1 * t1).sqrt();
-                let t4 = lit(1.0) / t3;
-                let press_chamber1_pressure = x[6];
-                let press_chamber2_pressure = x[7];
-                let vx_arm = x[3];
-                let omega_arm = x[5];
-                let t5 = lit(0.5) * omega_arm;
-                let vy_arm = x[4];
-                let t6 = t2
-                    .mul_add((-t5).mul_add(cos_theta_arm, vy_arm), t1 * t5.mul_add(sin_theta_arm, vx_arm))
-                    * t4;
-                let t7 = lit(0.0).max(t3 - lit(0.57));
-                let t8 = lit(0.0).max(lit(0.22) - t3);
-                let t9 = lit(-1000.0).mul_add(
-                    t6,
-                    lit(-0.0012566370614359172).mul_add(
-                        press_chamber2_pressure,
-                        lit(0.001963495408493621) * press_chamber1_pressure,
-                    ),
-                ) - lit(0.0).max(
-                    (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t7)).mul_add(t6, lit(100000000.0) * t7),
-                );
-                let t10 = t9
-                    + lit(0.0).max(
-                        (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t8)))
-                            .mul_add(t6, lit(100000000.0) * t8),
-                    );
-                let t11 = t4 * t10;
-                force[0] = t1 * t11;
-                let g = self.g;
-                force[1] = lit(-100.0).mul_add(g, t2 * t11);
-                force[2] = lit(-0.5) * t4 * (t10 * (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2));
-                let gas = self.gas;
-                let t12 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
-                let t13 = gas * t12;
-                let t14 = lit(1.0) - gas;
-                let t15 = lit(-5.88235294117647e-10) * t14;
-                let line1_flow = x[8];
-                let t16 = lit(-101325.0).mul_add(t13, -t14)
-                    * lit(-0.001963495408493621).mul_add(t6, line1_flow)
-                    / (lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
-                        * (-(lit(101325.0) * t12)).mul_add(t13, t15));
-                x_dot[0] = t16;
-                let t17 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
-                let t18 = gas * t17;
-                let line2_flow = x[10];
-                let t19 = lit(-101325.0).mul_add(t18, -t14)
-                    * lit(0.0012566370614359172).mul_add(t6, line2_flow)
-                    / (lit(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
-                        * (-(lit(101325.0) * t17)).mul_add(t18, t15));
-                x_dot[1] = t19;
-                let line1_inlet_pressure = x[9];
-                x_dot[2] = lit(-5.774986495569473e-7)
-                    * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
-                        - line1_inlet_pressure);
-                let t20 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
-                let t21 = gas * t20;
-                let rated_drop = self.rated_drop;
-                let valve_servo_value = x[12];
-                let t22 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
-                let t23 = lit(0.0).max(t22);
-                let t24 = line1_inlet_pressure - lit(3000000.0);
-                let t25 = lit(1.0) / rated_drop;
-                let t26 = t24 * t25;
-                let t27 = lit(25000000.0) * (t25 * t25);
-                let t28 = lit(0.0).max(-t22);
-                let t29 = line1_inlet_pressure - lit(500000.0);
-                let t30 = t25 * t29;
-                let t31 = t23 * t24 / t26.mul_add(t26, t27).sqrt().sqrt()
-                    + t28 * t29 / t30.mul_add(t30, t27).sqrt().sqrt();
-                let t32 = lit(-2037.1832715762603)
-                    * lit(-101325.0).mul_add(t21, -t14)
-                    * (line1_flow + lit(0.0003333333333333333) * t31 / rated_drop)
-                    / (-(lit(101325.0) * t20)).mul_add(t21, t15);
-                x_dot[3] = t32;
-                let line2_inlet_pressure = x[11];
-                x_dot[4] = lit(-5.774986495569473e-7)
-                    * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
-                        - line2_inlet_pressure);
-                let t33 = lit(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
-                let t34 = gas * t33;
-                let t35 = line2_inlet_pressure - lit(500000.0);
-                let t36 = t25 * t35;
-                let t37 = line2_inlet_pressure - lit(3000000.0);
-                let t38 = t25 * t37;
-                let t39 = t23 * t35 / t36.mul_add(t36, t27).sqrt().sqrt()
-                    + t28 * t37 / t38.mul_add(t38, t27).sqrt().sqrt();
-                let t40 = lit(-2037.1832715762603)
-                    * lit(-101325.0).mul_add(t34, -t14)
-                    * (line2_flow + lit(0.0003333333333333333) * t39 / rated_drop)
-                    / (-(lit(101325.0) * t33)).mul_add(t34, t15);
-                x_dot[5] = t40;
-                let valve_servo_swing = x[13];
-                x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
-                let side_7 = u.sides[7];
-                let side_6 = u.sides[6];
-                let t_2 = t;
-                let side_5 = u.sides[5];
-                let side_4 = u.sides[4];
-                let t41 = S::select(
-                    side_6.lt(lit(0.0)),
-                    lit(2.0).mul_add(t_2, lit(-1.0)),
-                    S::select(
-                        side_5.lt(lit(0.0)),
-                        lit(1.0),
-                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t_2, lit(0.0)),
-                    ),
-                );
-                let t42 = lit(-25.132741228718345).mul_add(
-                    S::select(side_7.lt(lit(0.0)), lit(0.0), t41),
-                    lit(-201.06192982974676)
-                        .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
-                );
-                x_dot[7] = t42;
-            }
-        }
-
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.arm
-                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
-                    each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
-                    each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
-                    each("line1.flow", &mut self.line1_flow);
-                    each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
-                    each("line2.flow", &mut self.line2_flow);
-                    each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
-                    each("valve.servo.value", &mut self.valve_servo_value);
-                    each("valve.servo.swing", &mut self.valve_servo_swing);
-                }
+                self.arm.each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
+                each("press.chamber1.pressure", &mut self.press_chamber1_pressure);
+                each("press.chamber2.pressure", &mut self.press_chamber2_pressure);
+                each("line1.flow", &mut self.line1_flow);
+                each("line1.inlet.pressure", &mut self.line1_inlet_pressure);
+                each("line2.flow", &mut self.line2_flow);
+                each("line2.inlet.pressure", &mut self.line2_inlet_pressure);
+                each("valve.servo.value", &mut self.valve_servo_value);
+                each("valve.servo.swing", &mut self.valve_servo_swing);
             }
         }
 
@@ -943,125 +857,159 @@ mod plm_arm_on_jack_ {
                 ("valve.servo.value", "no unit"),
                 ("valve.servo.swing", "no unit"),
             ];
-
             fn full(state: &State<S>) -> [S; 14] {
                 state.absolute_()
             }
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 14],
-                lambda: &[S; 2],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 3], [S; 3]) = absolute::split(x);
+
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 54 add, 84 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 14], lambda: &[S; 2], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
+                let [
+                    arm_x,
+                    arm_y,
+                    arm_angle,
+                    arm_vx,
+                    arm_vy,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    line1_flow,
+                    line1_inlet_pressure,
+                    line2_flow,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    valve_servo_swing,
+                    ..,
+                ] = *x;
+                let lit = S::lit;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
+                let t3 = t2.mul_add(t2, t1 * t1).sqrt();
+                let t4 = lit(1.0) / t3;
+                let t5 = lit(0.5) * arm_omega;
+                let t6 = t2
+                    .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
+                    * t4;
+                let t7 = lit(0.0).max(t3 - lit(0.57));
+                let t8 = lit(0.0).max(lit(0.22) - t3);
+                let t9 = lit(-1000.0).mul_add(
+                    t6,
+                    lit(-0.0012566370614359172).mul_add(
+                        press_chamber2_pressure,
+                        lit(0.001963495408493621) * press_chamber1_pressure,
+                    ),
+                ) - lit(0.0).max(
+                    (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t7)).mul_add(t6, lit(100000000.0) * t7),
+                );
+                let t10 = t9
+                    + lit(0.0).max(
+                        (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t8)))
+                            .mul_add(t6, lit(100000000.0) * t8),
+                    );
+                let t11 = t4 * t10;
+                force[0] = t1 * t11;
+                let g = self.g;
+                force[1] = lit(-100.0).mul_add(g, t2 * t11);
+                force[2] = lit(-0.5) * t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2));
+                let gas = self.gas;
+                let t12 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
+                let t13 = gas * t12;
+                let t14 = lit(1.0) - gas;
+                let t15 = lit(-5.88235294117647e-10) * t14;
+                let t16 = lit(-101325.0).mul_add(t13, -t14)
+                    * lit(-0.001963495408493621).mul_add(t6, line1_flow)
+                    / (lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
+                        * (-(lit(101325.0) * t12)).mul_add(t13, t15));
+                x_dot[0] = t16;
+                let t17 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
+                let t18 = gas * t17;
+                let t19 = lit(-101325.0).mul_add(t18, -t14)
+                    * lit(0.0012566370614359172).mul_add(t6, line2_flow)
+                    / (lit(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
+                        * (-(lit(101325.0) * t17)).mul_add(t18, t15));
+                x_dot[1] = t19;
+                x_dot[2] = lit(-5.774986495569473e-7)
+                    * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
+                        - line1_inlet_pressure);
+                let t20 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
+                let t21 = gas * t20;
+                let rated_drop = self.rated_drop;
+                let t22 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
+                let t23 = lit(0.0).max(t22);
+                let t24 = line1_inlet_pressure - lit(3000000.0);
+                let t25 = lit(1.0) / rated_drop;
+                let t26 = t24 * t25;
+                let t27 = lit(25000000.0) * (t25 * t25);
+                let t28 = lit(0.0).max(-t22);
+                let t29 = line1_inlet_pressure - lit(500000.0);
+                let t30 = t25 * t29;
+                let t31 = t23 * t24 / t26.mul_add(t26, t27).sqrt().sqrt()
+                    + t28 * t29 / t30.mul_add(t30, t27).sqrt().sqrt();
+                let t32 = lit(-2037.1832715762603)
+                    * lit(-101325.0).mul_add(t21, -t14)
+                    * (line1_flow + lit(0.0003333333333333333) * t31 / rated_drop)
+                    / (-(lit(101325.0) * t20)).mul_add(t21, t15);
+                x_dot[3] = t32;
+                x_dot[4] = lit(-5.774986495569473e-7)
+                    * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
+                        - line2_inlet_pressure);
+                let t33 = lit(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
+                let t34 = gas * t33;
+                let t35 = line2_inlet_pressure - lit(500000.0);
+                let t36 = t25 * t35;
+                let t37 = line2_inlet_pressure - lit(3000000.0);
+                let t38 = t25 * t37;
+                let t39 = t23 * t35 / t36.mul_add(t36, t27).sqrt().sqrt()
+                    + t28 * t37 / t38.mul_add(t38, t27).sqrt().sqrt();
+                let t40 = lit(-2037.1832715762603)
+                    * lit(-101325.0).mul_add(t34, -t14)
+                    * (line2_flow + lit(0.0003333333333333333) * t39 / rated_drop)
+                    / (-(lit(101325.0) * t33)).mul_add(t34, t15);
+                x_dot[5] = t40;
+                x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
+                let t41 = S::select(
+                    side_6.lt(lit(0.0)),
+                    lit(2.0).mul_add(t, lit(-1.0)),
+                    S::select(
+                        side_5.lt(lit(0.0)),
+                        lit(1.0),
+                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
+                    ),
+                );
+                let t42 = lit(-25.132741228718345).mul_add(
+                    S::select(side_7.lt(lit(0.0)), lit(0.0), t41),
+                    lit(-201.06192982974676)
+                        .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
+                );
+                x_dot[7] = t42;
+                let (q, _): ([S; 3], [S; 3]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, 14>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 14]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> ArmOnJack<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 2 add, 2 mul, 1 sin_cos.
-            fn residual(&self, t: S, q: &[S; 3], phi: &mut [S; 2]) {
-                let lit = S::lit;
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                phi[0] = lit(-0.8).mul_add(cos_theta_arm, x_arm);
-                let y_arm = q[1];
-                phi[1] = lit(-0.8).mul_add(sin_theta_arm, y_arm);
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 2 add, 3 mul, 1 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 3], v: &[S; 3], phi_dot: &mut [S; 2]) {
-                let lit = S::lit;
-                let vx_arm = v[0];
-                let omega_arm = v[2];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(0.8) * omega_arm;
-                phi_dot[0] = t1.mul_add(sin_theta_arm, vx_arm);
-                let vy_arm = v[1];
-                phi_dot[1] = (-t1).mul_add(cos_theta_arm, vy_arm);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 2 mul, 1 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                phi_q[1] = lit(0.8) * sin_theta_arm;
-                phi_q[2] = lit(1.0);
-                phi_q[3] = lit(-0.8) * cos_theta_arm;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 6 add, 19 mul, 3 div, 1 sin_cos, 4 select.
-            fn closing_step(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> S {
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let w_2 = w[2];
-                let t1 = lit(0.8) * sin_theta_arm;
-                let y_0_2 = t1 * w_2;
-                let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                let y_1_2 = lit(-0.8) * cos_theta_arm * w_2;
-                let g_1_0 = t1 * y_1_2;
-                let l_1_0 = r_0 * g_1_0;
-                let w_1 = w[1];
-                let t2 = (-(lit(0.8) * cos_theta_arm)).mul_add(y_1_2, w_1);
-                let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
-                let growth_1 = (t2 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t3 = most_growth.lt(growth_1);
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
-                let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
-                // Results
-                dq[0] = w_0 * mu_0;
-                dq[1] = w_1 * mu_1;
-                dq[2] = y_1_2.mul_add(mu_1, y_0_2 * mu_0);
-                lit(1.0) / S::select(t3, lit(0.0), growth_1)
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 3]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(0.01);
-                inverse_mass[1] = lit(0.01);
-                inverse_mass[2] = lit(100.0);
             }
         }
 
@@ -1071,19 +1019,29 @@ mod plm_arm_on_jack_ {
             /// 54 add, 89 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
+                let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
+                let [
+                    arm_angle,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    line1_flow,
+                    line1_inlet_pressure,
+                    line2_flow,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    valve_servo_swing,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
-                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
+                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
-                let press_chamber1_pressure = x[2];
-                let press_chamber2_pressure = x[3];
-                let omega_arm = x[1];
-                let t5 = omega_arm * sin_theta_arm;
-                let t6 = omega_arm * cos_theta_arm;
+                let t5 = arm_omega * sin_arm_angle;
+                let t6 = arm_omega * cos_arm_angle;
                 let t7 = (-t2)
                     .mul_add(lit(-0.8).mul_add(t6, lit(0.5) * t6), t1 * lit(-0.8).mul_add(t5, lit(0.5) * t5));
                 let t8 = t7 * t4;
@@ -1105,19 +1063,18 @@ mod plm_arm_on_jack_ {
                     );
                 let t13 = t4 * t12;
                 let g = self.g;
-                let still_0 = (-cos_theta_arm).mul_add(
+                let still_0 = (-cos_arm_angle).mul_add(
                     (lit(0.3) * t2).mul_add(t13, lit(80.0) * g),
-                    lit(0.3) * sin_theta_arm * t1 * t13,
+                    lit(0.3) * sin_arm_angle * t1 * t13,
                 );
                 // Results
-                dx[0] = omega_arm;
+                dx[0] = arm_omega;
                 dx[1] = lit(0.015622558975160131) * still_0;
                 let gas = self.gas;
                 let t14 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
                 let t15 = gas * t14;
                 let t16 = lit(1.0) - gas;
                 let t17 = lit(-5.88235294117647e-10) * t16;
-                let line1_flow = x[4];
                 let t18 = lit(-101325.0).mul_add(t15, -t16)
                     * lit(0.001963495408493621).mul_add(t8, line1_flow)
                     / ((-(lit(101325.0) * t14)).mul_add(t15, t17)
@@ -1125,20 +1082,17 @@ mod plm_arm_on_jack_ {
                 dx[2] = t18;
                 let t19 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t20 = gas * t19;
-                let line2_flow = x[6];
                 let t21 = lit(101325.0).mul_add(t20, t16)
                     * lit(-0.0012566370614359172).mul_add(t8, line2_flow)
                     / ((-(lit(101325.0) * t19)).mul_add(t20, t17)
                         * lit(0.0012566370614359172).mul_add(t3, lit(-0.0007662831250184729)));
                 dx[3] = t21;
-                let line1_inlet_pressure = x[5];
                 dx[4] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
                 let t22 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t23 = gas * t22;
                 let rated_drop = self.rated_drop;
-                let valve_servo_value = x[8];
                 let t24 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t25 = lit(0.0).max(t24);
                 let t26 = line1_inlet_pressure - lit(3000000.0);
@@ -1155,7 +1109,6 @@ mod plm_arm_on_jack_ {
                     * (line1_flow + lit(0.0003333333333333333) * t33 / rated_drop)
                     / (-(lit(101325.0) * t22)).mul_add(t23, t17);
                 dx[5] = t34;
-                let line2_inlet_pressure = x[7];
                 dx[6] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
@@ -1172,20 +1125,14 @@ mod plm_arm_on_jack_ {
                     * (line2_flow + lit(0.0003333333333333333) * t41 / rated_drop)
                     / (-(lit(101325.0) * t35)).mul_add(t36, t17);
                 dx[7] = t42;
-                let valve_servo_swing = x[9];
                 dx[8] = lit(125.66370614359172) * valve_servo_swing;
-                let side_7 = u.sides[7];
-                let side_6 = u.sides[6];
-                let t_2 = t;
-                let side_5 = u.sides[5];
-                let side_4 = u.sides[4];
                 let t43 = S::select(
                     side_6.lt(lit(0.0)),
-                    lit(2.0).mul_add(t_2, lit(-1.0)),
+                    lit(2.0).mul_add(t, lit(-1.0)),
                     S::select(
                         side_5.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t_2, lit(0.0)),
+                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t44 = lit(-25.132741228718345).mul_add(
@@ -1201,16 +1148,15 @@ mod plm_arm_on_jack_ {
             /// 6 mul, 1 sin_cos.
             #[inline]
             fn place(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 3], v: &mut [S; 3]) {
+                let [arm_angle, arm_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                q[0] = lit(0.8) * cos_theta_arm;
-                q[1] = lit(0.8) * sin_theta_arm;
-                q[2] = theta_arm;
-                let omega_arm = x[1];
-                v[0] = lit(-0.8) * omega_arm * sin_theta_arm;
-                v[1] = lit(0.8) * omega_arm * cos_theta_arm;
-                v[2] = omega_arm;
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                q[0] = lit(0.8) * cos_arm_angle;
+                q[1] = lit(0.8) * sin_arm_angle;
+                q[2] = arm_angle;
+                v[0] = lit(-0.8) * arm_omega * sin_arm_angle;
+                v[1] = lit(0.8) * arm_omega * cos_arm_angle;
+                v[2] = arm_omega;
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -1223,25 +1169,29 @@ mod plm_arm_on_jack_ {
             ///
             /// 23 add, 25 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
+                let [side_0, side_1, side_2, side_3, ..] = u.sides;
+                let [
+                    arm_angle,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    _,
+                    line1_inlet_pressure,
+                    _,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
-                let press_chamber1_pressure = x[2];
-                let side_0 = u.sides[0];
                 g[0] = (press_chamber1_pressure + lit(101325.0)) * side_0;
-                let press_chamber2_pressure = x[3];
-                let side_1 = u.sides[1];
                 g[1] = (press_chamber2_pressure + lit(101325.0)) * side_1;
-                let line1_inlet_pressure = x[5];
-                let side_2 = u.sides[2];
                 g[2] = (line1_inlet_pressure + lit(101325.0)) * side_2;
-                let line2_inlet_pressure = x[7];
-                let side_3 = u.sides[3];
                 g[3] = (line2_inlet_pressure + lit(101325.0)) * side_3;
                 g[4] = lit(-101324.0) - press_chamber1_pressure;
                 g[5] = lit(-101324.0) - press_chamber2_pressure;
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
-                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
+                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = t3 - lit(0.57);
                 g[6] = -t4;
@@ -1250,9 +1200,8 @@ mod plm_arm_on_jack_ {
                 let t6 = lit(0.0).max(t4);
                 let t7 = lit(1000000.0) * t6;
                 g[8] = lit(1.0) - t7;
-                let omega_arm = x[1];
-                let t8 = omega_arm * sin_theta_arm;
-                let t9 = omega_arm * cos_theta_arm;
+                let t8 = arm_omega * sin_arm_angle;
+                let t9 = arm_omega * cos_arm_angle;
                 let t10 = (-t2)
                     .mul_add(lit(-0.8).mul_add(t9, lit(0.5) * t9), t1 * lit(-0.8).mul_add(t8, lit(0.5) * t8));
                 let t11 = lit(1000.0) * (t10 / t3);
@@ -1263,7 +1212,6 @@ mod plm_arm_on_jack_ {
                 g[11] = (-t11).mul_add(lit(1.0).min(t13), lit(-100000000.0) * t12);
                 g[12] = lit(-101324.0) - line1_inlet_pressure;
                 g[13] = lit(-101324.0) - line2_inlet_pressure;
-                let valve_servo_value = x[8];
                 g[14] = lit(1.0) - valve_servo_value;
                 let t14 = lit(1.0).min(valve_servo_value);
                 g[15] = lit(-1.0) - t14;

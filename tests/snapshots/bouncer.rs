@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_bouncer_::bouncer;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_bouncer_::bouncer::Bouncer;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_bouncer_::bouncer;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_bouncer_ {
     /// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.
@@ -18,10 +19,10 @@ mod plm_bouncer_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `rail.normal` | `-y_block = 0` | m |
-    /// | 1 | `rail.angle` | `-theta_block = 0` | rad |
-    /// | 2 | `other.normal` | `-y_clock = 0` | m |
-    /// | 3 | `other.angle` | `-theta_clock = 0` | rad |
+    /// | 0 | `rail.normal` | `-block.y = 0` | m |
+    /// | 1 | `rail.angle` | `-block.angle = 0` | rad |
+    /// | 2 | `other.normal` | `-clock.y = 0` | m |
+    /// | 3 | `other.angle` | `-clock.angle = 0` | rad |
     pub mod bouncer {
         pub use super::code_::*;
         pub use super::type_::Bouncer;
@@ -42,6 +43,8 @@ mod plm_bouncer_ {
 
     mod code_ {
         use super::type_::Bouncer;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -52,6 +55,9 @@ mod plm_bouncer_ {
             /// Origin of body `clock`.
             pub clock: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,25 +123,20 @@ mod plm_bouncer_ {
 
             /// Output `block.x`, m.
             pub fn block_x(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
                 q[0]
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [block_vx, block_vy, block_omega, clock_vx, clock_vy, clock_omega, ..] = v;
                 let lit = S::lit;
-                let omega_block = v[2];
-                let vx_clock = v[3];
-                let vy_clock = v[4];
-                let omega_clock = v[5];
-                let vx_block = v[0];
-                let vy_block = v[1];
                 let t1 = lit(2.0).mul_add(
-                    vy_block.mul_add(vy_block, vx_block * vx_block),
-                    omega_clock.mul_add(
-                        omega_clock,
-                        vy_clock.mul_add(vy_clock, vx_clock.mul_add(vx_clock, omega_block * omega_block)),
+                    block_vy.mul_add(block_vy, block_vx * block_vx),
+                    clock_omega.mul_add(
+                        clock_omega,
+                        clock_vy.mul_add(clock_vy, clock_vx.mul_add(clock_vx, block_omega * block_omega)),
                     ),
                 );
                 lit(0.5) * t1
@@ -143,7 +144,6 @@ mod plm_bouncer_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
                 let lit = S::lit;
                 lit(0.0)
             }
@@ -151,35 +151,30 @@ mod plm_bouncer_ {
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
+                let [_, _, _, clock_x, ..] = q;
+                let [_, side_1, side_2, side_3, ..] = self.sides;
+                let [block_vx, _, _, clock_vx, ..] = v;
                 let lit = S::lit;
-                let vx_block = v[0];
-                let side_1 = self.sides[1];
-                let vx_clock = v[3];
-                let x_clock = q[3];
                 let push = self.input.push;
-                let side_3 = self.sides[3];
-                let side_2 = self.sides[2];
-                let t1 = S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
+                let t1 = S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
                     + (push
                         + S::select(
                             side_3.lt(lit(0.0)),
                             lit(0.0),
                             S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
                         ));
-                vx_clock.mul_add(t1, vx_block * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
+                clock_vx.mul_add(t1, block_vx * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 0] {
                 let mut value = [S::lit(0.0); 0];
-                let (q, v) = self.pose_();
                 []
             }
 
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 1] = [("block.x", "m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
                 [self.block_x()]
@@ -263,18 +258,11 @@ mod plm_bouncer_ {
             }
         }
 
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
-
         impl<S: Scalar> rt::lanes::Rate for Bouncer<S> {
             type S = S;
             type X = [S; 4];
             type U = Held<S>;
             const NQ: usize = 2;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -289,14 +277,12 @@ mod plm_bouncer_ {
             type G = [S; 2];
             const NQ: usize = 2;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
             const KINKS: usize = 1;
-
             fn guards(&self, t: S, u: &Self::U, x: &[S; 4], g: &mut [S; 2]) {
                 let mut all = [S::lit(0.0); 3];
                 let out = g;
@@ -419,9 +405,6 @@ mod plm_bouncer_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 12];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[12 + k] = self.x[4 + k];
-                }
                 x
             }
         }
@@ -432,18 +415,23 @@ mod plm_bouncer_ {
             fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
                 State { mechanism, time, x, input: held.input, sides: held.sides }
             }
+
             fn mechanism(&self) -> &Bouncer<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Held<S> {
                 Held { input: self.input, sides: self.sides }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 4] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
                 let held = *held;
                 self.time = time;
@@ -457,7 +445,6 @@ mod plm_bouncer_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 4]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -498,24 +485,51 @@ mod plm_bouncer_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Scalar> Bouncer<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
+                let lit = S::lit;
+                phi_q[0] = lit(-1.0);
+                phi_q[1] = lit(-1.0);
+                phi_q[2] = lit(-1.0);
+                phi_q[3] = lit(-1.0);
+            }
+        }
+
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Bouncer<S> {
             const ROWS: [&'static str; 4] = ["rail.normal", "rail.angle", "other.normal", "other.angle"];
             const PARTS: [&'static str; 4] = ["rail", "rail", "other", "other"];
             const COORDINATES: [&'static str; 6] =
                 ["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
             const ANGULAR: [bool; 4] = [false, true, false, true];
-
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 4 neg.
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
-                self.residual(t, q, &mut phi);
+                let [_, block_y, block_angle, _, clock_y, clock_angle, ..] = *q;
+                phi[0] = -block_y;
+                phi[1] = -block_angle;
+                phi[2] = -clock_y;
+                phi[3] = -clock_angle;
                 phi
             }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 4 neg.
             fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
                 let mut phi_dot = [S::lit(0.0); 4];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [_, block_vy, block_omega, _, clock_vy, clock_omega, ..] = *v;
+                phi_dot[0] = -block_vy;
+                phi_dot[1] = -block_omega;
+                phi_dot[2] = -clock_vy;
+                phi_dot[3] = -clock_omega;
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[[0, 1], [1, 2], [2, 4], [3, 5]];
                 let mut entries = [S::lit(0.0); 4];
@@ -524,17 +538,44 @@ mod plm_bouncer_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 8 mul, 4 div, 4 neg.
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                    let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
+                    let lit = S::lit;
+                    // Results
+                    dq[0] = lit(0.0);
+                    dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
+                    dq[2] = -(w_2 * (residual_1 * (lit(1.0) / w_2)));
+                    dq[3] = lit(0.0);
+                    dq[4] = -(w_4 * (residual_2 * (lit(1.0) / w_4)));
+                    dq[5] = -(w_5 * (residual_3 * (lit(1.0) / w_5)));
+                    lit(1.0)
+                })
             }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 6] {
                 let mut inverse_mass = [S::lit(0.0); 6];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.5);
+                inverse_mass[1] = lit(0.5);
+                inverse_mass[2] = lit(1.0);
+                inverse_mass[3] = lit(1.0);
+                inverse_mass[4] = lit(1.0);
+                inverse_mass[5] = lit(1.0);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(1.0)
             }
+
             fn start_position(&self) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -543,6 +584,7 @@ mod plm_bouncer_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 6]) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -563,7 +605,7 @@ mod plm_bouncer_ {
         impl<S: Real> rt::lanes::Pack for Bouncer<S> {
             type Packed<T: Scalar> = Bouncer<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -576,7 +618,7 @@ mod plm_bouncer_ {
                 Bouncer { start, until: number(all.map(|one| one.until)) }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Held<S>,
                 all: [&Held<S>; N],
@@ -589,8 +631,7 @@ mod plm_bouncer_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Held<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -629,7 +670,6 @@ mod plm_bouncer_ {
         impl<S: Real> rt::Ports for Bouncer<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[("push", "N")];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
             fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
                 match index {
                     0 => Some(&mut held.input.push),
@@ -644,54 +684,16 @@ mod plm_bouncer_ {
             }
         }
 
-        impl<S: Scalar> Bouncer<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 3 add, 1 mul, 8 select.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Held<S>,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                force: &mut [S; 6],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                let side_1 = u.sides[1];
-                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
-                force[1] = lit(0.0);
-                force[2] = lit(0.0);
-                let push = u.input.push;
-                let x_clock = x[3];
-                let side_3 = u.sides[3];
-                let side_2 = u.sides[2];
-                let t1 = push
-                    + S::select(x_clock.lt(lit(100.0)), lit(0.0), lit(-10.0) * (x_clock - lit(100.0)))
-                    + S::select(
-                        side_3.lt(lit(0.0)),
-                        lit(0.0),
-                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
-                    );
-                force[3] = t1;
-                force[4] = lit(0.0);
-                force[5] = lit(0.0);
-            }
-        }
-
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.block.each(
-                        ["block.x", "block.y", "block.angle", "block.vx", "block.vy", "block.omega"],
-                        &mut *each,
-                    );
-                    self.clock.each(
-                        ["clock.x", "clock.y", "clock.angle", "clock.vx", "clock.vy", "clock.omega"],
-                        &mut *each,
-                    );
-                }
+                self.block.each(
+                    ["block.x", "block.y", "block.angle", "block.vx", "block.vy", "block.omega"],
+                    &mut *each,
+                );
+                self.clock.each(
+                    ["clock.x", "clock.y", "clock.angle", "clock.vx", "clock.vy", "clock.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -736,115 +738,56 @@ mod plm_bouncer_ {
             const ROWS: &'static [&'static str] =
                 &["rail.normal", "rail.angle", "other.normal", "other.angle"];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 12] {
                 state.absolute_()
             }
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 6], [S; 6]) = absolute::split(x);
+
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 3 add, 1 mul, 8 select.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 12], lambda: &[S; 4], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 6], [S::lit(0.0); 0]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, _, _, clock_x, ..] = *x;
+                let lit = S::lit;
+                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                force[1] = lit(0.0);
+                force[2] = lit(0.0);
+                let push = u.input.push;
+                let t1 = push
+                    + S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
+                    + S::select(
+                        side_3.lt(lit(0.0)),
+                        lit(0.0),
+                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                    );
+                force[3] = t1;
+                force[4] = lit(0.0);
+                force[5] = lit(0.0);
+                let (q, _): ([S; 6], [S; 6]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, 12>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 12]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> Bouncer<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 4 neg.
-            fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
-                let y_block = q[1];
-                phi[0] = -y_block;
-                let theta_block = q[2];
-                phi[1] = -theta_block;
-                let y_clock = q[4];
-                phi[2] = -y_clock;
-                let theta_clock = q[5];
-                phi[3] = -theta_clock;
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 4 neg.
-            fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
-                let vy_block = v[1];
-                phi_dot[0] = -vy_block;
-                let omega_block = v[2];
-                phi_dot[1] = -omega_block;
-                let vy_clock = v[4];
-                phi_dot[2] = -vy_clock;
-                let omega_clock = v[5];
-                phi_dot[3] = -omega_clock;
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
-                let lit = S::lit;
-                phi_q[0] = lit(-1.0);
-                phi_q[1] = lit(-1.0);
-                phi_q[2] = lit(-1.0);
-                phi_q[3] = lit(-1.0);
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 8 mul, 4 div, 4 neg.
-            fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_1 = w[1];
-                let w_2 = w[2];
-                let w_4 = w[4];
-                let w_5 = w[5];
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let residual_2 = r[2];
-                let residual_3 = r[3];
-                // Results
-                dq[0] = lit(0.0);
-                dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
-                dq[2] = -(w_2 * (residual_1 * (lit(1.0) / w_2)));
-                dq[3] = lit(0.0);
-                dq[4] = -(w_4 * (residual_2 * (lit(1.0) / w_4)));
-                dq[5] = -(w_5 * (residual_3 * (lit(1.0) / w_5)));
-                lit(1.0)
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 6]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(0.5);
-                inverse_mass[1] = lit(0.5);
-                inverse_mass[2] = lit(1.0);
-                inverse_mass[3] = lit(1.0);
-                inverse_mass[4] = lit(1.0);
-                inverse_mass[5] = lit(1.0);
             }
         }
 
@@ -854,13 +797,11 @@ mod plm_bouncer_ {
             /// 3 add, 2 mul, 8 select.
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &mut [S; 4]) {
+                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, s_other, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let side_1 = u.sides[1];
                 let push = u.input.push;
-                let side_3 = u.sides[3];
-                let side_2 = u.sides[2];
-                let s_other = x[1];
                 let force_1 =
                     push + S::select(
                         side_3.lt(lit(0.0)),
@@ -904,13 +845,11 @@ mod plm_bouncer_ {
             ///
             /// 2 add, 2 mul.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 4], g: &mut [S; 3]) {
+                let [side_0, side_1, ..] = u.sides;
+                let [s_rail, s_other, ..] = *x;
                 let lit = S::lit;
-                let side_0 = u.sides[0];
-                let s_rail = x[0];
                 g[0] = side_0 * (lit(10.0) - s_rail);
-                let side_1 = u.sides[1];
                 g[1] = side_1 * s_rail;
-                let s_other = x[1];
                 g[2] = s_other - lit(100.0);
             }
         }

@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_chain_::chain;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_chain_::chain::Chain;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_chain_::chain;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_chain_ {
     /// A chain of five bars: elimination body by body.
@@ -18,16 +19,16 @@ mod plm_chain_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `first.x` | `x_bar[0] - 0.5*cos(theta_bar[0]) = 0` | m |
-    /// | 1 | `first.y` | `y_bar[0] - 0.5*sin(theta_bar[0]) = 0` | m |
-    /// | 2 | `pin[1].x` | `x_bar[1] - x_bar[0] - 0.5*cos(theta_bar[0]) - 0.5*cos(theta_bar[1]) = 0` | m |
-    /// | 3 | `pin[1].y` | `y_bar[1] - y_bar[0] - 0.5*sin(theta_bar[0]) - 0.5*sin(theta_bar[1]) = 0` | m |
-    /// | 4 | `pin[2].x` | `x_bar[2] - x_bar[1] - 0.5*cos(theta_bar[1]) - 0.5*cos(theta_bar[2]) = 0` | m |
-    /// | 5 | `pin[2].y` | `y_bar[2] - y_bar[1] - 0.5*sin(theta_bar[1]) - 0.5*sin(theta_bar[2]) = 0` | m |
-    /// | 6 | `pin[3].x` | `x_bar[3] - x_bar[2] - 0.5*cos(theta_bar[2]) - 0.5*cos(theta_bar[3]) = 0` | m |
-    /// | 7 | `pin[3].y` | `y_bar[3] - y_bar[2] - 0.5*sin(theta_bar[2]) - 0.5*sin(theta_bar[3]) = 0` | m |
-    /// | 8 | `pin[4].x` | `x_bar[4] - x_bar[3] - 0.5*cos(theta_bar[3]) - 0.5*cos(theta_bar[4]) = 0` | m |
-    /// | 9 | `pin[4].y` | `y_bar[4] - y_bar[3] - 0.5*sin(theta_bar[3]) - 0.5*sin(theta_bar[4]) = 0` | m |
+    /// | 0 | `first.x` | `bar[0].x - 0.5*cos(bar[0].angle) = 0` | m |
+    /// | 1 | `first.y` | `bar[0].y - 0.5*sin(bar[0].angle) = 0` | m |
+    /// | 2 | `pin[1].x` | `bar[1].x - bar[0].x - 0.5*cos(bar[0].angle) - 0.5*cos(bar[1].angle) = 0` | m |
+    /// | 3 | `pin[1].y` | `bar[1].y - bar[0].y - 0.5*sin(bar[0].angle) - 0.5*sin(bar[1].angle) = 0` | m |
+    /// | 4 | `pin[2].x` | `bar[2].x - bar[1].x - 0.5*cos(bar[1].angle) - 0.5*cos(bar[2].angle) = 0` | m |
+    /// | 5 | `pin[2].y` | `bar[2].y - bar[1].y - 0.5*sin(bar[1].angle) - 0.5*sin(bar[2].angle) = 0` | m |
+    /// | 6 | `pin[3].x` | `bar[3].x - bar[2].x - 0.5*cos(bar[2].angle) - 0.5*cos(bar[3].angle) = 0` | m |
+    /// | 7 | `pin[3].y` | `bar[3].y - bar[2].y - 0.5*sin(bar[2].angle) - 0.5*sin(bar[3].angle) = 0` | m |
+    /// | 8 | `pin[4].x` | `bar[4].x - bar[3].x - 0.5*cos(bar[3].angle) - 0.5*cos(bar[4].angle) = 0` | m |
+    /// | 9 | `pin[4].y` | `bar[4].y - bar[3].y - 0.5*sin(bar[3].angle) - 0.5*sin(bar[4].angle) = 0` | m |
     pub mod chain {
         pub use super::code_::*;
         pub use super::type_::Chain;
@@ -44,6 +45,8 @@ mod plm_chain_ {
 
     mod code_ {
         use super::type_::Chain;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -60,6 +63,9 @@ mod plm_chain_ {
             /// Origin of body `bar[4]`.
             pub bar_4: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,74 +140,77 @@ mod plm_chain_ {
 
             /// Output `bar[4].b.y`, m.
             pub fn bar_4_b_y(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let bar_4_y = q[13];
+                let bar_4_angle = q[14];
                 let lit = S::lit;
-                let y_bar_4 = q[13];
-                let theta_bar_4 = q[14];
-                lit(0.5).mul_add(theta_bar_4.sin(), y_bar_4)
+                lit(0.5).mul_add(bar_4_angle.sin(), bar_4_y)
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [
+                    bar_0_vx,
+                    bar_0_vy,
+                    bar_0_omega,
+                    bar_1_vx,
+                    bar_1_vy,
+                    bar_1_omega,
+                    bar_2_vx,
+                    bar_2_vy,
+                    bar_2_omega,
+                    bar_3_vx,
+                    bar_3_vy,
+                    bar_3_omega,
+                    bar_4_vx,
+                    bar_4_vy,
+                    bar_4_omega,
+                    ..,
+                ] = v;
                 let lit = S::lit;
-                let vx_bar_0 = v[0];
-                let vy_bar_0 = v[1];
-                let vx_bar_1 = v[3];
-                let vy_bar_1 = v[4];
-                let vx_bar_2 = v[6];
-                let vy_bar_2 = v[7];
-                let vx_bar_3 = v[9];
-                let vy_bar_3 = v[10];
-                let vx_bar_4 = v[12];
-                let vy_bar_4 = v[13];
-                let omega_bar_0 = v[2];
-                let omega_bar_1 = v[5];
-                let omega_bar_2 = v[8];
-                let omega_bar_3 = v[11];
-                let omega_bar_4 = v[14];
-                let t1 = omega_bar_4.mul_add(
-                    omega_bar_4,
-                    omega_bar_3.mul_add(
-                        omega_bar_3,
-                        omega_bar_2.mul_add(
-                            omega_bar_2,
-                            omega_bar_1.mul_add(omega_bar_1, omega_bar_0 * omega_bar_0),
+                let t1 = bar_4_omega.mul_add(
+                    bar_4_omega,
+                    bar_3_omega.mul_add(
+                        bar_3_omega,
+                        bar_2_omega.mul_add(
+                            bar_2_omega,
+                            bar_1_omega.mul_add(bar_1_omega, bar_0_omega * bar_0_omega),
                         ),
                     ),
                 );
-                let t2 = vx_bar_2.mul_add(
-                    vx_bar_2,
-                    vy_bar_1.mul_add(
-                        vy_bar_1,
-                        vx_bar_1.mul_add(vx_bar_1, vy_bar_0.mul_add(vy_bar_0, vx_bar_0 * vx_bar_0)),
+                let t2 = bar_2_vx.mul_add(
+                    bar_2_vx,
+                    bar_1_vy.mul_add(
+                        bar_1_vy,
+                        bar_1_vx.mul_add(bar_1_vx, bar_0_vy.mul_add(bar_0_vy, bar_0_vx * bar_0_vx)),
                     ),
                 );
-                let t3 = vx_bar_4.mul_add(
-                    vx_bar_4,
-                    vy_bar_3.mul_add(vy_bar_3, vx_bar_3.mul_add(vx_bar_3, vy_bar_2.mul_add(vy_bar_2, t2))),
+                let t3 = bar_4_vx.mul_add(
+                    bar_4_vx,
+                    bar_3_vy.mul_add(bar_3_vy, bar_3_vx.mul_add(bar_3_vx, bar_2_vy.mul_add(bar_2_vy, t2))),
                 );
-                lit(0.5) * lit(0.08333333333333333).mul_add(t1, vy_bar_4.mul_add(vy_bar_4, t3))
+                lit(0.5) * lit(0.08333333333333333).mul_add(t1, bar_4_vy.mul_add(bar_4_vy, t3))
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let bar_0_y = q[1];
+                let bar_1_y = q[4];
+                let bar_2_y = q[7];
+                let bar_3_y = q[10];
+                let bar_4_y = q[13];
                 let lit = S::lit;
-                let y_bar_0 = q[1];
-                let y_bar_1 = q[4];
-                let y_bar_2 = q[7];
-                let y_bar_3 = q[10];
-                let y_bar_4 = q[13];
-                lit(9.81) * (y_bar_0 + y_bar_1 + y_bar_2 + y_bar_3 + y_bar_4)
+                lit(9.81) * (bar_0_y + bar_1_y + bar_2_y + bar_3_y + bar_4_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [_, _, bar_0_omega, ..] = v;
                 let lit = S::lit;
-                let omega_bar_0 = v[2];
-                lit(-0.1) * omega_bar_0 * omega_bar_0
+                lit(-0.1) * bar_0_omega * bar_0_omega
             }
 
             /// Pose and velocity of G of body `bar[i]`, m, m, rad; m/s, m/s, rad/s; none if there is no such body.
@@ -230,58 +239,60 @@ mod plm_chain_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 4] {
                 let mut value = [S::lit(0.0); 4];
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [
+                    bar_0_x,
+                    bar_0_y,
+                    bar_0_angle,
+                    bar_1_x,
+                    bar_1_y,
+                    bar_1_angle,
+                    bar_2_x,
+                    bar_2_y,
+                    bar_2_angle,
+                    bar_3_x,
+                    bar_3_y,
+                    bar_3_angle,
+                    bar_4_x,
+                    bar_4_y,
+                    ..,
+                ] = q;
                 let lit = S::lit;
-                let theta_bar_0 = q[2];
-                let theta_bar_1 = q[5];
-                let theta_bar_2 = q[8];
-                let theta_bar_3 = q[11];
                 let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                let y_bar_0 = q[1];
-                let y_bar_1 = q[4];
-                let t1 = lit(0.5).mul_add(sin_theta_bar_1, y_bar_1);
-                let t2 = lit(0.5).mul_add(sin_theta_bar_0, y_bar_0) - t1;
-                let x_bar_0 = q[0];
-                let x_bar_1 = q[3];
-                let t3 = lit(0.5).mul_add(cos_theta_bar_1, x_bar_1);
-                let t4 = lit(0.5).mul_add(cos_theta_bar_0, x_bar_0) - t3;
-                value[0] = (-cos_theta_bar_0)
-                    .mul_add(t2, sin_theta_bar_0 * t4)
-                    .atan2(-sin_theta_bar_0.mul_add(t2, cos_theta_bar_0 * t4));
-                let y_bar_2 = q[7];
-                let t5 = lit(0.5).mul_add(sin_theta_bar_2, y_bar_2);
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let t1 = lit(0.5).mul_add(sin_bar_1_angle, bar_1_y);
+                let t2 = lit(0.5).mul_add(sin_bar_0_angle, bar_0_y) - t1;
+                let t3 = lit(0.5).mul_add(cos_bar_1_angle, bar_1_x);
+                let t4 = lit(0.5).mul_add(cos_bar_0_angle, bar_0_x) - t3;
+                value[0] = (-cos_bar_0_angle)
+                    .mul_add(t2, sin_bar_0_angle * t4)
+                    .atan2(-sin_bar_0_angle.mul_add(t2, cos_bar_0_angle * t4));
+                let t5 = lit(0.5).mul_add(sin_bar_2_angle, bar_2_y);
                 let t6 = t1 - t5;
-                let x_bar_2 = q[6];
-                let t7 = lit(0.5).mul_add(cos_theta_bar_2, x_bar_2);
+                let t7 = lit(0.5).mul_add(cos_bar_2_angle, bar_2_x);
                 let t8 = t3 - t7;
-                value[1] = (-cos_theta_bar_1)
-                    .mul_add(t6, sin_theta_bar_1 * t8)
-                    .atan2(-sin_theta_bar_1.mul_add(t6, cos_theta_bar_1 * t8));
-                let y_bar_3 = q[10];
-                let t9 = lit(0.5).mul_add(sin_theta_bar_3, y_bar_3);
+                value[1] = (-cos_bar_1_angle)
+                    .mul_add(t6, sin_bar_1_angle * t8)
+                    .atan2(-sin_bar_1_angle.mul_add(t6, cos_bar_1_angle * t8));
+                let t9 = lit(0.5).mul_add(sin_bar_3_angle, bar_3_y);
                 let t10 = t5 - t9;
-                let x_bar_3 = q[9];
-                let t11 = lit(0.5).mul_add(cos_theta_bar_3, x_bar_3);
+                let t11 = lit(0.5).mul_add(cos_bar_3_angle, bar_3_x);
                 let t12 = t7 - t11;
-                value[2] = (-cos_theta_bar_2)
-                    .mul_add(t10, sin_theta_bar_2 * t12)
-                    .atan2(-sin_theta_bar_2.mul_add(t10, cos_theta_bar_2 * t12));
-                let y_bar_4 = q[13];
-                let t13 = t9 - y_bar_4;
-                let x_bar_4 = q[12];
-                let t14 = t11 - x_bar_4;
-                value[3] = (-cos_theta_bar_3)
-                    .mul_add(t13, sin_theta_bar_3 * t14)
-                    .atan2(-sin_theta_bar_3.mul_add(t13, cos_theta_bar_3 * t14));
+                value[2] = (-cos_bar_2_angle)
+                    .mul_add(t10, sin_bar_2_angle * t12)
+                    .atan2(-sin_bar_2_angle.mul_add(t10, cos_bar_2_angle * t12));
+                let t13 = t9 - bar_4_y;
+                let t14 = t11 - bar_4_x;
+                value[3] = (-cos_bar_3_angle)
+                    .mul_add(t13, sin_bar_3_angle * t14)
+                    .atan2(-sin_bar_3_angle.mul_add(t13, cos_bar_3_angle * t14));
                 [("pin[1]", value[0]), ("pin[2]", value[1]), ("pin[3]", value[2]), ("pin[4]", value[3])]
             }
 
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 1] = [("bar[4].b.y", "m")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
                 [self.bar_4_b_y()]
@@ -382,23 +393,15 @@ mod plm_chain_ {
         impl<S: Scalar> Chain<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Input<S> {
-                let lit = S::lit;
                 Input { none: core::marker::PhantomData }
             }
         }
-
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         impl<S: Scalar> rt::lanes::Rate for Chain<S> {
             type S = S;
             type X = [S; 10];
             type U = Input<S>;
             const NQ: usize = 5;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -413,7 +416,6 @@ mod plm_chain_ {
             type G = [S; 0];
             const NQ: usize = 5;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -476,9 +478,6 @@ mod plm_chain_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 30];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[30 + k] = self.x[10 + k];
-                }
                 x
             }
         }
@@ -489,18 +488,23 @@ mod plm_chain_ {
             fn new(mechanism: Chain<S>, held: Input<S>, time: S, x: [S; 10]) -> Self {
                 State { mechanism, time, x, input: held }
             }
+
             fn mechanism(&self) -> &Chain<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Input<S> {
                 self.input
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 10] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Input<S>, x: &[S; 10]) {
                 let held = *held;
                 self.time = time;
@@ -513,7 +517,6 @@ mod plm_chain_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Input<S>, [S; 10]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -534,7 +537,71 @@ mod plm_chain_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Scalar> Chain<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 10 mul, 5 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
+                let bar_0_angle = q[2];
+                let bar_1_angle = q[5];
+                let bar_2_angle = q[8];
+                let bar_3_angle = q[11];
+                let bar_4_angle = q[14];
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let t1 = lit(0.5) * sin_bar_0_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.5) * cos_bar_0_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                let t3 = lit(0.5) * sin_bar_1_angle;
+                phi_q[7] = t3;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                let t4 = lit(-0.5) * cos_bar_1_angle;
+                phi_q[11] = t4;
+                phi_q[12] = lit(-1.0);
+                phi_q[13] = t3;
+                phi_q[14] = lit(1.0);
+                let t5 = lit(0.5) * sin_bar_2_angle;
+                phi_q[15] = t5;
+                phi_q[16] = lit(-1.0);
+                phi_q[17] = t4;
+                phi_q[18] = lit(1.0);
+                let t6 = lit(-0.5) * cos_bar_2_angle;
+                phi_q[19] = t6;
+                phi_q[20] = lit(-1.0);
+                phi_q[21] = t5;
+                phi_q[22] = lit(1.0);
+                let t7 = lit(0.5) * sin_bar_3_angle;
+                phi_q[23] = t7;
+                phi_q[24] = lit(-1.0);
+                phi_q[25] = t6;
+                phi_q[26] = lit(1.0);
+                let t8 = lit(-0.5) * cos_bar_3_angle;
+                phi_q[27] = t8;
+                phi_q[28] = lit(-1.0);
+                phi_q[29] = t7;
+                phi_q[30] = lit(1.0);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                phi_q[31] = lit(0.5) * sin_bar_4_angle;
+                phi_q[32] = lit(-1.0);
+                phi_q[33] = t8;
+                phi_q[34] = lit(1.0);
+                phi_q[35] = lit(-0.5) * cos_bar_4_angle;
+            }
+        }
+
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Chain<S> {
             const ROWS: [&'static str; 10] = [
                 "first.x", "first.y", "pin[1].x", "pin[1].y", "pin[2].x", "pin[2].y", "pin[3].x", "pin[3].y",
@@ -563,17 +630,103 @@ mod plm_chain_ {
             ];
             const ANGULAR: [bool; 10] =
                 [false, false, false, false, false, false, false, false, false, false];
-
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 26 add, 10 mul, 5 sin_cos.
             fn phi(&self, t: S, q: &[S; 15]) -> [S; 10] {
                 let mut phi = [S::lit(0.0); 10];
-                self.residual(t, q, &mut phi);
+                let [
+                    bar_0_x,
+                    bar_0_y,
+                    bar_0_angle,
+                    bar_1_x,
+                    bar_1_y,
+                    bar_1_angle,
+                    bar_2_x,
+                    bar_2_y,
+                    bar_2_angle,
+                    bar_3_x,
+                    bar_3_y,
+                    bar_3_angle,
+                    bar_4_x,
+                    bar_4_y,
+                    bar_4_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                let (
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                phi[0] = lit(-0.5).mul_add(cos_bar_0_angle, bar_0_x);
+                phi[1] = lit(-0.5).mul_add(sin_bar_0_angle, bar_0_y);
+                phi[2] = lit(-0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_1_x - bar_0_x);
+                phi[3] = lit(-0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_1_y - bar_0_y);
+                phi[4] = lit(-0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_2_x - bar_1_x);
+                phi[5] = lit(-0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_2_y - bar_1_y);
+                phi[6] = lit(-0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_3_x - bar_2_x);
+                phi[7] = lit(-0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_3_y - bar_2_y);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                phi[8] = lit(-0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_4_x - bar_3_x);
+                phi[9] = lit(-0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_4_y - bar_3_y);
                 phi
             }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 26 add, 20 mul, 5 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 15], v: &[S; 15]) -> [S; 10] {
                 let mut phi_dot = [S::lit(0.0); 10];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let bar_0_angle = q[2];
+                let bar_1_angle = q[5];
+                let bar_2_angle = q[8];
+                let bar_3_angle = q[11];
+                let bar_4_angle = q[14];
+                let [
+                    bar_0_vx,
+                    bar_0_vy,
+                    bar_0_omega,
+                    bar_1_vx,
+                    bar_1_vy,
+                    bar_1_omega,
+                    bar_2_vx,
+                    bar_2_vy,
+                    bar_2_omega,
+                    bar_3_vx,
+                    bar_3_vy,
+                    bar_3_omega,
+                    bar_4_vx,
+                    bar_4_vy,
+                    bar_4_omega,
+                    ..,
+                ] = *v;
+                let lit = S::lit;
+                let (
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let t1 = bar_0_omega * sin_bar_0_angle;
+                phi_dot[0] = lit(0.5).mul_add(t1, bar_0_vx);
+                let t2 = bar_0_omega * cos_bar_0_angle;
+                phi_dot[1] = lit(-0.5).mul_add(t2, bar_0_vy);
+                let t3 = bar_1_omega * sin_bar_1_angle;
+                phi_dot[2] = lit(0.5).mul_add(t1 + t3, bar_1_vx - bar_0_vx);
+                let t4 = bar_1_omega * cos_bar_1_angle;
+                phi_dot[3] = lit(-0.5).mul_add(t2 + t4, bar_1_vy - bar_0_vy);
+                let t5 = bar_2_omega * sin_bar_2_angle;
+                phi_dot[4] = lit(0.5).mul_add(t3 + t5, bar_2_vx - bar_1_vx);
+                let t6 = bar_2_omega * cos_bar_2_angle;
+                phi_dot[5] = lit(-0.5).mul_add(t4 + t6, bar_2_vy - bar_1_vy);
+                let t7 = bar_3_omega * sin_bar_3_angle;
+                phi_dot[6] = lit(0.5).mul_add(t5 + t7, bar_3_vx - bar_2_vx);
+                let t8 = bar_3_omega * cos_bar_3_angle;
+                phi_dot[7] = lit(-0.5).mul_add(t6 + t8, bar_3_vy - bar_2_vy);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                phi_dot[8] = lit(0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_4_vx - bar_3_vx);
+                phi_dot[9] = lit(-0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_4_vy - bar_3_vy);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 15], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -619,6 +772,11 @@ mod plm_chain_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 129 add, 194 mul, 11 div, 5 sin_cos, 44 select.
             fn min_norm(
                 &self,
                 t: S,
@@ -627,16 +785,243 @@ mod plm_chain_ {
                 r: &[S; 10],
                 dq: &mut [S; 15],
             ) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let bar_0_angle = q[2];
+                    let bar_1_angle = q[5];
+                    let bar_2_angle = q[8];
+                    let bar_3_angle = q[11];
+                    let bar_4_angle = q[14];
+                    let [
+                        residual_0,
+                        residual_1,
+                        residual_2,
+                        residual_3,
+                        residual_4,
+                        residual_5,
+                        residual_6,
+                        residual_7,
+                        residual_8,
+                        residual_9,
+                        ..,
+                    ] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, w_12, w_13, w_14, ..] =
+                        *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (
+                        [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                        [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                    ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                    let y_0_2 = lit(0.5) * sin_bar_0_angle * w_2;
+                    let t1 = lit(0.5) * (sin_bar_0_angle * y_0_2);
+                    let d_0 = w_0 + t1;
+                    let r_0 = lit(1.0) / d_0;
+                    let t2 = lit(-0.5) * cos_bar_0_angle;
+                    let y_1_2 = t2 * w_2;
+                    let t3 = sin_bar_0_angle * y_1_2;
+                    let g_1_0 = lit(0.5) * t3;
+                    let l_1_0 = r_0 * g_1_0;
+                    let g_2_0 = t1 - w_0;
+                    let l_2_0 = r_0 * g_2_0;
+                    let t4 = cos_bar_0_angle * y_1_2;
+                    let t5 = lit(-0.5).mul_add(t4, w_1);
+                    let t6 = g_1_0 * l_1_0;
+                    let d_1 = t5 - t6;
+                    let r_1 = lit(1.0) / d_1;
+                    let growth_1 = (t5 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t7 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t7, lit(0.0), r_1);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
+                    let l_2_1 = g_2_1 * kept_1;
+                    let g_3_1 = lit(-0.5).mul_add(t4, -w_1) - t6;
+                    let l_3_1 = g_3_1 * kept_1;
+                    let y_2_5 = lit(0.5) * sin_bar_1_angle * w_5;
+                    let t8 = lit(0.5) * (sin_bar_1_angle * y_2_5);
+                    let t9 = w_3 + t8;
+                    let t10 = d_0 + t9;
+                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t10));
+                    let growth_2 = (t10 * r_2).abs();
+                    let t11 = most_growth.lt(growth_2);
+                    let kept_2 = S::select(t11, lit(0.0), r_2);
+                    let t12 = lit(-0.5) * cos_bar_1_angle;
+                    let y_3_5 = t12 * w_5;
+                    let t13 = sin_bar_1_angle * y_3_5;
+                    let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, lit(0.5) * (t3 + t13)));
+                    let l_3_2 = kept_2 * g_3_2;
+                    let g_4_2 = t8 - w_3;
+                    let l_4_2 = g_4_2 * kept_2;
+                    let g_5_2 = lit(0.5) * t13;
+                    let l_5_2 = g_5_2 * kept_2;
+                    let t14 = cos_bar_1_angle * y_3_5;
+                    let t15 = lit(-0.5).mul_add(t14, w_4);
+                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
+                    let growth_3 = (r_3 * (t5 + t15)).abs();
+                    let t16 = most_growth.lt(growth_3);
+                    let kept_3 = S::select(t16, lit(0.0), r_3);
+                    let g_4_3 = (-g_3_2).mul_add(l_4_2, t12 * y_2_5);
+                    let l_4_3 = kept_3 * g_4_3;
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.5).mul_add(t14, -w_4));
+                    let l_5_3 = kept_3 * g_5_3;
+                    let y_4_8 = lit(0.5) * sin_bar_2_angle * w_8;
+                    let t17 = lit(0.5) * (sin_bar_2_angle * y_4_8);
+                    let t18 = w_6 + t17;
+                    let t19 = t9 + t18;
+                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t19));
+                    let growth_4 = (t19 * r_4).abs();
+                    let t20 = most_growth.lt(growth_4);
+                    let kept_4 = S::select(t20, lit(0.0), r_4);
+                    let t21 = lit(-0.5) * cos_bar_2_angle;
+                    let y_5_8 = t21 * w_8;
+                    let t22 = sin_bar_2_angle * y_5_8;
+                    let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, lit(0.5) * (t13 + t22)));
+                    let l_5_4 = kept_4 * g_5_4;
+                    let g_6_4 = t17 - w_6;
+                    let l_6_4 = g_6_4 * kept_4;
+                    let g_7_4 = lit(0.5) * t22;
+                    let l_7_4 = g_7_4 * kept_4;
+                    let t23 = cos_bar_2_angle * y_5_8;
+                    let t24 = lit(-0.5).mul_add(t23, w_7);
+                    let t25 = t15 + t24;
+                    let r_5 = lit(1.0)
+                        / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t25)));
+                    let growth_5 = (t25 * r_5).abs();
+                    let t26 = most_growth.lt(growth_5);
+                    let kept_5 = S::select(t26, lit(0.0), r_5);
+                    let g_6_5 = (-g_5_4).mul_add(l_6_4, t21 * y_4_8);
+                    let l_6_5 = kept_5 * g_6_5;
+                    let g_7_5 = (-g_5_4).mul_add(l_7_4, lit(-0.5).mul_add(t23, -w_7));
+                    let l_7_5 = kept_5 * g_7_5;
+                    let y_6_11 = lit(0.5) * sin_bar_3_angle * w_11;
+                    let t27 = lit(0.5) * (sin_bar_3_angle * y_6_11);
+                    let t28 = w_9 + t27;
+                    let t29 = t18 + t28;
+                    let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t29));
+                    let growth_6 = (t29 * r_6).abs();
+                    let t30 = most_growth.lt(growth_6);
+                    let kept_6 = S::select(t30, lit(0.0), r_6);
+                    let t31 = lit(-0.5) * cos_bar_3_angle;
+                    let y_7_11 = t31 * w_11;
+                    let t32 = sin_bar_3_angle * y_7_11;
+                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.5) * (t22 + t32)));
+                    let l_7_6 = kept_6 * g_7_6;
+                    let g_8_6 = t27 - w_9;
+                    let l_8_6 = g_8_6 * kept_6;
+                    let g_9_6 = lit(0.5) * t32;
+                    let l_9_6 = g_9_6 * kept_6;
+                    let t33 = cos_bar_3_angle * y_7_11;
+                    let t34 = lit(-0.5).mul_add(t33, w_10);
+                    let t35 = t24 + t34;
+                    let r_7 = lit(1.0)
+                        / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t35)));
+                    let growth_7 = (t35 * r_7).abs();
+                    let t36 = most_growth.lt(growth_7);
+                    let kept_7 = S::select(t36, lit(0.0), r_7);
+                    let g_8_7 = (-g_7_6).mul_add(l_8_6, t31 * y_6_11);
+                    let l_8_7 = kept_7 * g_8_7;
+                    let g_9_7 = (-g_7_6).mul_add(l_9_6, lit(-0.5).mul_add(t33, -w_10));
+                    let l_9_7 = kept_7 * g_9_7;
+                    let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                    let t37 = lit(0.5) * sin_bar_4_angle;
+                    let y_8_14 = t37 * w_14;
+                    let t38 = t37.mul_add(y_8_14, w_12) + t28;
+                    let r_8 = lit(1.0) / (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, t38));
+                    let growth_8 = (t38 * r_8).abs();
+                    let t39 = most_growth.lt(growth_8);
+                    let kept_8 = S::select(t39, lit(0.0), r_8);
+                    let y_9_14 = lit(-0.5) * cos_bar_4_angle * w_14;
+                    let g_9_8 = (-g_8_7).mul_add(
+                        l_9_7,
+                        (-g_8_6).mul_add(l_9_6, lit(0.5) * sin_bar_4_angle.mul_add(y_9_14, t32)),
+                    );
+                    let l_9_8 = kept_8 * g_9_8;
+                    let t40 = (-(lit(0.5) * cos_bar_4_angle)).mul_add(y_9_14, w_13) + t34;
+                    let r_9 = lit(1.0)
+                        / (-g_9_8).mul_add(l_9_8, (-g_9_7).mul_add(l_9_7, (-g_9_6).mul_add(l_9_6, t40)));
+                    let growth_9 = (t40 * r_9).abs();
+                    let t41 = most_growth.lt(growth_9);
+                    // (phi_q W phi_q^T) mu = r
+                    let t42 = residual_0 * l_1_0;
+                    let b_1 = residual_1 - t42;
+                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t42));
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
+                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
+                    let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
+                    let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, residual_8));
+                    let mu_9 = S::select(t41, lit(0.0), r_9)
+                        * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, residual_9)));
+                    let mu_8 = (-l_9_8).mul_add(mu_9, kept_8 * b_8);
+                    let mu_7 = (-l_9_7).mul_add(mu_9, (-l_8_7).mul_add(mu_8, kept_7 * b_7));
+                    let mu_6 =
+                        (-l_9_6).mul_add(mu_9, (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6)));
+                    let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
+                    let mu_4 =
+                        (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
+                    let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
+                    let mu_2 =
+                        (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
+                    let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
+                    let t43 = mu_3 + mu_1;
+                    let mu_0 = (-l_1_0).mul_add(t43, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    // Results
+                    dq[0] = w_0 * (mu_0 - mu_2);
+                    dq[1] = w_1 * (mu_1 - mu_3);
+                    dq[2] = y_1_2.mul_add(t43, y_0_2 * (mu_2 + mu_0));
+                    dq[3] = w_3 * (mu_2 - mu_4);
+                    dq[4] = w_4 * (mu_3 - mu_5);
+                    dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
+                    dq[6] = w_6 * (mu_4 - mu_6);
+                    dq[7] = w_7 * (mu_5 - mu_7);
+                    dq[8] = y_5_8.mul_add(mu_7 + mu_5, y_4_8 * (mu_6 + mu_4));
+                    dq[9] = w_9 * (mu_6 - mu_8);
+                    dq[10] = w_10 * (mu_7 - mu_9);
+                    dq[11] = y_7_11.mul_add(mu_9 + mu_7, y_6_11 * (mu_8 + mu_6));
+                    dq[12] = w_12 * mu_8;
+                    dq[13] = w_13 * mu_9;
+                    dq[14] = y_9_14.mul_add(mu_9, y_8_14 * mu_8);
+                    let t44 = S::select(t7, lit(0.0), growth_1)
+                        .max(S::select(t11, lit(0.0), growth_2))
+                        .max(S::select(t16, lit(0.0), growth_3));
+                    let t45 = t44
+                        .max(S::select(t20, lit(0.0), growth_4))
+                        .max(S::select(t26, lit(0.0), growth_5))
+                        .max(S::select(t30, lit(0.0), growth_6));
+                    let t46 = t45
+                        .max(S::select(t36, lit(0.0), growth_7))
+                        .max(S::select(t39, lit(0.0), growth_8))
+                        .max(S::select(t41, lit(0.0), growth_9));
+                    lit(1.0) / t46
+                })
             }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 15] {
                 let mut inverse_mass = [S::lit(0.0); 15];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(1.0);
+                inverse_mass[1] = lit(1.0);
+                inverse_mass[2] = lit(12.0);
+                inverse_mass[3] = lit(1.0);
+                inverse_mass[4] = lit(1.0);
+                inverse_mass[5] = lit(12.0);
+                inverse_mass[6] = lit(1.0);
+                inverse_mass[7] = lit(1.0);
+                inverse_mass[8] = lit(12.0);
+                inverse_mass[9] = lit(1.0);
+                inverse_mass[10] = lit(1.0);
+                inverse_mass[11] = lit(12.0);
+                inverse_mass[12] = lit(1.0);
+                inverse_mass[13] = lit(1.0);
+                inverse_mass[14] = lit(12.0);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.5)
             }
+
             fn start_position(&self) -> [Start<S>; 15] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 5] = [
@@ -648,6 +1033,7 @@ mod plm_chain_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 15]) -> [Start<S>; 15] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 5] = [
@@ -671,7 +1057,7 @@ mod plm_chain_ {
         impl<S: Real> rt::lanes::Pack for Chain<S> {
             type Packed<T: Scalar> = Chain<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -687,7 +1073,7 @@ mod plm_chain_ {
                 Chain { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Input<S>,
                 all: [&Input<S>; N],
@@ -698,8 +1084,7 @@ mod plm_chain_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Input<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Input<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -738,11 +1123,8 @@ mod plm_chain_ {
         impl<S: Real> rt::Ports for Chain<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
-            fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut Input<S>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -752,64 +1134,28 @@ mod plm_chain_ {
             }
         }
 
-        impl<S: Scalar> Chain<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 1 mul.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 30],
-                lambda: &[S; 10],
-                force: &mut [S; 15],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-9.81);
-                let omega_bar_0 = x[17];
-                force[2] = lit(-0.1) * omega_bar_0;
-                force[3] = lit(0.0);
-                force[4] = lit(-9.81);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-9.81);
-                force[8] = lit(0.0);
-                force[9] = lit(0.0);
-                force[10] = lit(-9.81);
-                force[11] = lit(0.0);
-                force[12] = lit(0.0);
-                force[13] = lit(-9.81);
-                force[14] = lit(0.0);
-            }
-        }
-
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.bar_0.each(
-                        ["bar[0].x", "bar[0].y", "bar[0].angle", "bar[0].vx", "bar[0].vy", "bar[0].omega"],
-                        &mut *each,
-                    );
-                    self.bar_1.each(
-                        ["bar[1].x", "bar[1].y", "bar[1].angle", "bar[1].vx", "bar[1].vy", "bar[1].omega"],
-                        &mut *each,
-                    );
-                    self.bar_2.each(
-                        ["bar[2].x", "bar[2].y", "bar[2].angle", "bar[2].vx", "bar[2].vy", "bar[2].omega"],
-                        &mut *each,
-                    );
-                    self.bar_3.each(
-                        ["bar[3].x", "bar[3].y", "bar[3].angle", "bar[3].vx", "bar[3].vy", "bar[3].omega"],
-                        &mut *each,
-                    );
-                    self.bar_4.each(
-                        ["bar[4].x", "bar[4].y", "bar[4].angle", "bar[4].vx", "bar[4].vy", "bar[4].omega"],
-                        &mut *each,
-                    );
-                }
+                self.bar_0.each(
+                    ["bar[0].x", "bar[0].y", "bar[0].angle", "bar[0].vx", "bar[0].vy", "bar[0].omega"],
+                    &mut *each,
+                );
+                self.bar_1.each(
+                    ["bar[1].x", "bar[1].y", "bar[1].angle", "bar[1].vx", "bar[1].vy", "bar[1].omega"],
+                    &mut *each,
+                );
+                self.bar_2.each(
+                    ["bar[2].x", "bar[2].y", "bar[2].angle", "bar[2].vx", "bar[2].vy", "bar[2].omega"],
+                    &mut *each,
+                );
+                self.bar_3.each(
+                    ["bar[3].x", "bar[3].y", "bar[3].angle", "bar[3].vx", "bar[3].vy", "bar[3].omega"],
+                    &mut *each,
+                );
+                self.bar_4.each(
+                    ["bar[4].x", "bar[4].y", "bar[4].angle", "bar[4].vx", "bar[4].vy", "bar[4].omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -886,431 +1232,56 @@ mod plm_chain_ {
                 "pin[4].x", "pin[4].y",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 30] {
                 state.absolute_()
             }
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 30],
-                lambda: &[S; 10],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 15], [S; 15]) = absolute::split(x);
+
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 1 mul.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 30], lambda: &[S; 10], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 15], [S::lit(0.0); 0]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let bar_0_omega = x[17];
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-9.81);
+                force[2] = lit(-0.1) * bar_0_omega;
+                force[3] = lit(0.0);
+                force[4] = lit(-9.81);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-9.81);
+                force[8] = lit(0.0);
+                force[9] = lit(0.0);
+                force[10] = lit(-9.81);
+                force[11] = lit(0.0);
+                force[12] = lit(0.0);
+                force[13] = lit(-9.81);
+                force[14] = lit(0.0);
+                let (q, _): ([S; 15], [S; 15]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, 30>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, *held)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 30]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> Chain<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 26 add, 10 mul, 5 sin_cos.
-            fn residual(&self, t: S, q: &[S; 15], phi: &mut [S; 10]) {
-                let lit = S::lit;
-                let x_bar_0 = q[0];
-                let theta_bar_0 = q[2];
-                let theta_bar_1 = q[5];
-                let theta_bar_2 = q[8];
-                let theta_bar_3 = q[11];
-                let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                phi[0] = lit(-0.5).mul_add(cos_theta_bar_0, x_bar_0);
-                let y_bar_0 = q[1];
-                phi[1] = lit(-0.5).mul_add(sin_theta_bar_0, y_bar_0);
-                let x_bar_1 = q[3];
-                phi[2] = lit(-0.5).mul_add(cos_theta_bar_0 + cos_theta_bar_1, x_bar_1 - x_bar_0);
-                let y_bar_1 = q[4];
-                phi[3] = lit(-0.5).mul_add(sin_theta_bar_0 + sin_theta_bar_1, y_bar_1 - y_bar_0);
-                let x_bar_2 = q[6];
-                phi[4] = lit(-0.5).mul_add(cos_theta_bar_1 + cos_theta_bar_2, x_bar_2 - x_bar_1);
-                let y_bar_2 = q[7];
-                phi[5] = lit(-0.5).mul_add(sin_theta_bar_1 + sin_theta_bar_2, y_bar_2 - y_bar_1);
-                let x_bar_3 = q[9];
-                phi[6] = lit(-0.5).mul_add(cos_theta_bar_2 + cos_theta_bar_3, x_bar_3 - x_bar_2);
-                let y_bar_3 = q[10];
-                phi[7] = lit(-0.5).mul_add(sin_theta_bar_2 + sin_theta_bar_3, y_bar_3 - y_bar_2);
-                let x_bar_4 = q[12];
-                let theta_bar_4 = q[14];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
-                phi[8] = lit(-0.5).mul_add(cos_theta_bar_3 + cos_theta_bar_4, x_bar_4 - x_bar_3);
-                let y_bar_4 = q[13];
-                phi[9] = lit(-0.5).mul_add(sin_theta_bar_3 + sin_theta_bar_4, y_bar_4 - y_bar_3);
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 26 add, 20 mul, 5 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 15], v: &[S; 15], phi_dot: &mut [S; 10]) {
-                let lit = S::lit;
-                let vx_bar_0 = v[0];
-                let omega_bar_0 = v[2];
-                let theta_bar_0 = q[2];
-                let theta_bar_1 = q[5];
-                let theta_bar_2 = q[8];
-                let theta_bar_3 = q[11];
-                let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                let t1 = omega_bar_0 * sin_theta_bar_0;
-                phi_dot[0] = lit(0.5).mul_add(t1, vx_bar_0);
-                let vy_bar_0 = v[1];
-                let t2 = omega_bar_0 * cos_theta_bar_0;
-                phi_dot[1] = lit(-0.5).mul_add(t2, vy_bar_0);
-                let vx_bar_1 = v[3];
-                let omega_bar_1 = v[5];
-                let t3 = omega_bar_1 * sin_theta_bar_1;
-                phi_dot[2] = lit(0.5).mul_add(t1 + t3, vx_bar_1 - vx_bar_0);
-                let vy_bar_1 = v[4];
-                let t4 = omega_bar_1 * cos_theta_bar_1;
-                phi_dot[3] = lit(-0.5).mul_add(t2 + t4, vy_bar_1 - vy_bar_0);
-                let vx_bar_2 = v[6];
-                let omega_bar_2 = v[8];
-                let t5 = omega_bar_2 * sin_theta_bar_2;
-                phi_dot[4] = lit(0.5).mul_add(t3 + t5, vx_bar_2 - vx_bar_1);
-                let vy_bar_2 = v[7];
-                let t6 = omega_bar_2 * cos_theta_bar_2;
-                phi_dot[5] = lit(-0.5).mul_add(t4 + t6, vy_bar_2 - vy_bar_1);
-                let vx_bar_3 = v[9];
-                let omega_bar_3 = v[11];
-                let t7 = omega_bar_3 * sin_theta_bar_3;
-                phi_dot[6] = lit(0.5).mul_add(t5 + t7, vx_bar_3 - vx_bar_2);
-                let vy_bar_3 = v[10];
-                let t8 = omega_bar_3 * cos_theta_bar_3;
-                phi_dot[7] = lit(-0.5).mul_add(t6 + t8, vy_bar_3 - vy_bar_2);
-                let vx_bar_4 = v[12];
-                let omega_bar_4 = v[14];
-                let theta_bar_4 = q[14];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
-                phi_dot[8] = lit(0.5).mul_add(omega_bar_4.mul_add(sin_theta_bar_4, t7), vx_bar_4 - vx_bar_3);
-                let vy_bar_4 = v[13];
-                phi_dot[9] = lit(-0.5).mul_add(omega_bar_4.mul_add(cos_theta_bar_4, t8), vy_bar_4 - vy_bar_3);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 10 mul, 5 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let theta_bar_0 = q[2];
-                let theta_bar_1 = q[5];
-                let theta_bar_2 = q[8];
-                let theta_bar_3 = q[11];
-                let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                let t1 = lit(0.5) * sin_theta_bar_0;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_theta_bar_0;
-                phi_q[3] = t2;
-                phi_q[4] = lit(-1.0);
-                phi_q[5] = t1;
-                phi_q[6] = lit(1.0);
-                let t3 = lit(0.5) * sin_theta_bar_1;
-                phi_q[7] = t3;
-                phi_q[8] = lit(-1.0);
-                phi_q[9] = t2;
-                phi_q[10] = lit(1.0);
-                let t4 = lit(-0.5) * cos_theta_bar_1;
-                phi_q[11] = t4;
-                phi_q[12] = lit(-1.0);
-                phi_q[13] = t3;
-                phi_q[14] = lit(1.0);
-                let t5 = lit(0.5) * sin_theta_bar_2;
-                phi_q[15] = t5;
-                phi_q[16] = lit(-1.0);
-                phi_q[17] = t4;
-                phi_q[18] = lit(1.0);
-                let t6 = lit(-0.5) * cos_theta_bar_2;
-                phi_q[19] = t6;
-                phi_q[20] = lit(-1.0);
-                phi_q[21] = t5;
-                phi_q[22] = lit(1.0);
-                let t7 = lit(0.5) * sin_theta_bar_3;
-                phi_q[23] = t7;
-                phi_q[24] = lit(-1.0);
-                phi_q[25] = t6;
-                phi_q[26] = lit(1.0);
-                let t8 = lit(-0.5) * cos_theta_bar_3;
-                phi_q[27] = t8;
-                phi_q[28] = lit(-1.0);
-                phi_q[29] = t7;
-                phi_q[30] = lit(1.0);
-                let theta_bar_4 = q[14];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
-                phi_q[31] = lit(0.5) * sin_theta_bar_4;
-                phi_q[32] = lit(-1.0);
-                phi_q[33] = t8;
-                phi_q[34] = lit(1.0);
-                phi_q[35] = lit(-0.5) * cos_theta_bar_4;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 129 add, 194 mul, 11 div, 5 sin_cos, 44 select.
-            fn closing_step(&self, t: S, q: &[S; 15], w: &[S; 15], r: &[S; 10], dq: &mut [S; 15]) -> S {
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_bar_0 = q[2];
-                let theta_bar_1 = q[5];
-                let theta_bar_2 = q[8];
-                let theta_bar_3 = q[11];
-                let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                let w_2 = w[2];
-                let y_0_2 = lit(0.5) * sin_theta_bar_0 * w_2;
-                let t1 = lit(0.5) * (sin_theta_bar_0 * y_0_2);
-                let d_0 = w_0 + t1;
-                let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.5) * cos_theta_bar_0;
-                let y_1_2 = t2 * w_2;
-                let t3 = sin_theta_bar_0 * y_1_2;
-                let g_1_0 = lit(0.5) * t3;
-                let l_1_0 = r_0 * g_1_0;
-                let g_2_0 = t1 - w_0;
-                let l_2_0 = r_0 * g_2_0;
-                let w_1 = w[1];
-                let t4 = cos_theta_bar_0 * y_1_2;
-                let t5 = lit(-0.5).mul_add(t4, w_1);
-                let t6 = g_1_0 * l_1_0;
-                let d_1 = t5 - t6;
-                let r_1 = lit(1.0) / d_1;
-                let growth_1 = (t5 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t7 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t7, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
-                let l_2_1 = g_2_1 * kept_1;
-                let g_3_1 = lit(-0.5).mul_add(t4, -w_1) - t6;
-                let l_3_1 = g_3_1 * kept_1;
-                let w_3 = w[3];
-                let w_5 = w[5];
-                let y_2_5 = lit(0.5) * sin_theta_bar_1 * w_5;
-                let t8 = lit(0.5) * (sin_theta_bar_1 * y_2_5);
-                let t9 = w_3 + t8;
-                let t10 = d_0 + t9;
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t10));
-                let growth_2 = (t10 * r_2).abs();
-                let t11 = most_growth.lt(growth_2);
-                let kept_2 = S::select(t11, lit(0.0), r_2);
-                let t12 = lit(-0.5) * cos_theta_bar_1;
-                let y_3_5 = t12 * w_5;
-                let t13 = sin_theta_bar_1 * y_3_5;
-                let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, lit(0.5) * (t3 + t13)));
-                let l_3_2 = kept_2 * g_3_2;
-                let g_4_2 = t8 - w_3;
-                let l_4_2 = g_4_2 * kept_2;
-                let g_5_2 = lit(0.5) * t13;
-                let l_5_2 = g_5_2 * kept_2;
-                let w_4 = w[4];
-                let t14 = cos_theta_bar_1 * y_3_5;
-                let t15 = lit(-0.5).mul_add(t14, w_4);
-                let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
-                let growth_3 = (r_3 * (t5 + t15)).abs();
-                let t16 = most_growth.lt(growth_3);
-                let kept_3 = S::select(t16, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, t12 * y_2_5);
-                let l_4_3 = kept_3 * g_4_3;
-                let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.5).mul_add(t14, -w_4));
-                let l_5_3 = kept_3 * g_5_3;
-                let w_6 = w[6];
-                let w_8 = w[8];
-                let y_4_8 = lit(0.5) * sin_theta_bar_2 * w_8;
-                let t17 = lit(0.5) * (sin_theta_bar_2 * y_4_8);
-                let t18 = w_6 + t17;
-                let t19 = t9 + t18;
-                let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t19));
-                let growth_4 = (t19 * r_4).abs();
-                let t20 = most_growth.lt(growth_4);
-                let kept_4 = S::select(t20, lit(0.0), r_4);
-                let t21 = lit(-0.5) * cos_theta_bar_2;
-                let y_5_8 = t21 * w_8;
-                let t22 = sin_theta_bar_2 * y_5_8;
-                let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, lit(0.5) * (t13 + t22)));
-                let l_5_4 = kept_4 * g_5_4;
-                let g_6_4 = t17 - w_6;
-                let l_6_4 = g_6_4 * kept_4;
-                let g_7_4 = lit(0.5) * t22;
-                let l_7_4 = g_7_4 * kept_4;
-                let w_7 = w[7];
-                let t23 = cos_theta_bar_2 * y_5_8;
-                let t24 = lit(-0.5).mul_add(t23, w_7);
-                let t25 = t15 + t24;
-                let r_5 =
-                    lit(1.0) / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t25)));
-                let growth_5 = (t25 * r_5).abs();
-                let t26 = most_growth.lt(growth_5);
-                let kept_5 = S::select(t26, lit(0.0), r_5);
-                let g_6_5 = (-g_5_4).mul_add(l_6_4, t21 * y_4_8);
-                let l_6_5 = kept_5 * g_6_5;
-                let g_7_5 = (-g_5_4).mul_add(l_7_4, lit(-0.5).mul_add(t23, -w_7));
-                let l_7_5 = kept_5 * g_7_5;
-                let w_9 = w[9];
-                let w_11 = w[11];
-                let y_6_11 = lit(0.5) * sin_theta_bar_3 * w_11;
-                let t27 = lit(0.5) * (sin_theta_bar_3 * y_6_11);
-                let t28 = w_9 + t27;
-                let t29 = t18 + t28;
-                let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t29));
-                let growth_6 = (t29 * r_6).abs();
-                let t30 = most_growth.lt(growth_6);
-                let kept_6 = S::select(t30, lit(0.0), r_6);
-                let t31 = lit(-0.5) * cos_theta_bar_3;
-                let y_7_11 = t31 * w_11;
-                let t32 = sin_theta_bar_3 * y_7_11;
-                let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.5) * (t22 + t32)));
-                let l_7_6 = kept_6 * g_7_6;
-                let g_8_6 = t27 - w_9;
-                let l_8_6 = g_8_6 * kept_6;
-                let g_9_6 = lit(0.5) * t32;
-                let l_9_6 = g_9_6 * kept_6;
-                let w_10 = w[10];
-                let t33 = cos_theta_bar_3 * y_7_11;
-                let t34 = lit(-0.5).mul_add(t33, w_10);
-                let t35 = t24 + t34;
-                let r_7 =
-                    lit(1.0) / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t35)));
-                let growth_7 = (t35 * r_7).abs();
-                let t36 = most_growth.lt(growth_7);
-                let kept_7 = S::select(t36, lit(0.0), r_7);
-                let g_8_7 = (-g_7_6).mul_add(l_8_6, t31 * y_6_11);
-                let l_8_7 = kept_7 * g_8_7;
-                let g_9_7 = (-g_7_6).mul_add(l_9_6, lit(-0.5).mul_add(t33, -w_10));
-                let l_9_7 = kept_7 * g_9_7;
-                let w_12 = w[12];
-                let theta_bar_4 = q[14];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
-                let w_14 = w[14];
-                let t37 = lit(0.5) * sin_theta_bar_4;
-                let y_8_14 = t37 * w_14;
-                let t38 = t37.mul_add(y_8_14, w_12) + t28;
-                let r_8 = lit(1.0) / (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, t38));
-                let growth_8 = (t38 * r_8).abs();
-                let t39 = most_growth.lt(growth_8);
-                let kept_8 = S::select(t39, lit(0.0), r_8);
-                let y_9_14 = lit(-0.5) * cos_theta_bar_4 * w_14;
-                let g_9_8 = (-g_8_7)
-                    .mul_add(l_9_7, (-g_8_6).mul_add(l_9_6, lit(0.5) * sin_theta_bar_4.mul_add(y_9_14, t32)));
-                let l_9_8 = kept_8 * g_9_8;
-                let w_13 = w[13];
-                let t40 = (-(lit(0.5) * cos_theta_bar_4)).mul_add(y_9_14, w_13) + t34;
-                let r_9 =
-                    lit(1.0) / (-g_9_8).mul_add(l_9_8, (-g_9_7).mul_add(l_9_7, (-g_9_6).mul_add(l_9_6, t40)));
-                let growth_9 = (t40 * r_9).abs();
-                let t41 = most_growth.lt(growth_9);
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let t42 = residual_0 * l_1_0;
-                let b_1 = residual_1 - t42;
-                let residual_2 = r[2];
-                let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let residual_3 = r[3];
-                let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t42));
-                let residual_4 = r[4];
-                let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                let residual_5 = r[5];
-                let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
-                let residual_6 = r[6];
-                let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
-                let residual_7 = r[7];
-                let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
-                let residual_8 = r[8];
-                let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, residual_8));
-                let residual_9 = r[9];
-                let mu_9 = S::select(t41, lit(0.0), r_9)
-                    * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, residual_9)));
-                let mu_8 = (-l_9_8).mul_add(mu_9, kept_8 * b_8);
-                let mu_7 = (-l_9_7).mul_add(mu_9, (-l_8_7).mul_add(mu_8, kept_7 * b_7));
-                let mu_6 =
-                    (-l_9_6).mul_add(mu_9, (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6)));
-                let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
-                let mu_4 =
-                    (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
-                let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
-                let mu_2 =
-                    (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
-                let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
-                let t43 = mu_3 + mu_1;
-                let mu_0 = (-l_1_0).mul_add(t43, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
-                // Results
-                dq[0] = w_0 * (mu_0 - mu_2);
-                dq[1] = w_1 * (mu_1 - mu_3);
-                dq[2] = y_1_2.mul_add(t43, y_0_2 * (mu_2 + mu_0));
-                dq[3] = w_3 * (mu_2 - mu_4);
-                dq[4] = w_4 * (mu_3 - mu_5);
-                dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
-                dq[6] = w_6 * (mu_4 - mu_6);
-                dq[7] = w_7 * (mu_5 - mu_7);
-                dq[8] = y_5_8.mul_add(mu_7 + mu_5, y_4_8 * (mu_6 + mu_4));
-                dq[9] = w_9 * (mu_6 - mu_8);
-                dq[10] = w_10 * (mu_7 - mu_9);
-                dq[11] = y_7_11.mul_add(mu_9 + mu_7, y_6_11 * (mu_8 + mu_6));
-                dq[12] = w_12 * mu_8;
-                dq[13] = w_13 * mu_9;
-                dq[14] = y_9_14.mul_add(mu_9, y_8_14 * mu_8);
-                let t44 = S::select(t7, lit(0.0), growth_1)
-                    .max(S::select(t11, lit(0.0), growth_2))
-                    .max(S::select(t16, lit(0.0), growth_3));
-                let t45 = t44
-                    .max(S::select(t20, lit(0.0), growth_4))
-                    .max(S::select(t26, lit(0.0), growth_5))
-                    .max(S::select(t30, lit(0.0), growth_6));
-                let t46 = t45
-                    .max(S::select(t36, lit(0.0), growth_7))
-                    .max(S::select(t39, lit(0.0), growth_8))
-                    .max(S::select(t41, lit(0.0), growth_9));
-                lit(1.0) / t46
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 15]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(1.0);
-                inverse_mass[1] = lit(1.0);
-                inverse_mass[2] = lit(12.0);
-                inverse_mass[3] = lit(1.0);
-                inverse_mass[4] = lit(1.0);
-                inverse_mass[5] = lit(12.0);
-                inverse_mass[6] = lit(1.0);
-                inverse_mass[7] = lit(1.0);
-                inverse_mass[8] = lit(12.0);
-                inverse_mass[9] = lit(1.0);
-                inverse_mass[10] = lit(1.0);
-                inverse_mass[11] = lit(12.0);
-                inverse_mass[12] = lit(1.0);
-                inverse_mass[13] = lit(1.0);
-                inverse_mass[14] = lit(12.0);
             }
         }
 
@@ -1320,64 +1291,67 @@ mod plm_chain_ {
             /// 81 add, 144 mul, 4 div, 5 sin_cos.
             #[inline(always)]
             fn motion(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &mut [S; 10]) {
+                let [
+                    bar_0_angle,
+                    bar_1_angle,
+                    bar_2_angle,
+                    bar_3_angle,
+                    bar_4_angle,
+                    bar_0_omega,
+                    bar_1_omega,
+                    bar_2_omega,
+                    bar_3_omega,
+                    bar_4_omega,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_bar_0 = x[0];
-                let theta_bar_1 = x[1];
-                let theta_bar_2 = x[2];
-                let theta_bar_3 = x[3];
                 let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
                 let m_1_0 =
-                    lit(3.5) * sin_theta_bar_0.mul_add(sin_theta_bar_1, cos_theta_bar_0 * cos_theta_bar_1);
+                    lit(3.5) * sin_bar_0_angle.mul_add(sin_bar_1_angle, cos_bar_0_angle * cos_bar_1_angle);
                 let m_2_0 =
-                    lit(2.5) * sin_theta_bar_0.mul_add(sin_theta_bar_2, cos_theta_bar_0 * cos_theta_bar_2);
+                    lit(2.5) * sin_bar_0_angle.mul_add(sin_bar_2_angle, cos_bar_0_angle * cos_bar_2_angle);
                 let m_3_0 =
-                    lit(1.5) * sin_theta_bar_0.mul_add(sin_theta_bar_3, cos_theta_bar_0 * cos_theta_bar_3);
-                let theta_bar_4 = x[4];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
+                    lit(1.5) * sin_bar_0_angle.mul_add(sin_bar_3_angle, cos_bar_0_angle * cos_bar_3_angle);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                 let m_4_0 =
-                    lit(0.5) * sin_theta_bar_0.mul_add(sin_theta_bar_4, cos_theta_bar_0 * cos_theta_bar_4);
-                let omega_bar_0 = x[5];
-                let omega_bar_1 = x[6];
-                let t1 = omega_bar_1 * omega_bar_1;
-                let t2 = (-cos_theta_bar_0).mul_add(sin_theta_bar_1, sin_theta_bar_0 * cos_theta_bar_1);
-                let omega_bar_2 = x[7];
-                let t3 = omega_bar_2 * omega_bar_2;
-                let t4 = (-cos_theta_bar_0).mul_add(sin_theta_bar_2, sin_theta_bar_0 * cos_theta_bar_2);
-                let omega_bar_3 = x[8];
-                let t5 = omega_bar_3 * omega_bar_3;
-                let t6 = (-cos_theta_bar_0).mul_add(sin_theta_bar_3, sin_theta_bar_0 * cos_theta_bar_3);
-                let omega_bar_4 = x[9];
-                let t7 = (-cos_theta_bar_0).mul_add(sin_theta_bar_4, sin_theta_bar_0 * cos_theta_bar_4);
+                    lit(0.5) * sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
+                let t1 = bar_1_omega * bar_1_omega;
+                let t2 = (-cos_bar_0_angle).mul_add(sin_bar_1_angle, sin_bar_0_angle * cos_bar_1_angle);
+                let t3 = bar_2_omega * bar_2_omega;
+                let t4 = (-cos_bar_0_angle).mul_add(sin_bar_2_angle, sin_bar_0_angle * cos_bar_2_angle);
+                let t5 = bar_3_omega * bar_3_omega;
+                let t6 = (-cos_bar_0_angle).mul_add(sin_bar_3_angle, sin_bar_0_angle * cos_bar_3_angle);
+                let t7 = (-cos_bar_0_angle).mul_add(sin_bar_4_angle, sin_bar_0_angle * cos_bar_4_angle);
                 let t8 = lit(2.5) * t3;
                 let t9 = (-t8).mul_add(
                     t4,
                     (-(lit(3.5) * t1))
-                        .mul_add(t2, lit(-44.145).mul_add(cos_theta_bar_0, lit(-0.1) * omega_bar_0)),
+                        .mul_add(t2, lit(-44.145).mul_add(cos_bar_0_angle, lit(-0.1) * bar_0_omega)),
                 );
                 let t10 = lit(1.5) * t5;
-                let t11 = lit(0.5) * (omega_bar_4 * omega_bar_4);
+                let t11 = lit(0.5) * (bar_4_omega * bar_4_omega);
                 let force_0 = (-t11).mul_add(t7, (-t10).mul_add(t6, t9));
-                let t12 = omega_bar_0 * omega_bar_0;
-                let t13 = (-cos_theta_bar_1).mul_add(sin_theta_bar_2, sin_theta_bar_1 * cos_theta_bar_2);
-                let t14 = (-cos_theta_bar_1).mul_add(sin_theta_bar_3, sin_theta_bar_1 * cos_theta_bar_3);
-                let t15 = (-cos_theta_bar_1).mul_add(sin_theta_bar_4, sin_theta_bar_1 * cos_theta_bar_4);
+                let t12 = bar_0_omega * bar_0_omega;
+                let t13 = (-cos_bar_1_angle).mul_add(sin_bar_2_angle, sin_bar_1_angle * cos_bar_2_angle);
+                let t14 = (-cos_bar_1_angle).mul_add(sin_bar_3_angle, sin_bar_1_angle * cos_bar_3_angle);
+                let t15 = (-cos_bar_1_angle).mul_add(sin_bar_4_angle, sin_bar_1_angle * cos_bar_4_angle);
                 let t16 = (-t10).mul_add(
                     t14,
-                    (-t8).mul_add(t13, lit(-34.335).mul_add(cos_theta_bar_1, lit(3.5) * t12 * t2)),
+                    (-t8).mul_add(t13, lit(-34.335).mul_add(cos_bar_1_angle, lit(3.5) * t12 * t2)),
                 );
-                let t17 = (-cos_theta_bar_2).mul_add(sin_theta_bar_3, sin_theta_bar_2 * cos_theta_bar_3);
-                let t18 = (-cos_theta_bar_2).mul_add(sin_theta_bar_4, sin_theta_bar_2 * cos_theta_bar_4);
+                let t17 = (-cos_bar_2_angle).mul_add(sin_bar_3_angle, sin_bar_2_angle * cos_bar_3_angle);
+                let t18 = (-cos_bar_2_angle).mul_add(sin_bar_4_angle, sin_bar_2_angle * cos_bar_4_angle);
                 let t19 = (-t10).mul_add(
                     t17,
-                    lit(-24.525).mul_add(cos_theta_bar_2, lit(2.5) * t1.mul_add(t13, t12 * t4)),
+                    lit(-24.525).mul_add(cos_bar_2_angle, lit(2.5) * t1.mul_add(t13, t12 * t4)),
                 );
-                let t20 = (-cos_theta_bar_3).mul_add(sin_theta_bar_4, sin_theta_bar_3 * cos_theta_bar_4);
+                let t20 = (-cos_bar_3_angle).mul_add(sin_bar_4_angle, sin_bar_3_angle * cos_bar_4_angle);
                 let t21 = lit(-14.715)
-                    .mul_add(cos_theta_bar_3, lit(1.5) * t3.mul_add(t17, t1.mul_add(t14, t12 * t6)));
+                    .mul_add(cos_bar_3_angle, lit(1.5) * t3.mul_add(t17, t1.mul_add(t14, t12 * t6)));
                 let t22 = lit(0.5) * t5.mul_add(t20, t3.mul_add(t18, t1.mul_add(t15, t12 * t7)));
                 let l_1_0 = lit(0.23076923076923078) * m_1_0;
                 let l_2_0 = lit(0.23076923076923078) * m_2_0;
@@ -1386,17 +1360,17 @@ mod plm_chain_ {
                 let r_1 = lit(1.0) / (-m_1_0).mul_add(l_1_0, lit(3.3333333333333335));
                 let g_2_1 = (-m_1_0).mul_add(
                     l_2_0,
-                    lit(2.5) * sin_theta_bar_1.mul_add(sin_theta_bar_2, cos_theta_bar_1 * cos_theta_bar_2),
+                    lit(2.5) * sin_bar_1_angle.mul_add(sin_bar_2_angle, cos_bar_1_angle * cos_bar_2_angle),
                 );
                 let l_2_1 = r_1 * g_2_1;
                 let g_3_1 = (-m_1_0).mul_add(
                     l_3_0,
-                    lit(1.5) * sin_theta_bar_1.mul_add(sin_theta_bar_3, cos_theta_bar_1 * cos_theta_bar_3),
+                    lit(1.5) * sin_bar_1_angle.mul_add(sin_bar_3_angle, cos_bar_1_angle * cos_bar_3_angle),
                 );
                 let l_3_1 = r_1 * g_3_1;
                 let g_4_1 = (-m_1_0).mul_add(
                     l_4_0,
-                    lit(0.5) * sin_theta_bar_1.mul_add(sin_theta_bar_4, cos_theta_bar_1 * cos_theta_bar_4),
+                    lit(0.5) * sin_bar_1_angle.mul_add(sin_bar_4_angle, cos_bar_1_angle * cos_bar_4_angle),
                 );
                 let l_4_1 = r_1 * g_4_1;
                 let r_2 =
@@ -1406,7 +1380,7 @@ mod plm_chain_ {
                     (-m_2_0).mul_add(
                         l_3_0,
                         lit(1.5)
-                            * sin_theta_bar_2.mul_add(sin_theta_bar_3, cos_theta_bar_2 * cos_theta_bar_3),
+                            * sin_bar_2_angle.mul_add(sin_bar_3_angle, cos_bar_2_angle * cos_bar_3_angle),
                     ),
                 );
                 let l_3_2 = r_2 * g_3_2;
@@ -1415,7 +1389,7 @@ mod plm_chain_ {
                     (-m_2_0).mul_add(
                         l_4_0,
                         lit(0.5)
-                            * sin_theta_bar_2.mul_add(sin_theta_bar_4, cos_theta_bar_2 * cos_theta_bar_4),
+                            * sin_bar_2_angle.mul_add(sin_bar_4_angle, cos_bar_2_angle * cos_bar_4_angle),
                     ),
                 );
                 let l_4_2 = r_2 * g_4_2;
@@ -1429,7 +1403,7 @@ mod plm_chain_ {
                     (-m_3_0).mul_add(
                         l_4_0,
                         lit(0.5)
-                            * sin_theta_bar_3.mul_add(sin_theta_bar_4, cos_theta_bar_3 * cos_theta_bar_4),
+                            * sin_bar_3_angle.mul_add(sin_bar_4_angle, cos_bar_3_angle * cos_bar_4_angle),
                     ),
                 );
                 let g_4_3 = (-g_3_2).mul_add(l_4_2, t23);
@@ -1448,7 +1422,7 @@ mod plm_chain_ {
                 let t24 = (-l_4_2).mul_add(
                     b_2,
                     (-l_4_1)
-                        .mul_add(b_1, (-l_4_0).mul_add(force_0, lit(-4.905).mul_add(cos_theta_bar_4, t22))),
+                        .mul_add(b_1, (-l_4_0).mul_add(force_0, lit(-4.905).mul_add(cos_bar_4_angle, t22))),
                 );
                 let bar_4_angle_acceleration = lit(1.0) / d_4 * (-l_4_3).mul_add(b_3, t24);
                 let bar_3_angle_acceleration = (-l_4_3).mul_add(bar_4_angle_acceleration, r_3 * b_3);
@@ -1472,11 +1446,11 @@ mod plm_chain_ {
                     ),
                 );
                 // Results
-                dx[0] = omega_bar_0;
-                dx[1] = omega_bar_1;
-                dx[2] = omega_bar_2;
-                dx[3] = omega_bar_3;
-                dx[4] = omega_bar_4;
+                dx[0] = bar_0_omega;
+                dx[1] = bar_1_omega;
+                dx[2] = bar_2_omega;
+                dx[3] = bar_3_omega;
+                dx[4] = bar_4_omega;
                 dx[5] = bar_0_angle_acceleration;
                 dx[6] = bar_1_angle_acceleration;
                 dx[7] = bar_2_angle_acceleration;
@@ -1489,76 +1463,79 @@ mod plm_chain_ {
             /// 32 add, 30 mul, 5 sin_cos.
             #[inline]
             fn place(&self, t: S, u: &Input<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
+                let [
+                    bar_0_angle,
+                    bar_1_angle,
+                    bar_2_angle,
+                    bar_3_angle,
+                    bar_4_angle,
+                    bar_0_omega,
+                    bar_1_omega,
+                    bar_2_omega,
+                    bar_3_omega,
+                    bar_4_omega,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
-                let theta_bar_0 = x[0];
-                let theta_bar_1 = x[1];
-                let theta_bar_2 = x[2];
-                let theta_bar_3 = x[3];
                 let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                let bar_0_x = lit(0.5) * cos_theta_bar_0;
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let bar_0_x = lit(0.5) * cos_bar_0_angle;
                 q[0] = bar_0_x;
-                let bar_0_y = lit(0.5) * sin_theta_bar_0;
+                let bar_0_y = lit(0.5) * sin_bar_0_angle;
                 q[1] = bar_0_y;
-                q[2] = theta_bar_0;
-                let bar_1_x = lit(0.5).mul_add(cos_theta_bar_0 + cos_theta_bar_1, bar_0_x);
+                q[2] = bar_0_angle;
+                let bar_1_x = lit(0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_0_x);
                 q[3] = bar_1_x;
-                let bar_1_y = lit(0.5).mul_add(sin_theta_bar_0 + sin_theta_bar_1, bar_0_y);
+                let bar_1_y = lit(0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_0_y);
                 q[4] = bar_1_y;
-                q[5] = theta_bar_1;
-                let bar_2_x = lit(0.5).mul_add(cos_theta_bar_1 + cos_theta_bar_2, bar_1_x);
+                q[5] = bar_1_angle;
+                let bar_2_x = lit(0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_1_x);
                 q[6] = bar_2_x;
-                let bar_2_y = lit(0.5).mul_add(sin_theta_bar_1 + sin_theta_bar_2, bar_1_y);
+                let bar_2_y = lit(0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_1_y);
                 q[7] = bar_2_y;
-                q[8] = theta_bar_2;
-                let bar_3_x = lit(0.5).mul_add(cos_theta_bar_2 + cos_theta_bar_3, bar_2_x);
+                q[8] = bar_2_angle;
+                let bar_3_x = lit(0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_2_x);
                 q[9] = bar_3_x;
-                let bar_3_y = lit(0.5).mul_add(sin_theta_bar_2 + sin_theta_bar_3, bar_2_y);
+                let bar_3_y = lit(0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_2_y);
                 q[10] = bar_3_y;
-                q[11] = theta_bar_3;
-                let theta_bar_4 = x[4];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
-                q[12] = lit(0.5).mul_add(cos_theta_bar_3 + cos_theta_bar_4, bar_3_x);
-                q[13] = lit(0.5).mul_add(sin_theta_bar_3 + sin_theta_bar_4, bar_3_y);
-                q[14] = theta_bar_4;
-                let omega_bar_0 = x[5];
-                let t1 = omega_bar_0 * sin_theta_bar_0;
+                q[11] = bar_3_angle;
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                q[12] = lit(0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_3_x);
+                q[13] = lit(0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_3_y);
+                q[14] = bar_4_angle;
+                let t1 = bar_0_omega * sin_bar_0_angle;
                 let bar_0_vx = lit(-0.5) * t1;
                 v[0] = bar_0_vx;
-                let t2 = omega_bar_0 * cos_theta_bar_0;
+                let t2 = bar_0_omega * cos_bar_0_angle;
                 let bar_0_vy = lit(0.5) * t2;
                 v[1] = bar_0_vy;
-                v[2] = omega_bar_0;
-                let omega_bar_1 = x[6];
-                let t3 = omega_bar_1 * sin_theta_bar_1;
+                v[2] = bar_0_omega;
+                let t3 = bar_1_omega * sin_bar_1_angle;
                 let bar_1_vx = lit(-0.5).mul_add(t1 + t3, bar_0_vx);
                 v[3] = bar_1_vx;
-                let t4 = omega_bar_1 * cos_theta_bar_1;
+                let t4 = bar_1_omega * cos_bar_1_angle;
                 let bar_1_vy = lit(0.5).mul_add(t2 + t4, bar_0_vy);
                 v[4] = bar_1_vy;
-                v[5] = omega_bar_1;
-                let omega_bar_2 = x[7];
-                let t5 = omega_bar_2 * sin_theta_bar_2;
+                v[5] = bar_1_omega;
+                let t5 = bar_2_omega * sin_bar_2_angle;
                 let bar_2_vx = lit(-0.5).mul_add(t3 + t5, bar_1_vx);
                 v[6] = bar_2_vx;
-                let t6 = omega_bar_2 * cos_theta_bar_2;
+                let t6 = bar_2_omega * cos_bar_2_angle;
                 let bar_2_vy = lit(0.5).mul_add(t4 + t6, bar_1_vy);
                 v[7] = bar_2_vy;
-                v[8] = omega_bar_2;
-                let omega_bar_3 = x[8];
-                let t7 = omega_bar_3 * sin_theta_bar_3;
+                v[8] = bar_2_omega;
+                let t7 = bar_3_omega * sin_bar_3_angle;
                 let bar_3_vx = lit(-0.5).mul_add(t5 + t7, bar_2_vx);
                 v[9] = bar_3_vx;
-                let t8 = omega_bar_3 * cos_theta_bar_3;
+                let t8 = bar_3_omega * cos_bar_3_angle;
                 let bar_3_vy = lit(0.5).mul_add(t6 + t8, bar_2_vy);
                 v[10] = bar_3_vy;
-                v[11] = omega_bar_3;
-                let omega_bar_4 = x[9];
-                v[12] = lit(-0.5).mul_add(omega_bar_4.mul_add(sin_theta_bar_4, t7), bar_3_vx);
-                v[13] = lit(0.5).mul_add(omega_bar_4.mul_add(cos_theta_bar_4, t8), bar_3_vy);
-                v[14] = omega_bar_4;
+                v[11] = bar_3_omega;
+                v[12] = lit(-0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_3_vx);
+                v[13] = lit(0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_3_vy);
+                v[14] = bar_4_omega;
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.

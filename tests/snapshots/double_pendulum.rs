@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_double_pendulum_::double_pendulum;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_double_pendulum_::double_pendulum::DoublePendulum;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_double_pendulum_::double_pendulum;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_double_pendulum_ {
     /// The double pendulum of the manual, section 2.2.
@@ -18,10 +19,10 @@ mod plm_double_pendulum_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `shoulder.x` | `x_arm - 0.5*cos(theta_arm) = 0` | m |
-    /// | 1 | `shoulder.y` | `y_arm - 0.5*sin(theta_arm) = 0` | m |
-    /// | 2 | `elbow.x` | `x_forearm - x_arm - 0.5*cos(theta_arm) - cos(theta_forearm) = 0` | m |
-    /// | 3 | `elbow.y` | `y_forearm - y_arm - 0.5*sin(theta_arm) - sin(theta_forearm) = 0` | m |
+    /// | 0 | `shoulder.x` | `arm.x - 0.5*cos(arm.angle) = 0` | m |
+    /// | 1 | `shoulder.y` | `arm.y - 0.5*sin(arm.angle) = 0` | m |
+    /// | 2 | `elbow.x` | `forearm.x - arm.x - 0.5*cos(arm.angle) - cos(forearm.angle) = 0` | m |
+    /// | 3 | `elbow.y` | `forearm.y - arm.y - 0.5*sin(arm.angle) - sin(forearm.angle) = 0` | m |
     pub mod double_pendulum {
         pub use super::code_::*;
         pub use super::type_::DoublePendulum;
@@ -38,6 +39,8 @@ mod plm_double_pendulum_ {
 
     mod code_ {
         use super::type_::DoublePendulum;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -48,6 +51,9 @@ mod plm_double_pendulum_ {
             /// Origin of body `forearm`.
             pub forearm: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,23 +110,22 @@ mod plm_double_pendulum_ {
 
             /// Output `arm.angle`, rad.
             pub fn arm_angle(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
                 q[2]
             }
 
             /// Output `forearm.angle`, rad.
             pub fn forearm_angle(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
                 q[5]
             }
 
             /// Output `shoulder.force`, N.
             ///
-            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            /// What the joint does to `ground`, absolute axes; `arm` feels the opposite.
             pub fn shoulder_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 value[0] = lambda[0];
                 value[1] = lambda[1];
                 value
@@ -128,11 +133,10 @@ mod plm_double_pendulum_ {
 
             /// Output `elbow.force`, N.
             ///
-            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            /// What the joint does to `arm`, absolute axes; `forearm` feels the opposite.
             pub fn elbow_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 value[0] = lambda[2];
                 value[1] = lambda[3];
                 value
@@ -140,58 +144,47 @@ mod plm_double_pendulum_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = v;
                 let lit = S::lit;
-                let vx_arm = v[0];
-                let vy_arm = v[1];
-                let vx_forearm = v[3];
-                let vy_forearm = v[4];
-                let omega_arm = v[2];
-                let omega_forearm = v[5];
                 let t1 = lit(5.0)
-                    * vy_forearm.mul_add(
-                        vy_forearm,
-                        vx_forearm.mul_add(vx_forearm, vy_arm.mul_add(vy_arm, vx_arm * vx_arm)),
+                    * forearm_vy.mul_add(
+                        forearm_vy,
+                        forearm_vx.mul_add(forearm_vx, arm_vy.mul_add(arm_vy, arm_vx * arm_vx)),
                     );
-                lit(0.005).mul_add(omega_forearm.mul_add(omega_forearm, omega_arm * omega_arm), t1)
+                lit(0.005).mul_add(forearm_omega.mul_add(forearm_omega, arm_omega * arm_omega), t1)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [_, arm_y, _, _, forearm_y, ..] = q;
                 let lit = S::lit;
-                let y_arm = q[1];
-                let y_forearm = q[4];
-                lit(98.1) * (y_arm + y_forearm)
+                lit(98.1) * (arm_y + forearm_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [_, _, arm_omega, _, _, forearm_omega, ..] = v;
                 let lit = S::lit;
-                let omega_forearm = v[5];
-                let omega_arm = v[2];
-                let t1 = omega_arm - omega_forearm;
-                lit(-9.54929658551372) * (-omega_forearm).mul_add(t1, omega_arm * (omega_arm + t1))
+                let t1 = arm_omega - forearm_omega;
+                lit(-9.54929658551372) * (-forearm_omega).mul_add(t1, arm_omega * (arm_omega + t1))
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 1] {
                 let mut value = [S::lit(0.0); 1];
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, ..] = q;
                 let lit = S::lit;
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let y_arm = q[1];
-                let y_forearm = q[4];
-                let t1 = lit(0.5).mul_add(sin_theta_arm, y_arm) - y_forearm;
-                let x_arm = q[0];
-                let x_forearm = q[3];
-                let t2 = lit(0.5).mul_add(cos_theta_arm, x_arm) - x_forearm;
-                value[0] = (-cos_theta_arm)
-                    .mul_add(t1, sin_theta_arm * t2)
-                    .atan2(-sin_theta_arm.mul_add(t1, cos_theta_arm * t2));
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(0.5).mul_add(sin_arm_angle, arm_y) - forearm_y;
+                let t2 = lit(0.5).mul_add(cos_arm_angle, arm_x) - forearm_x;
+                value[0] = (-cos_arm_angle)
+                    .mul_add(t1, sin_arm_angle * t2)
+                    .atan2(-sin_arm_angle.mul_add(t1, cos_arm_angle * t2));
                 [("elbow", value[0])]
             }
 
@@ -204,7 +197,6 @@ mod plm_double_pendulum_ {
                 ("elbow.force.x", "N"),
                 ("elbow.force.y", "N"),
             ];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 6] {
                 [
@@ -288,23 +280,15 @@ mod plm_double_pendulum_ {
         impl<S: Scalar> DoublePendulum<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Input<S> {
-                let lit = S::lit;
                 Input { none: core::marker::PhantomData }
             }
         }
-
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         impl<S: Scalar> rt::lanes::Rate for DoublePendulum<S> {
             type S = S;
             type X = [S; 4];
             type U = Input<S>;
             const NQ: usize = 2;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
@@ -319,7 +303,6 @@ mod plm_double_pendulum_ {
             type G = [S; 0];
             const NQ: usize = 2;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -368,9 +351,6 @@ mod plm_double_pendulum_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 12];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[12 + k] = self.x[4 + k];
-                }
                 x
             }
         }
@@ -381,18 +361,23 @@ mod plm_double_pendulum_ {
             fn new(mechanism: DoublePendulum<S>, held: Input<S>, time: S, x: [S; 4]) -> Self {
                 State { mechanism, time, x, input: held }
             }
+
             fn mechanism(&self) -> &DoublePendulum<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> Input<S> {
                 self.input
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 4] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &Input<S>, x: &[S; 4]) {
                 let held = *held;
                 self.time = time;
@@ -405,7 +390,6 @@ mod plm_double_pendulum_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(Input<S>, [S; 4]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -426,24 +410,77 @@ mod plm_double_pendulum_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Scalar> DoublePendulum<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 2 mul, 1 neg, 2 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * sin_arm_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.5) * cos_arm_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                phi_q[7] = sin_forearm_angle;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                phi_q[11] = -cos_forearm_angle;
+            }
+        }
+
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for DoublePendulum<S> {
             const ROWS: [&'static str; 4] = ["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
             const PARTS: [&'static str; 4] = ["shoulder", "shoulder", "elbow", "elbow"];
             const COORDINATES: [&'static str; 6] =
                 ["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
             const ANGULAR: [bool; 4] = [false, false, false, false];
-
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 8 add, 2 mul, 2 sin_cos.
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
-                self.residual(t, q, &mut phi);
+                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, forearm_angle, ..] = *q;
+                let lit = S::lit;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * cos_arm_angle;
+                phi[0] = arm_x - t1;
+                let t2 = lit(0.5) * sin_arm_angle;
+                phi[1] = arm_y - t2;
+                phi[2] = forearm_x - arm_x - t1 - cos_forearm_angle;
+                phi[3] = forearm_y - arm_y - t2 - sin_forearm_angle;
                 phi
             }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 8 add, 6 mul, 2 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 6], v: &[S; 6]) -> [S; 4] {
                 let mut phi_dot = [S::lit(0.0); 4];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = *v;
+                let lit = S::lit;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = lit(0.5) * (arm_omega * sin_arm_angle);
+                phi_dot[0] = arm_vx + t1;
+                let t2 = lit(0.5) * (arm_omega * cos_arm_angle);
+                phi_dot[1] = arm_vy - t2;
+                phi_dot[2] = forearm_omega.mul_add(sin_forearm_angle, forearm_vx - arm_vx + t1);
+                phi_dot[3] = (-forearm_omega).mul_add(cos_forearm_angle, forearm_vy - arm_vy - t2);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -465,17 +502,98 @@ mod plm_double_pendulum_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 36 add, 55 mul, 5 div, 1 neg, 2 sin_cos, 14 select.
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
+                    let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                    let y_0_2 = lit(0.5) * sin_arm_angle * w_2;
+                    let t1 = lit(0.5) * (sin_arm_angle * y_0_2);
+                    let d_0 = w_0 + t1;
+                    let r_0 = lit(1.0) / d_0;
+                    let t2 = lit(-0.5) * cos_arm_angle;
+                    let y_1_2 = t2 * w_2;
+                    let g_1_0 = lit(0.5) * (sin_arm_angle * y_1_2);
+                    let l_1_0 = r_0 * g_1_0;
+                    let g_2_0 = t1 - w_0;
+                    let l_2_0 = r_0 * g_2_0;
+                    let t3 = cos_arm_angle * y_1_2;
+                    let t4 = lit(-0.5).mul_add(t3, w_1);
+                    let t5 = g_1_0 * l_1_0;
+                    let d_1 = t4 - t5;
+                    let r_1 = lit(1.0) / d_1;
+                    let growth_1 = (t4 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t6 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t6, lit(0.0), r_1);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
+                    let l_2_1 = g_2_1 * kept_1;
+                    let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
+                    let l_3_1 = g_3_1 * kept_1;
+                    let (sin_forearm_angle, cos_forearm_angle) = forearm_angle.sin_cos();
+                    let y_2_5 = sin_forearm_angle * w_5;
+                    let t7 = sin_forearm_angle.mul_add(y_2_5, w_3) + d_0;
+                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
+                    let growth_2 = (t7 * r_2).abs();
+                    let t8 = most_growth.lt(growth_2);
+                    let kept_2 = S::select(t8, lit(0.0), r_2);
+                    let y_3_5 = -(cos_forearm_angle * w_5);
+                    let g_3_2 = (-g_2_1)
+                        .mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_forearm_angle.mul_add(y_3_5, g_1_0)));
+                    let l_3_2 = kept_2 * g_3_2;
+                    let t9 = (-cos_forearm_angle).mul_add(y_3_5, w_4);
+                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
+                    let growth_3 = (r_3 * (t4 + t9)).abs();
+                    let t10 = most_growth.lt(growth_3);
+                    // (phi_q W phi_q^T) mu = r
+                    let t11 = residual_0 * l_1_0;
+                    let b_1 = residual_1 - t11;
+                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let mu_3 = S::select(t10, lit(0.0), r_3)
+                        * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
+                    let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);
+                    let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
+                    let t12 = mu_3 + mu_1;
+                    let mu_0 = (-l_1_0).mul_add(t12, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    // Results
+                    dq[0] = w_0 * (mu_0 - mu_2);
+                    dq[1] = w_1 * (mu_1 - mu_3);
+                    dq[2] = y_1_2.mul_add(t12, y_0_2 * (mu_2 + mu_0));
+                    dq[3] = w_3 * mu_2;
+                    dq[4] = w_4 * mu_3;
+                    dq[5] = y_3_5.mul_add(mu_3, y_2_5 * mu_2);
+                    let t13 = S::select(t6, lit(0.0), growth_1)
+                        .max(S::select(t8, lit(0.0), growth_2))
+                        .max(S::select(t10, lit(0.0), growth_3));
+                    lit(1.0) / t13
+                })
             }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 6] {
                 let mut inverse_mass = [S::lit(0.0); 6];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(0.1);
+                inverse_mass[1] = lit(0.1);
+                inverse_mass[2] = lit(100.0);
+                inverse_mass[3] = lit(0.1);
+                inverse_mass[4] = lit(0.1);
+                inverse_mass[5] = lit(100.0);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(1.0)
             }
+
             fn start_position(&self) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -484,6 +602,7 @@ mod plm_double_pendulum_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 6]) -> [Start<S>; 6] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 2] = [
@@ -512,7 +631,7 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::lanes::Pack for DoublePendulum<S> {
             type Packed<T: Scalar> = DoublePendulum<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -525,7 +644,7 @@ mod plm_double_pendulum_ {
                 DoublePendulum { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 _: &Input<S>,
                 all: [&Input<S>; N],
@@ -536,8 +655,7 @@ mod plm_double_pendulum_ {
             }
 
             #[inline]
-            fn is_calm(t: S, held: &Input<S>, x: &Self::X) -> bool {
-                let _ = (t, held, x);
+            fn is_calm(_t: S, _held: &Input<S>, _x: &Self::X) -> bool {
                 true
             }
         }
@@ -576,11 +694,8 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::Ports for DoublePendulum<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
-            fn input(held: &mut Input<S>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut Input<S>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -590,49 +705,13 @@ mod plm_double_pendulum_ {
             }
         }
 
-        impl<S: Scalar> DoublePendulum<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 2 add, 3 mul.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                force: &mut [S; 6],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-98.1);
-                let omega_arm = x[8];
-                let omega_forearm = x[11];
-                force[2] = lit(-19.09859317102744).mul_add(omega_arm, lit(9.54929658551372) * omega_forearm);
-                force[3] = lit(0.0);
-                force[4] = lit(-98.1);
-                force[5] = lit(9.54929658551372) * (omega_arm - omega_forearm);
-            }
-        }
-
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.arm
-                        .each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
-                    self.forearm.each(
-                        [
-                            "forearm.x",
-                            "forearm.y",
-                            "forearm.angle",
-                            "forearm.vx",
-                            "forearm.vy",
-                            "forearm.omega",
-                        ],
-                        &mut *each,
-                    );
-                }
+                self.arm.each(["arm.x", "arm.y", "arm.angle", "arm.vx", "arm.vy", "arm.omega"], &mut *each);
+                self.forearm.each(
+                    ["forearm.x", "forearm.y", "forearm.angle", "forearm.vx", "forearm.vy", "forearm.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -676,202 +755,48 @@ mod plm_double_pendulum_ {
                 &["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
             const ROWS: &'static [&'static str] = &["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 12] {
                 state.absolute_()
             }
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 12],
-                lambda: &[S; 4],
-                each: &mut impl FnMut(S),
-            ) {
-                let (q, v): ([S; 6], [S; 6]) = absolute::split(x);
+
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 2 add, 3 mul.
+            #[cold]
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 12], lambda: &[S; 4], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 6], [S::lit(0.0); 0]);
-                self.at_rest(t, held, x, lambda, &mut force, &mut x_dot);
+                let arm_omega = x[8];
+                let forearm_omega = x[11];
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-98.1);
+                force[2] = lit(-19.09859317102744).mul_add(arm_omega, lit(9.54929658551372) * forearm_omega);
+                force[3] = lit(0.0);
+                force[4] = lit(-98.1);
+                force[5] = lit(9.54929658551372) * (arm_omega - forearm_omega);
+                let (q, _): ([S; 6], [S; 6]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, 12>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, *held)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 12]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
-            }
-        }
-
-        impl<S: Scalar> DoublePendulum<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 8 add, 2 mul, 2 sin_cos.
-            fn residual(&self, t: S, q: &[S; 6], phi: &mut [S; 4]) {
-                let lit = S::lit;
-                let x_arm = q[0];
-                let theta_arm = q[2];
-                let theta_forearm = q[5];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let t1 = lit(0.5) * cos_theta_arm;
-                phi[0] = x_arm - t1;
-                let y_arm = q[1];
-                let t2 = lit(0.5) * sin_theta_arm;
-                phi[1] = y_arm - t2;
-                let x_forearm = q[3];
-                phi[2] = x_forearm - x_arm - t1 - cos_theta_forearm;
-                let y_forearm = q[4];
-                phi[3] = y_forearm - y_arm - t2 - sin_theta_forearm;
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 8 add, 6 mul, 2 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 6], v: &[S; 6], phi_dot: &mut [S; 4]) {
-                let lit = S::lit;
-                let vx_arm = v[0];
-                let omega_arm = v[2];
-                let theta_arm = q[2];
-                let theta_forearm = q[5];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let t1 = lit(0.5) * (omega_arm * sin_theta_arm);
-                phi_dot[0] = vx_arm + t1;
-                let vy_arm = v[1];
-                let t2 = lit(0.5) * (omega_arm * cos_theta_arm);
-                phi_dot[1] = vy_arm - t2;
-                let vx_forearm = v[3];
-                let omega_forearm = v[5];
-                phi_dot[2] = omega_forearm.mul_add(sin_theta_forearm, vx_forearm - vx_arm + t1);
-                let vy_forearm = v[4];
-                phi_dot[3] = (-omega_forearm).mul_add(cos_theta_forearm, vy_forearm - vy_arm - t2);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 2 mul, 1 neg, 2 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let theta_arm = q[2];
-                let theta_forearm = q[5];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let t1 = lit(0.5) * sin_theta_arm;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_theta_arm;
-                phi_q[3] = t2;
-                phi_q[4] = lit(-1.0);
-                phi_q[5] = t1;
-                phi_q[6] = lit(1.0);
-                phi_q[7] = sin_theta_forearm;
-                phi_q[8] = lit(-1.0);
-                phi_q[9] = t2;
-                phi_q[10] = lit(1.0);
-                phi_q[11] = -cos_theta_forearm;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 36 add, 55 mul, 5 div, 1 neg, 2 sin_cos, 14 select.
-            fn closing_step(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> S {
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_arm = q[2];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let w_2 = w[2];
-                let y_0_2 = lit(0.5) * sin_theta_arm * w_2;
-                let t1 = lit(0.5) * (sin_theta_arm * y_0_2);
-                let d_0 = w_0 + t1;
-                let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.5) * cos_theta_arm;
-                let y_1_2 = t2 * w_2;
-                let g_1_0 = lit(0.5) * (sin_theta_arm * y_1_2);
-                let l_1_0 = r_0 * g_1_0;
-                let g_2_0 = t1 - w_0;
-                let l_2_0 = r_0 * g_2_0;
-                let w_1 = w[1];
-                let t3 = cos_theta_arm * y_1_2;
-                let t4 = lit(-0.5).mul_add(t3, w_1);
-                let t5 = g_1_0 * l_1_0;
-                let d_1 = t4 - t5;
-                let r_1 = lit(1.0) / d_1;
-                let growth_1 = (t4 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t6 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t6, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
-                let l_2_1 = g_2_1 * kept_1;
-                let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
-                let l_3_1 = g_3_1 * kept_1;
-                let w_3 = w[3];
-                let theta_forearm = q[5];
-                let (sin_theta_forearm, cos_theta_forearm) = theta_forearm.sin_cos();
-                let w_5 = w[5];
-                let y_2_5 = sin_theta_forearm * w_5;
-                let t7 = sin_theta_forearm.mul_add(y_2_5, w_3) + d_0;
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
-                let growth_2 = (t7 * r_2).abs();
-                let t8 = most_growth.lt(growth_2);
-                let kept_2 = S::select(t8, lit(0.0), r_2);
-                let y_3_5 = -(cos_theta_forearm * w_5);
-                let g_3_2 =
-                    (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_theta_forearm.mul_add(y_3_5, g_1_0)));
-                let l_3_2 = kept_2 * g_3_2;
-                let w_4 = w[4];
-                let t9 = (-cos_theta_forearm).mul_add(y_3_5, w_4);
-                let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
-                let growth_3 = (r_3 * (t4 + t9)).abs();
-                let t10 = most_growth.lt(growth_3);
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let t11 = residual_0 * l_1_0;
-                let b_1 = residual_1 - t11;
-                let residual_2 = r[2];
-                let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let residual_3 = r[3];
-                let mu_3 = S::select(t10, lit(0.0), r_3)
-                    * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
-                let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);
-                let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
-                let t12 = mu_3 + mu_1;
-                let mu_0 = (-l_1_0).mul_add(t12, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
-                // Results
-                dq[0] = w_0 * (mu_0 - mu_2);
-                dq[1] = w_1 * (mu_1 - mu_3);
-                dq[2] = y_1_2.mul_add(t12, y_0_2 * (mu_2 + mu_0));
-                dq[3] = w_3 * mu_2;
-                dq[4] = w_4 * mu_3;
-                dq[5] = y_3_5.mul_add(mu_3, y_2_5 * mu_2);
-                let t13 = S::select(t6, lit(0.0), growth_1)
-                    .max(S::select(t8, lit(0.0), growth_2))
-                    .max(S::select(t10, lit(0.0), growth_3));
-                lit(1.0) / t13
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 6]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(0.1);
-                inverse_mass[1] = lit(0.1);
-                inverse_mass[2] = lit(100.0);
-                inverse_mass[3] = lit(0.1);
-                inverse_mass[4] = lit(0.1);
-                inverse_mass[5] = lit(100.0);
             }
         }
 
@@ -881,34 +806,31 @@ mod plm_double_pendulum_ {
             /// 11 add, 22 mul, 1 div, 2 sin_cos.
             #[inline(always)]
             fn motion(&self, t: S, u: &Input<S>, x: &[S; 4], dx: &mut [S; 4]) {
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
                 let m_1_0 =
-                    lit(10.0) * sin_theta_arm.mul_add(sin_theta_forearm, cos_theta_arm * cos_theta_forearm);
-                let omega_arm = x[2];
-                let omega_forearm = x[3];
-                let t1 = (-cos_theta_arm).mul_add(sin_theta_forearm, sin_theta_arm * cos_theta_forearm);
+                    lit(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                let t1 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
                 let force_0 = lit(-147.15).mul_add(
-                    cos_theta_arm,
+                    cos_arm_angle,
                     lit(-19.09859317102744).mul_add(
-                        omega_arm,
-                        omega_forearm * (-(lit(10.0) * omega_forearm)).mul_add(t1, lit(9.54929658551372)),
+                        arm_omega,
+                        forearm_omega * (-(lit(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 let force_1 = lit(-98.1).mul_add(
-                    cos_theta_forearm,
+                    cos_forearm_angle,
                     lit(-9.54929658551372).mul_add(
-                        omega_forearm,
-                        omega_arm * (lit(10.0) * omega_arm).mul_add(t1, lit(9.54929658551372)),
+                        forearm_omega,
+                        arm_omega * (lit(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 // Results
-                dx[0] = omega_arm;
-                dx[1] = omega_forearm;
+                dx[0] = arm_omega;
+                dx[1] = forearm_omega;
                 let reciprocal = lit(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
                 dx[2] = reciprocal * (-m_1_0).mul_add(force_1, lit(10.01) * force_0);
                 dx[3] = reciprocal * (-m_1_0).mul_add(force_0, lit(12.51) * force_1);
@@ -919,29 +841,26 @@ mod plm_double_pendulum_ {
             /// 8 add, 8 mul, 2 sin_cos.
             #[inline]
             fn place(&self, t: S, u: &Input<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let arm_x = lit(0.5) * cos_theta_arm;
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let arm_x = lit(0.5) * cos_arm_angle;
                 q[0] = arm_x;
-                let arm_y = lit(0.5) * sin_theta_arm;
+                let arm_y = lit(0.5) * sin_arm_angle;
                 q[1] = arm_y;
-                q[2] = theta_arm;
-                q[3] = arm_x + cos_theta_forearm + arm_x;
-                q[4] = arm_y + sin_theta_forearm + arm_y;
-                q[5] = theta_forearm;
-                let omega_arm = x[2];
-                let arm_vx = lit(-0.5) * (omega_arm * sin_theta_arm);
+                q[2] = arm_angle;
+                q[3] = arm_x + cos_forearm_angle + arm_x;
+                q[4] = arm_y + sin_forearm_angle + arm_y;
+                q[5] = forearm_angle;
+                let arm_vx = lit(-0.5) * (arm_omega * sin_arm_angle);
                 v[0] = arm_vx;
-                let arm_vy = lit(0.5) * (omega_arm * cos_theta_arm);
+                let arm_vy = lit(0.5) * (arm_omega * cos_arm_angle);
                 v[1] = arm_vy;
-                v[2] = omega_arm;
-                let omega_forearm = x[3];
-                v[3] = (-omega_forearm).mul_add(sin_theta_forearm, arm_vx + arm_vx);
-                v[4] = omega_forearm.mul_add(cos_theta_forearm, arm_vy) + arm_vy;
-                v[5] = omega_forearm;
+                v[2] = arm_omega;
+                v[3] = (-forearm_omega).mul_add(sin_forearm_angle, arm_vx + arm_vx);
+                v[4] = forearm_omega.mul_add(cos_forearm_angle, arm_vy) + arm_vy;
+                v[5] = forearm_omega;
             }
 
             /// Accelerations of every body, and the multipliers: `M a + phi_q^T lambda = Q`.
@@ -949,44 +868,41 @@ mod plm_double_pendulum_ {
             /// 23 add, 38 mul, 1 div, 2 sin_cos.
             #[inline]
             fn reactions(&self, t: S, u: &Input<S>, x: &[S; 4], a: &mut [S; 6], lambda: &mut [S; 4]) {
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
                 let m_1_0 =
-                    lit(10.0) * sin_theta_arm.mul_add(sin_theta_forearm, cos_theta_arm * cos_theta_forearm);
-                let omega_arm = x[2];
-                let omega_forearm = x[3];
-                let t1 = (-cos_theta_arm).mul_add(sin_theta_forearm, sin_theta_arm * cos_theta_forearm);
+                    lit(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                let t1 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
                 let force_0 = lit(-147.15).mul_add(
-                    cos_theta_arm,
+                    cos_arm_angle,
                     lit(-19.09859317102744).mul_add(
-                        omega_arm,
-                        omega_forearm * (-(lit(10.0) * omega_forearm)).mul_add(t1, lit(9.54929658551372)),
+                        arm_omega,
+                        forearm_omega * (-(lit(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 let force_1 = lit(-98.1).mul_add(
-                    cos_theta_forearm,
+                    cos_forearm_angle,
                     lit(-9.54929658551372).mul_add(
-                        omega_forearm,
-                        omega_arm * (lit(10.0) * omega_arm).mul_add(t1, lit(9.54929658551372)),
+                        forearm_omega,
+                        arm_omega * (lit(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 // Accelerations of the bodies, from the ground outwards
-                let t2 = omega_arm * omega_arm;
+                let t2 = arm_omega * arm_omega;
                 let reciprocal = lit(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
                 let arm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_1, lit(10.01) * force_0);
-                let arm_ax = lit(-0.5) * sin_theta_arm.mul_add(arm_angle_acceleration, cos_theta_arm * t2);
-                let arm_ay = lit(-0.5) * (-cos_theta_arm).mul_add(arm_angle_acceleration, sin_theta_arm * t2);
-                let t3 = omega_forearm * omega_forearm;
+                let arm_ax = lit(-0.5) * sin_arm_angle.mul_add(arm_angle_acceleration, cos_arm_angle * t2);
+                let arm_ay = lit(-0.5) * (-cos_arm_angle).mul_add(arm_angle_acceleration, sin_arm_angle * t2);
+                let t3 = forearm_omega * forearm_omega;
                 let forearm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_0, lit(12.51) * force_1);
-                let forearm_ax = (-sin_theta_forearm)
-                    .mul_add(forearm_angle_acceleration, (-cos_theta_forearm).mul_add(t3, arm_ax))
+                let forearm_ax = (-sin_forearm_angle)
+                    .mul_add(forearm_angle_acceleration, (-cos_forearm_angle).mul_add(t3, arm_ax))
                     + arm_ax;
-                let forearm_ay = (-sin_theta_forearm)
-                    .mul_add(t3, cos_theta_forearm * forearm_angle_acceleration)
+                let forearm_ay = (-sin_forearm_angle)
+                    .mul_add(t3, cos_forearm_angle * forearm_angle_acceleration)
                     + arm_ay
                     + arm_ay;
                 // From the tips inwards: phi_q^T lambda = Q - M a

@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_four_bar_::four_bar;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_four_bar_::four_bar::FourBar;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_four_bar_::four_bar;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_four_bar_ {
     /// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.
@@ -20,14 +21,14 @@ mod plm_four_bar_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `drive.x` | `x_crank - 0.15*cos(theta_crank) = 0` | m |
-    /// | 1 | `drive.y` | `y_crank - 0.15*sin(theta_crank) = 0` | m |
-    /// | 2 | `crank_coupler.x` | `x_coupler - x_crank - 0.15*cos(theta_crank) - 0.45*cos(theta_coupler) = 0` | m |
-    /// | 3 | `crank_coupler.y` | `y_coupler - y_crank - 0.15*sin(theta_crank) - 0.45*sin(theta_coupler) = 0` | m |
-    /// | 4 | `coupler_rocker.x` | `x_rocker - x_coupler - 0.45*cos(theta_coupler) + 0.35*cos(theta_rocker) = 0` | m |
-    /// | 5 | `coupler_rocker.y` | `y_rocker - y_coupler - 0.45*sin(theta_coupler) + 0.35*sin(theta_rocker) = 0` | m |
-    /// | 6 | `pivot.x` | `x_rocker - 0.35*cos(theta_rocker) - 1 = 0` | m |
-    /// | 7 | `pivot.y` | `y_rocker - 0.35*sin(theta_rocker) = 0` | m |
+    /// | 0 | `drive.x` | `crank.x - 0.15*cos(crank.angle) = 0` | m |
+    /// | 1 | `drive.y` | `crank.y - 0.15*sin(crank.angle) = 0` | m |
+    /// | 2 | `crank_coupler.x` | `coupler.x - crank.x - 0.15*cos(crank.angle) - 0.45*cos(coupler.angle) = 0` | m |
+    /// | 3 | `crank_coupler.y` | `coupler.y - crank.y - 0.15*sin(crank.angle) - 0.45*sin(coupler.angle) = 0` | m |
+    /// | 4 | `coupler_rocker.x` | `rocker.x - coupler.x - 0.45*cos(coupler.angle) + 0.35*cos(rocker.angle) = 0` | m |
+    /// | 5 | `coupler_rocker.y` | `rocker.y - coupler.y - 0.45*sin(coupler.angle) + 0.35*sin(rocker.angle) = 0` | m |
+    /// | 6 | `pivot.x` | `rocker.x - 0.35*cos(rocker.angle) - 1 = 0` | m |
+    /// | 7 | `pivot.y` | `rocker.y - 0.35*sin(rocker.angle) = 0` | m |
     pub mod four_bar {
         pub use super::code_::*;
         pub use super::type_::FourBar;
@@ -44,6 +45,8 @@ mod plm_four_bar_ {
 
     mod code_ {
         use super::type_::FourBar;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -56,6 +59,9 @@ mod plm_four_bar_ {
             /// Origin of body `rocker`.
             pub rocker: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,11 +126,10 @@ mod plm_four_bar_ {
 
             /// Output `drive.force`, N.
             ///
-            /// What the joint does to the body of `a`, absolute axes; the body of `b` feels the opposite.
+            /// What the joint does to `ground`, absolute axes; `crank` feels the opposite.
             pub fn drive_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (_, lambda) = self.solved_();
                 value[0] = lambda[0];
                 value[1] = lambda[1];
                 value
@@ -132,42 +137,42 @@ mod plm_four_bar_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [
+                    crank_vx,
+                    crank_vy,
+                    crank_omega,
+                    coupler_vx,
+                    coupler_vy,
+                    coupler_omega,
+                    rocker_vx,
+                    rocker_vy,
+                    rocker_omega,
+                    ..,
+                ] = v;
                 let lit = S::lit;
-                let omega_crank = v[2];
-                let omega_coupler = v[5];
-                let omega_rocker = v[8];
-                let vx_crank = v[0];
-                let vy_crank = v[1];
-                let vx_coupler = v[3];
-                let vy_coupler = v[4];
-                let vx_rocker = v[6];
-                let vy_rocker = v[7];
-                let t1 = (lit(0.014291666666666666) * omega_rocker).mul_add(
-                    omega_rocker,
-                    (lit(0.030375) * omega_coupler)
-                        .mul_add(omega_coupler, lit(0.001125) * omega_crank * omega_crank),
+                let t1 = (lit(0.014291666666666666) * rocker_omega).mul_add(
+                    rocker_omega,
+                    (lit(0.030375) * coupler_omega)
+                        .mul_add(coupler_omega, lit(0.001125) * crank_omega * crank_omega),
                 );
                 let t2 = lit(0.45).mul_add(
-                    vy_coupler.mul_add(vy_coupler, vx_coupler * vx_coupler),
-                    lit(0.15).mul_add(vy_crank.mul_add(vy_crank, vx_crank * vx_crank), t1),
+                    coupler_vy.mul_add(coupler_vy, coupler_vx * coupler_vx),
+                    lit(0.15).mul_add(crank_vy.mul_add(crank_vy, crank_vx * crank_vx), t1),
                 );
-                lit(0.35).mul_add(vy_rocker.mul_add(vy_rocker, vx_rocker * vx_rocker), t2)
+                lit(0.35).mul_add(rocker_vy.mul_add(rocker_vy, rocker_vx * rocker_vx), t2)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [_, crank_y, _, _, coupler_y, _, _, rocker_y, ..] = q;
                 let lit = S::lit;
-                let y_crank = q[1];
-                let y_coupler = q[4];
-                let y_rocker = q[7];
-                lit(6.867).mul_add(y_rocker, lit(8.829).mul_add(y_coupler, lit(2.943) * y_crank))
+                lit(6.867).mul_add(rocker_y, lit(8.829).mul_add(coupler_y, lit(2.943) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
                 let lit = S::lit;
                 lit(0.0)
             }
@@ -176,32 +181,35 @@ mod plm_four_bar_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 2] {
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let [
+                    crank_x,
+                    crank_y,
+                    crank_angle,
+                    coupler_x,
+                    coupler_y,
+                    coupler_angle,
+                    rocker_x,
+                    rocker_y,
+                    rocker_angle,
+                    ..,
+                ] = q;
                 let lit = S::lit;
-                let theta_crank = q[2];
-                let theta_coupler = q[5];
-                let theta_rocker = q[8];
                 let (
-                    [sin_theta_crank, sin_theta_coupler, sin_theta_rocker],
-                    [cos_theta_crank, cos_theta_coupler, cos_theta_rocker],
-                ) = S::sin_cos_all([theta_crank, theta_coupler, theta_rocker]);
-                let y_crank = q[1];
-                let y_coupler = q[4];
-                let t1 = lit(0.45).mul_add(sin_theta_coupler, y_coupler);
-                let t2 = lit(0.15).mul_add(sin_theta_crank, y_crank) - t1;
-                let x_crank = q[0];
-                let x_coupler = q[3];
-                let t3 = lit(0.45).mul_add(cos_theta_coupler, x_coupler);
-                let t4 = lit(0.15).mul_add(cos_theta_crank, x_crank) - t3;
-                let t5 = (lit(-0.3) * (-sin_theta_crank).mul_add(t4, cos_theta_crank * t2))
-                    .atan2(lit(-0.3) * sin_theta_crank.mul_add(t2, cos_theta_crank * t4));
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.45).mul_add(sin_coupler_angle, coupler_y);
+                let t2 = lit(0.15).mul_add(sin_crank_angle, crank_y) - t1;
+                let t3 = lit(0.45).mul_add(cos_coupler_angle, coupler_x);
+                let t4 = lit(0.15).mul_add(cos_crank_angle, crank_x) - t3;
+                let t5 = (lit(-0.3) * (-sin_crank_angle).mul_add(t4, cos_crank_angle * t2))
+                    .atan2(lit(-0.3) * sin_crank_angle.mul_add(t2, cos_crank_angle * t4));
                 value[0] = t5;
-                let y_rocker = q[7];
-                let t6 = lit(0.35).mul_add(sin_theta_rocker, -y_rocker) + t1;
-                let x_rocker = q[6];
-                let t7 = lit(0.35).mul_add(cos_theta_rocker, -x_rocker) + t3;
-                let t8 = (lit(-0.9) * (-sin_theta_coupler).mul_add(t7, cos_theta_coupler * t6))
-                    .atan2(lit(-0.9) * sin_theta_coupler.mul_add(t6, cos_theta_coupler * t7));
+                let t6 = lit(0.35).mul_add(sin_rocker_angle, -rocker_y) + t1;
+                let t7 = lit(0.35).mul_add(cos_rocker_angle, -rocker_x) + t3;
+                let t8 = (lit(-0.9) * (-sin_coupler_angle).mul_add(t7, cos_coupler_angle * t6))
+                    .atan2(lit(-0.9) * sin_coupler_angle.mul_add(t6, cos_coupler_angle * t7));
                 value[1] = t8;
                 [("crank_coupler", value[0]), ("coupler_rocker", value[1])]
             }
@@ -209,7 +217,6 @@ mod plm_four_bar_ {
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 2] =
                 [("drive.force.x", "N"), ("drive.force.y", "N")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.drive_force()[0], self.drive_force()[1]]
@@ -294,16 +301,9 @@ mod plm_four_bar_ {
         impl<S: Scalar> FourBar<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Input<S> {
-                let lit = S::lit;
                 Input { none: core::marker::PhantomData }
             }
         }
-
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         impl<S: Real> rt::charts::Charted for FourBar<S> {
             type Input = Input<S>;
@@ -316,7 +316,6 @@ mod plm_four_bar_ {
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] =
                 &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
-
             fn place(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match held.chart {
@@ -326,6 +325,7 @@ mod plm_four_bar_ {
                 };
                 (q, v, measure)
             }
+
             fn look(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = match held.chart {
@@ -335,6 +335,7 @@ mod plm_four_bar_ {
                 };
                 (memory, measure)
             }
+
             fn survey(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = match chart {
@@ -344,6 +345,7 @@ mod plm_four_bar_ {
                 };
                 (memory, measure)
             }
+
             fn project(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
                 match chart {
                     0 => self.project_0(t, q, v, x),
@@ -353,53 +355,11 @@ mod plm_four_bar_ {
             }
         }
 
-        #[doc(hidden)] // As `Absolute`.
-        impl<S: Real> rt::singular::Fine<9, 8, 18> for FourBar<S> {
-            type Twofold = FourBar<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
-
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
-                use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
-            }
-            #[cold]
-            fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
-                u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 18],
-                dx: &mut [rt::Twofold<S>; 18],
-            ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
-                fine.dynamics(t, u, x, dx, &mut lambda);
-            }
-            const CHARTED: bool = true;
-            #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
-            }
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
-                rt::charts::full(self, t, held, x)
-            }
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
-                rt::charts::hold::<Self, 18>(held, x, full);
-            }
-            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
-            }
-        }
-
         impl<S: Scalar> rt::lanes::Rate for FourBar<S> {
             type S = S;
             type X = [S; 2];
             type U = rt::charts::Held<Input<S>, [S; 18]>;
             const NQ: usize = 1;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
                 rt::Health(match u.chart {
@@ -427,7 +387,6 @@ mod plm_four_bar_ {
             type G = [S; 0];
             const NQ: usize = 1;
             const SHORT: bool = true;
-
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -481,6 +440,53 @@ mod plm_four_bar_ {
             }
         }
 
+        #[doc(hidden)]
+        impl<S: Real> rt::singular::Fine<9, 8, 18> for FourBar<S> {
+            type Twofold = FourBar<rt::Twofold<S>>;
+            type Inputs = Input<rt::Twofold<S>>;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+            }
+
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; 18],
+                dx: &mut [rt::Twofold<S>; 18],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+
+            const CHARTED: bool = true;
+            #[inline]
+            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+                rt::charts::is_sharp(self, t, held, before, x)
+            }
+
+            fn is_near(held: &Self::U) -> bool {
+                rt::charts::is_free::<Self>(held)
+            }
+
+            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
+                rt::charts::full(self, t, held, x)
+            }
+
+            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
+                rt::charts::hold::<Self, 18>(held, x, full);
+            }
+
+            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
+                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
+                rt::charts::flat_part(self, t, &q, &v)
+            }
+        }
+
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
             #[inline]
@@ -495,9 +501,6 @@ mod plm_four_bar_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 18];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[18 + k] = self.x[2 + k];
-                }
                 x
             }
         }
@@ -513,18 +516,23 @@ mod plm_four_bar_ {
             ) -> Self {
                 State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
             }
+
             fn mechanism(&self) -> &FourBar<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> rt::charts::Held<Input<S>, [S; 18]> {
                 rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 2] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 2]) {
                 let held = *held;
                 self.time = time;
@@ -539,7 +547,6 @@ mod plm_four_bar_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 2]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -572,7 +579,52 @@ mod plm_four_bar_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Scalar> FourBar<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 8 mul, 3 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 24]) {
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.15) * sin_crank_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.15) * cos_crank_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(-1.0);
+                phi_q[5] = t1;
+                phi_q[6] = lit(1.0);
+                let t3 = lit(0.45) * sin_coupler_angle;
+                phi_q[7] = t3;
+                phi_q[8] = lit(-1.0);
+                phi_q[9] = t2;
+                phi_q[10] = lit(1.0);
+                let t4 = lit(-0.45) * cos_coupler_angle;
+                phi_q[11] = t4;
+                phi_q[12] = lit(-1.0);
+                phi_q[13] = t3;
+                phi_q[14] = lit(1.0);
+                phi_q[15] = lit(-0.35) * sin_rocker_angle;
+                phi_q[16] = lit(-1.0);
+                phi_q[17] = t4;
+                phi_q[18] = lit(1.0);
+                phi_q[19] = lit(0.35) * cos_rocker_angle;
+                phi_q[20] = lit(1.0);
+                phi_q[21] = lit(0.35) * sin_rocker_angle;
+                phi_q[22] = lit(1.0);
+                phi_q[23] = lit(-0.35) * cos_rocker_angle;
+            }
+        }
+
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for FourBar<S> {
             const ROWS: [&'static str; 8] = [
                 "drive.x",
@@ -606,17 +658,87 @@ mod plm_four_bar_ {
                 "rocker.angle",
             ];
             const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, false];
-
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 17 add, 6 mul, 3 sin_cos.
             fn phi(&self, t: S, q: &[S; 9]) -> [S; 8] {
                 let mut phi = [S::lit(0.0); 8];
-                self.residual(t, q, &mut phi);
+                let [
+                    crank_x,
+                    crank_y,
+                    crank_angle,
+                    coupler_x,
+                    coupler_y,
+                    coupler_angle,
+                    rocker_x,
+                    rocker_y,
+                    rocker_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                let (
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.15) * cos_crank_angle;
+                phi[0] = crank_x - t1;
+                let t2 = lit(0.15) * sin_crank_angle;
+                phi[1] = crank_y - t2;
+                let t3 = lit(0.45) * cos_coupler_angle;
+                phi[2] = coupler_x - crank_x - t1 - t3;
+                let t4 = lit(0.45) * sin_coupler_angle;
+                phi[3] = coupler_y - crank_y - t2 - t4;
+                let t5 = lit(0.35) * cos_rocker_angle;
+                phi[4] = rocker_x - coupler_x - t3 + t5;
+                let t6 = lit(0.35) * sin_rocker_angle;
+                phi[5] = rocker_y - coupler_y - t4 + t6;
+                phi[6] = rocker_x - t5 - lit(1.0);
+                phi[7] = rocker_y - t6;
                 phi
             }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 16 add, 12 mul, 3 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 9], v: &[S; 9]) -> [S; 8] {
                 let mut phi_dot = [S::lit(0.0); 8];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
+                let [
+                    crank_vx,
+                    crank_vy,
+                    crank_omega,
+                    coupler_vx,
+                    coupler_vy,
+                    coupler_omega,
+                    rocker_vx,
+                    rocker_vy,
+                    rocker_omega,
+                    ..,
+                ] = *v;
+                let lit = S::lit;
+                let (
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = lit(0.15) * (crank_omega * sin_crank_angle);
+                phi_dot[0] = crank_vx + t1;
+                let t2 = lit(0.15) * (crank_omega * cos_crank_angle);
+                phi_dot[1] = crank_vy - t2;
+                let t3 = lit(0.45) * (coupler_omega * sin_coupler_angle);
+                phi_dot[2] = coupler_vx - crank_vx + t1 + t3;
+                let t4 = lit(0.45) * (coupler_omega * cos_coupler_angle);
+                phi_dot[3] = coupler_vy - crank_vy - t2 - t4;
+                let t5 = lit(0.35) * (rocker_omega * sin_rocker_angle);
+                phi_dot[4] = rocker_vx - coupler_vx + t3 - t5;
+                let t6 = lit(0.35) * (rocker_omega * cos_rocker_angle);
+                phi_dot[5] = rocker_vy - coupler_vy - t4 + t6;
+                phi_dot[6] = rocker_vx + t5;
+                phi_dot[7] = rocker_vy - t6;
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -650,17 +772,188 @@ mod plm_four_bar_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 94 add, 143 mul, 9 div, 3 sin_cos, 34 select.
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let crank_angle = q[2];
+                    let coupler_angle = q[5];
+                    let rocker_angle = q[8];
+                    let [
+                        residual_0,
+                        residual_1,
+                        residual_2,
+                        residual_3,
+                        residual_4,
+                        residual_5,
+                        residual_6,
+                        residual_7,
+                        ..,
+                    ] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                    let y_0_2 = lit(0.15) * sin_crank_angle * w_2;
+                    let t1 = lit(0.15) * (sin_crank_angle * y_0_2);
+                    let d_0 = w_0 + t1;
+                    let r_0 = lit(1.0) / d_0;
+                    let t2 = lit(-0.15) * cos_crank_angle;
+                    let y_1_2 = t2 * w_2;
+                    let g_1_0 = lit(0.15) * (sin_crank_angle * y_1_2);
+                    let l_1_0 = r_0 * g_1_0;
+                    let g_2_0 = t1 - w_0;
+                    let l_2_0 = r_0 * g_2_0;
+                    let t3 = cos_crank_angle * y_1_2;
+                    let t4 = lit(-0.15).mul_add(t3, w_1);
+                    let t5 = g_1_0 * l_1_0;
+                    let d_1 = t4 - t5;
+                    let r_1 = lit(1.0) / d_1;
+                    let growth_1 = (t4 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t6 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t6, lit(0.0), r_1);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
+                    let l_2_1 = g_2_1 * kept_1;
+                    let g_3_1 = lit(-0.15).mul_add(t3, -w_1) - t5;
+                    let l_3_1 = g_3_1 * kept_1;
+                    let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                    let y_2_5 = lit(0.45) * sin_coupler_angle * w_5;
+                    let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
+                    let t8 = w_3 + t7;
+                    let t9 = d_0 + t8;
+                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
+                    let growth_2 = (t9 * r_2).abs();
+                    let t10 = most_growth.lt(growth_2);
+                    let kept_2 = S::select(t10, lit(0.0), r_2);
+                    let t11 = lit(-0.45) * cos_coupler_angle;
+                    let y_3_5 = t11 * w_5;
+                    let g_5_2 = lit(0.45) * (sin_coupler_angle * y_3_5);
+                    let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
+                    let l_3_2 = kept_2 * g_3_2;
+                    let g_4_2 = t7 - w_3;
+                    let l_4_2 = g_4_2 * kept_2;
+                    let l_5_2 = g_5_2 * kept_2;
+                    let t12 = cos_coupler_angle * y_3_5;
+                    let t13 = lit(-0.45).mul_add(t12, w_4);
+                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
+                    let growth_3 = (r_3 * (t4 + t13)).abs();
+                    let t14 = most_growth.lt(growth_3);
+                    let kept_3 = S::select(t14, lit(0.0), r_3);
+                    let g_4_3 = (-g_3_2).mul_add(l_4_2, t11 * y_2_5);
+                    let l_4_3 = kept_3 * g_4_3;
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.45).mul_add(t12, -w_4));
+                    let l_5_3 = kept_3 * g_5_3;
+                    let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                    let t15 = sin_rocker_angle * w_8;
+                    let y_4_8 = lit(-0.35) * t15;
+                    let t16 = lit(0.35) * sin_rocker_angle;
+                    let t17 = (-t16).mul_add(y_4_8, w_6) + t8;
+                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t17));
+                    let growth_4 = (t17 * r_4).abs();
+                    let t18 = most_growth.lt(growth_4);
+                    let kept_4 = S::select(t18, lit(0.0), r_4);
+                    let t19 = cos_rocker_angle * w_8;
+                    let y_5_8 = lit(0.35) * t19;
+                    let g_5_4 =
+                        (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t16).mul_add(y_5_8, g_5_2)));
+                    let l_5_4 = kept_4 * g_5_4;
+                    let y_6_8 = lit(0.35) * t15;
+                    let t20 = lit(0.35) * (sin_rocker_angle * y_6_8);
+                    let g_6_4 = w_6 - t20;
+                    let l_6_4 = g_6_4 * kept_4;
+                    let y_7_8 = lit(-0.35) * t19;
+                    let t21 = sin_rocker_angle * y_7_8;
+                    let g_7_4 = lit(-0.35) * t21;
+                    let l_7_4 = g_7_4 * kept_4;
+                    let t22 = lit(0.35) * cos_rocker_angle;
+                    let t23 = t22.mul_add(y_5_8, w_7) + t13;
+                    let r_5 = lit(1.0)
+                        / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t23)));
+                    let growth_5 = (t23 * r_5).abs();
+                    let t24 = most_growth.lt(growth_5);
+                    let kept_5 = S::select(t24, lit(0.0), r_5);
+                    let g_6_5 = (-g_5_4).mul_add(l_6_4, t22 * y_6_8);
+                    let l_6_5 = kept_5 * g_6_5;
+                    let t25 = lit(0.35) * (cos_rocker_angle * y_7_8);
+                    let g_7_5 = (-g_5_4).mul_add(l_7_4, w_7 + t25);
+                    let l_7_5 = kept_5 * g_7_5;
+                    let t26 = w_6 + t20;
+                    let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t26));
+                    let growth_6 = (t26 * r_6).abs();
+                    let t27 = most_growth.lt(growth_6);
+                    let kept_6 = S::select(t27, lit(0.0), r_6);
+                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.35) * t21));
+                    let l_7_6 = kept_6 * g_7_6;
+                    let t28 = w_7 - t25;
+                    let r_7 = lit(1.0)
+                        / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t28)));
+                    let growth_7 = (t28 * r_7).abs();
+                    let t29 = most_growth.lt(growth_7);
+                    // (phi_q W phi_q^T) mu = r
+                    let t30 = residual_0 * l_1_0;
+                    let b_1 = residual_1 - t30;
+                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t30));
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
+                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
+                    let mu_7 = S::select(t29, lit(0.0), r_7)
+                        * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
+                    let mu_6 = (-l_7_6).mul_add(mu_7, kept_6 * b_6);
+                    let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
+                    let mu_4 =
+                        (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
+                    let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
+                    let mu_2 =
+                        (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
+                    let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
+                    let t31 = mu_3 + mu_1;
+                    let mu_0 = (-l_1_0).mul_add(t31, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    // Results
+                    dq[0] = w_0 * (mu_0 - mu_2);
+                    dq[1] = w_1 * (mu_1 - mu_3);
+                    dq[2] = y_1_2.mul_add(t31, y_0_2 * (mu_2 + mu_0));
+                    dq[3] = w_3 * (mu_2 - mu_4);
+                    dq[4] = w_4 * (mu_3 - mu_5);
+                    dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
+                    dq[6] = w_6 * (mu_6 + mu_4);
+                    dq[7] = w_7 * (mu_7 + mu_5);
+                    dq[8] = y_7_8.mul_add(mu_7, y_6_8.mul_add(mu_6, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
+                    let t32 = S::select(t6, lit(0.0), growth_1)
+                        .max(S::select(t10, lit(0.0), growth_2))
+                        .max(S::select(t14, lit(0.0), growth_3));
+                    let t33 = t32
+                        .max(S::select(t18, lit(0.0), growth_4))
+                        .max(S::select(t24, lit(0.0), growth_5))
+                        .max(S::select(t27, lit(0.0), growth_6));
+                    lit(1.0) / t33.max(S::select(t29, lit(0.0), growth_7))
+                })
             }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 9] {
                 let mut inverse_mass = [S::lit(0.0); 9];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(3.3333333333333335);
+                inverse_mass[1] = lit(3.3333333333333335);
+                inverse_mass[2] = lit(444.44444444444446);
+                inverse_mass[3] = lit(1.1111111111111112);
+                inverse_mass[4] = lit(1.1111111111111112);
+                inverse_mass[5] = lit(16.46090534979424);
+                inverse_mass[6] = lit(1.4285714285714286);
+                inverse_mass[7] = lit(1.4285714285714286);
+                inverse_mass[8] = lit(34.98542274052478);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.45)
             }
+
             fn start_position(&self) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -670,6 +963,7 @@ mod plm_four_bar_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 9]) -> [Start<S>; 9] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 3] = [
@@ -693,8 +987,7 @@ mod plm_four_bar_ {
                 let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
                 let (mut force, mut gamma) = ([S::lit(0.0); 9], [S::lit(0.0); 8]);
                 self.free(t, u, x, &mut force, &mut gamma);
-                let mut inverse_mass = [S::lit(0.0); 9];
-                self.reciprocal_mass(&mut inverse_mass);
+                let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
                     absolute::jacobian(self, t, &q, rows)
                 })
@@ -728,7 +1021,7 @@ mod plm_four_bar_ {
         impl<S: Real> rt::lanes::Pack for FourBar<S> {
             type Packed<T: Scalar> = FourBar<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -742,7 +1035,7 @@ mod plm_four_bar_ {
                 FourBar { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 first: &rt::charts::Held<Input<S>, [S; 18]>,
                 all: [&rt::charts::Held<Input<S>, [S; 18]>; N],
@@ -781,11 +1074,8 @@ mod plm_four_bar_ {
         impl<S: Real> rt::Ports for FourBar<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
-            fn input(held: &mut rt::charts::Held<Input<S>, [S; 18]>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut rt::charts::Held<Input<S>, [S; 18]>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -795,54 +1085,20 @@ mod plm_four_bar_ {
             }
         }
 
-        impl<S: Scalar> FourBar<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 18],
-                lambda: &[S; 8],
-                force: &mut [S; 9],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                force[0] = lit(0.0);
-                force[1] = lit(-2.943);
-                force[2] = lit(0.0);
-                force[3] = lit(0.0);
-                force[4] = lit(-8.829);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-6.867);
-                force[8] = lit(0.0);
-            }
-        }
-
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.crank.each(
-                        ["crank.x", "crank.y", "crank.angle", "crank.vx", "crank.vy", "crank.omega"],
-                        &mut *each,
-                    );
-                    self.coupler.each(
-                        [
-                            "coupler.x",
-                            "coupler.y",
-                            "coupler.angle",
-                            "coupler.vx",
-                            "coupler.vy",
-                            "coupler.omega",
-                        ],
-                        &mut *each,
-                    );
-                    self.rocker.each(
-                        ["rocker.x", "rocker.y", "rocker.angle", "rocker.vx", "rocker.vy", "rocker.omega"],
-                        &mut *each,
-                    );
-                }
+                self.crank.each(
+                    ["crank.x", "crank.y", "crank.angle", "crank.vx", "crank.vy", "crank.omega"],
+                    &mut *each,
+                );
+                self.coupler.each(
+                    ["coupler.x", "coupler.y", "coupler.angle", "coupler.vx", "coupler.vy", "coupler.omega"],
+                    &mut *each,
+                );
+                self.rocker.each(
+                    ["rocker.x", "rocker.y", "rocker.angle", "rocker.vx", "rocker.vy", "rocker.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -909,10 +1165,13 @@ mod plm_four_bar_ {
                 "pivot.y",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 18] {
                 state.absolute_()
             }
+
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            #[cold]
             fn equations(
                 &self,
                 t: S,
@@ -921,24 +1180,38 @@ mod plm_four_bar_ {
                 lambda: &[S; 8],
                 each: &mut impl FnMut(S),
             ) {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(x);
+                let u = &held.input;
                 let (mut force, mut x_dot) = ([S::lit(0.0); 9], [S::lit(0.0); 0]);
-                self.at_rest(t, &held.input, x, lambda, &mut force, &mut x_dot);
+                let lit = S::lit;
+                force[0] = lit(0.0);
+                force[1] = lit(-2.943);
+                force[2] = lit(0.0);
+                force[3] = lit(0.0);
+                force[4] = lit(-8.829);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-6.867);
+                force[8] = lit(0.0);
+                let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, 18>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 18]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
             }
@@ -951,61 +1224,64 @@ mod plm_four_bar_ {
             /// 102 add, 152 mul, 9 div, 5 neg, 3 sin_cos, 34 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
+                let crank_angle = x[2];
+                let coupler_angle = x[5];
+                let rocker_angle = x[8];
+                let crank_omega = x[11];
+                let coupler_omega = x[14];
+                let rocker_omega = x[17];
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
-                let theta_crank = x[2];
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let theta_coupler = x[5];
-                let (sin_theta_coupler, cos_theta_coupler) = theta_coupler.sin_cos();
-                let theta_rocker = x[8];
-                let (sin_theta_rocker, cos_theta_rocker) = theta_rocker.sin_cos();
-                let t1 = lit(0.35) * cos_theta_rocker;
-                let t2 = lit(0.35) * sin_theta_rocker;
-                let y_0_2 = lit(66.66666666666667) * sin_theta_crank;
-                let y_1_2 = lit(-66.66666666666667) * cos_theta_crank;
-                let y_2_5 = lit(7.407407407407407) * sin_theta_coupler;
-                let y_3_5 = lit(-7.407407407407407) * cos_theta_coupler;
-                let y_4_8 = lit(-12.244897959183673) * sin_theta_rocker;
-                let y_5_8 = lit(12.244897959183673) * cos_theta_rocker;
-                let y_6_8 = lit(12.244897959183673) * sin_theta_rocker;
-                let y_7_8 = lit(-12.244897959183673) * cos_theta_rocker;
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                let t1 = lit(0.35) * cos_rocker_angle;
+                let t2 = lit(0.35) * sin_rocker_angle;
+                let y_0_2 = lit(66.66666666666667) * sin_crank_angle;
+                let y_1_2 = lit(-66.66666666666667) * cos_crank_angle;
+                let y_2_5 = lit(7.407407407407407) * sin_coupler_angle;
+                let y_3_5 = lit(-7.407407407407407) * cos_coupler_angle;
+                let y_4_8 = lit(-12.244897959183673) * sin_rocker_angle;
+                let y_5_8 = lit(12.244897959183673) * cos_rocker_angle;
+                let y_6_8 = lit(12.244897959183673) * sin_rocker_angle;
+                let y_7_8 = lit(-12.244897959183673) * cos_rocker_angle;
                 // phi_q M^-1 phi_q^T = L D L^T
-                let t3 = lit(0.15) * (sin_theta_crank * y_0_2);
+                let t3 = lit(0.15) * (sin_crank_angle * y_0_2);
                 let r_0 = lit(1.0) / (t3 + lit(3.3333333333333335));
-                let g_1_0 = lit(0.15) * (sin_theta_crank * y_1_2);
+                let g_1_0 = lit(0.15) * (sin_crank_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t3 - lit(3.3333333333333335);
                 let l_2_0 = r_0 * g_2_0;
-                let t4 = lit(0.15) * (cos_theta_crank * y_1_2);
+                let t4 = lit(0.15) * (cos_crank_angle * y_1_2);
                 let t5 = g_1_0.mul_add(l_1_0, t4);
                 let r_1 = lit(1.0) / (lit(3.3333333333333335) - t5);
                 let growth_1 = ((t4 - lit(3.3333333333333335)) * r_1).abs();
                 let most_growth = lit(S::MOST_GROWTH);
                 let t6 = most_growth.lt(growth_1);
                 let kept_1 = S::select(t6, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.15) * cos_theta_crank * y_0_2);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.15) * cos_crank_angle * y_0_2);
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-3.3333333333333335) - t5;
                 let l_3_1 = kept_1 * g_3_1;
-                let t7 = lit(0.45) * (sin_theta_coupler * y_2_5);
+                let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
                 let t8 = t3 + t7 + lit(4.444444444444445);
                 let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t8));
                 let growth_2 = (t8 * r_2).abs();
                 let t9 = most_growth.lt(growth_2);
                 let kept_2 = S::select(t9, lit(0.0), r_2);
-                let g_5_2 = lit(0.45) * (sin_theta_coupler * y_3_5);
+                let g_5_2 = lit(0.45) * (sin_coupler_angle * y_3_5);
                 let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
                 let l_3_2 = kept_2 * g_3_2;
                 let g_4_2 = t7 - lit(1.1111111111111112);
                 let l_4_2 = g_4_2 * kept_2;
                 let l_5_2 = g_5_2 * kept_2;
-                let t10 = lit(0.45) * (cos_theta_coupler * y_3_5);
+                let t10 = lit(0.45) * (cos_coupler_angle * y_3_5);
                 let t11 = lit(4.444444444444445) - t10;
                 let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, t11 - t5));
                 let growth_3 = (r_3 * (t4 - t11)).abs();
                 let t12 = most_growth.lt(growth_3);
                 let kept_3 = S::select(t12, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, lit(-0.45) * cos_theta_coupler * y_2_5);
+                let g_4_3 = (-g_3_2).mul_add(l_4_2, lit(-0.45) * cos_coupler_angle * y_2_5);
                 let l_4_3 = kept_3 * g_4_3;
                 let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-1.1111111111111112) - t10);
                 let l_5_3 = kept_3 * g_5_3;
@@ -1016,10 +1292,10 @@ mod plm_four_bar_ {
                 let kept_4 = S::select(t14, lit(0.0), r_4);
                 let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t2).mul_add(y_5_8, g_5_2)));
                 let l_5_4 = kept_4 * g_5_4;
-                let t15 = lit(0.35) * (sin_theta_rocker * y_6_8);
+                let t15 = lit(0.35) * (sin_rocker_angle * y_6_8);
                 let g_6_4 = lit(1.4285714285714286) - t15;
                 let l_6_4 = g_6_4 * kept_4;
-                let t16 = sin_theta_rocker * y_7_8;
+                let t16 = sin_rocker_angle * y_7_8;
                 let g_7_4 = lit(-0.35) * t16;
                 let l_7_4 = g_7_4 * kept_4;
                 let t17 = (-t1).mul_add(y_5_8, t10) - lit(2.5396825396825395);
@@ -1029,7 +1305,7 @@ mod plm_four_bar_ {
                 let kept_5 = S::select(t18, lit(0.0), r_5);
                 let g_6_5 = (-g_5_4).mul_add(l_6_4, t1 * y_6_8);
                 let l_6_5 = kept_5 * g_6_5;
-                let t19 = lit(0.35) * (cos_theta_rocker * y_7_8);
+                let t19 = lit(0.35) * (cos_rocker_angle * y_7_8);
                 let g_7_5 = (-g_5_4).mul_add(l_7_4, t19) + lit(1.4285714285714286);
                 let l_7_5 = kept_5 * g_7_5;
                 let t20 = t15 + lit(1.4285714285714286);
@@ -1044,22 +1320,19 @@ mod plm_four_bar_ {
                 let growth_7 = (t22 * r_7).abs();
                 let t23 = most_growth.lt(growth_7);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
-                let omega_crank = x[11];
-                let t24 = omega_crank * omega_crank;
-                let b_0 = lit(0.15) * (cos_theta_crank * t24);
-                let t25 = (-l_1_0).mul_add(b_0, lit(0.15) * sin_theta_crank * t24);
+                let t24 = crank_omega * crank_omega;
+                let b_0 = lit(0.15) * (cos_crank_angle * t24);
+                let t25 = (-l_1_0).mul_add(b_0, lit(0.15) * sin_crank_angle * t24);
                 let b_1 = t25 - lit(9.81);
-                let omega_coupler = x[14];
-                let t26 = omega_coupler * omega_coupler;
-                let t27 = lit(0.45) * (cos_theta_coupler * t26);
+                let t26 = coupler_omega * coupler_omega;
+                let t27 = lit(0.45) * (cos_coupler_angle * t26);
                 let b_2 = (-l_2_1).mul_add(b_1, (-l_2_0).mul_add(b_0, b_0 + t27));
-                let t28 = lit(0.45) * (sin_theta_coupler * t26);
+                let t28 = lit(0.45) * (sin_coupler_angle * t26);
                 let b_3 = (-l_3_2).mul_add(b_2, (-l_3_1).mul_add(b_1, t25 + t28));
-                let omega_rocker = x[17];
-                let t29 = omega_rocker * omega_rocker;
-                let t30 = lit(0.35) * (cos_theta_rocker * t29);
+                let t29 = rocker_omega * rocker_omega;
+                let t30 = lit(0.35) * (cos_rocker_angle * t29);
                 let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, t27 - t30));
-                let t31 = lit(0.35) * (sin_theta_rocker * t29);
+                let t31 = lit(0.35) * (sin_rocker_angle * t29);
                 let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, t28 - t31)));
                 let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, t30));
                 let lambda_pivot_y = S::select(t23, lit(0.0), r_7)
@@ -1090,13 +1363,13 @@ mod plm_four_bar_ {
                 // Results
                 dx[0] = x[9];
                 dx[1] = x[10];
-                dx[2] = omega_crank;
+                dx[2] = crank_omega;
                 dx[3] = x[12];
                 dx[4] = x[13];
-                dx[5] = omega_coupler;
+                dx[5] = coupler_omega;
                 dx[6] = x[15];
                 dx[7] = x[16];
-                dx[8] = omega_rocker;
+                dx[8] = rocker_omega;
                 dx[9] = lit(3.3333333333333335) * (lambda_crank_coupler_x - lambda_drive_x);
                 dx[10] = lit(3.3333333333333335).mul_add(lambda_crank_coupler_y - lambda_drive_y, lit(-9.81));
                 dx[11] = -y_1_2.mul_add(t32, y_0_2 * (lambda_crank_coupler_x + lambda_drive_x));
@@ -1140,6 +1413,12 @@ mod plm_four_bar_ {
             /// 4 add, 17 mul, 3 sin_cos.
             #[cold]
             fn free(&self, t: S, u: &Input<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 8]) {
+                let crank_angle = x[2];
+                let coupler_angle = x[5];
+                let rocker_angle = x[8];
+                let crank_omega = x[11];
+                let coupler_omega = x[14];
+                let rocker_omega = x[17];
                 let lit = S::lit;
                 force[0] = lit(0.0);
                 force[1] = lit(-2.943);
@@ -1150,326 +1429,27 @@ mod plm_four_bar_ {
                 force[6] = lit(0.0);
                 force[7] = lit(-6.867);
                 force[8] = lit(0.0);
-                let theta_crank = x[2];
-                let theta_coupler = x[5];
-                let theta_rocker = x[8];
                 let (
-                    [sin_theta_crank, sin_theta_coupler, sin_theta_rocker],
-                    [cos_theta_crank, cos_theta_coupler, cos_theta_rocker],
-                ) = S::sin_cos_all([theta_crank, theta_coupler, theta_rocker]);
-                let omega_crank = x[11];
-                let t1 = omega_crank * omega_crank;
-                let t2 = lit(-0.15) * (cos_theta_crank * t1);
+                    [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
+                    [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
+                ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
+                let t1 = crank_omega * crank_omega;
+                let t2 = lit(-0.15) * (cos_crank_angle * t1);
                 gamma[0] = t2;
-                let t3 = lit(-0.15) * (sin_theta_crank * t1);
+                let t3 = lit(-0.15) * (sin_crank_angle * t1);
                 gamma[1] = t3;
-                let omega_coupler = x[14];
-                let t4 = omega_coupler * omega_coupler;
-                let t5 = lit(0.45) * (cos_theta_coupler * t4);
+                let t4 = coupler_omega * coupler_omega;
+                let t5 = lit(0.45) * (cos_coupler_angle * t4);
                 gamma[2] = t2 - t5;
-                let t6 = lit(0.45) * (sin_theta_coupler * t4);
+                let t6 = lit(0.45) * (sin_coupler_angle * t4);
                 gamma[3] = t3 - t6;
-                let omega_rocker = x[17];
-                let t7 = omega_rocker * omega_rocker;
-                let t8 = cos_theta_rocker * t7;
+                let t7 = rocker_omega * rocker_omega;
+                let t8 = cos_rocker_angle * t7;
                 gamma[4] = lit(0.35).mul_add(t8, -t5);
-                let t9 = sin_theta_rocker * t7;
+                let t9 = sin_rocker_angle * t7;
                 gamma[5] = lit(0.35).mul_add(t9, -t6);
                 gamma[6] = lit(-0.35) * t8;
                 gamma[7] = lit(-0.35) * t9;
-            }
-        }
-
-        impl<S: Scalar> FourBar<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 17 add, 6 mul, 3 sin_cos.
-            fn residual(&self, t: S, q: &[S; 9], phi: &mut [S; 8]) {
-                let lit = S::lit;
-                let x_crank = q[0];
-                let theta_crank = q[2];
-                let theta_coupler = q[5];
-                let theta_rocker = q[8];
-                let (
-                    [sin_theta_crank, sin_theta_coupler, sin_theta_rocker],
-                    [cos_theta_crank, cos_theta_coupler, cos_theta_rocker],
-                ) = S::sin_cos_all([theta_crank, theta_coupler, theta_rocker]);
-                let t1 = lit(0.15) * cos_theta_crank;
-                phi[0] = x_crank - t1;
-                let y_crank = q[1];
-                let t2 = lit(0.15) * sin_theta_crank;
-                phi[1] = y_crank - t2;
-                let x_coupler = q[3];
-                let t3 = lit(0.45) * cos_theta_coupler;
-                phi[2] = x_coupler - x_crank - t1 - t3;
-                let y_coupler = q[4];
-                let t4 = lit(0.45) * sin_theta_coupler;
-                phi[3] = y_coupler - y_crank - t2 - t4;
-                let x_rocker = q[6];
-                let t5 = lit(0.35) * cos_theta_rocker;
-                phi[4] = x_rocker - x_coupler - t3 + t5;
-                let y_rocker = q[7];
-                let t6 = lit(0.35) * sin_theta_rocker;
-                phi[5] = y_rocker - y_coupler - t4 + t6;
-                phi[6] = x_rocker - t5 - lit(1.0);
-                phi[7] = y_rocker - t6;
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 16 add, 12 mul, 3 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 9], v: &[S; 9], phi_dot: &mut [S; 8]) {
-                let lit = S::lit;
-                let vx_crank = v[0];
-                let omega_crank = v[2];
-                let theta_crank = q[2];
-                let theta_coupler = q[5];
-                let theta_rocker = q[8];
-                let (
-                    [sin_theta_crank, sin_theta_coupler, sin_theta_rocker],
-                    [cos_theta_crank, cos_theta_coupler, cos_theta_rocker],
-                ) = S::sin_cos_all([theta_crank, theta_coupler, theta_rocker]);
-                let t1 = lit(0.15) * (omega_crank * sin_theta_crank);
-                phi_dot[0] = vx_crank + t1;
-                let vy_crank = v[1];
-                let t2 = lit(0.15) * (omega_crank * cos_theta_crank);
-                phi_dot[1] = vy_crank - t2;
-                let vx_coupler = v[3];
-                let omega_coupler = v[5];
-                let t3 = lit(0.45) * (omega_coupler * sin_theta_coupler);
-                phi_dot[2] = vx_coupler - vx_crank + t1 + t3;
-                let vy_coupler = v[4];
-                let t4 = lit(0.45) * (omega_coupler * cos_theta_coupler);
-                phi_dot[3] = vy_coupler - vy_crank - t2 - t4;
-                let vx_rocker = v[6];
-                let omega_rocker = v[8];
-                let t5 = lit(0.35) * (omega_rocker * sin_theta_rocker);
-                phi_dot[4] = vx_rocker - vx_coupler + t3 - t5;
-                let vy_rocker = v[7];
-                let t6 = lit(0.35) * (omega_rocker * cos_theta_rocker);
-                phi_dot[5] = vy_rocker - vy_coupler - t4 + t6;
-                phi_dot[6] = vx_rocker + t5;
-                phi_dot[7] = vy_rocker - t6;
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 8 mul, 3 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 24]) {
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let theta_crank = q[2];
-                let theta_coupler = q[5];
-                let theta_rocker = q[8];
-                let (
-                    [sin_theta_crank, sin_theta_coupler, sin_theta_rocker],
-                    [cos_theta_crank, cos_theta_coupler, cos_theta_rocker],
-                ) = S::sin_cos_all([theta_crank, theta_coupler, theta_rocker]);
-                let t1 = lit(0.15) * sin_theta_crank;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.15) * cos_theta_crank;
-                phi_q[3] = t2;
-                phi_q[4] = lit(-1.0);
-                phi_q[5] = t1;
-                phi_q[6] = lit(1.0);
-                let t3 = lit(0.45) * sin_theta_coupler;
-                phi_q[7] = t3;
-                phi_q[8] = lit(-1.0);
-                phi_q[9] = t2;
-                phi_q[10] = lit(1.0);
-                let t4 = lit(-0.45) * cos_theta_coupler;
-                phi_q[11] = t4;
-                phi_q[12] = lit(-1.0);
-                phi_q[13] = t3;
-                phi_q[14] = lit(1.0);
-                phi_q[15] = lit(-0.35) * sin_theta_rocker;
-                phi_q[16] = lit(-1.0);
-                phi_q[17] = t4;
-                phi_q[18] = lit(1.0);
-                phi_q[19] = lit(0.35) * cos_theta_rocker;
-                phi_q[20] = lit(1.0);
-                phi_q[21] = lit(0.35) * sin_theta_rocker;
-                phi_q[22] = lit(1.0);
-                phi_q[23] = lit(-0.35) * cos_theta_rocker;
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 94 add, 143 mul, 9 div, 3 sin_cos, 34 select.
-            fn closing_step(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> S {
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_crank = q[2];
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let w_2 = w[2];
-                let y_0_2 = lit(0.15) * sin_theta_crank * w_2;
-                let t1 = lit(0.15) * (sin_theta_crank * y_0_2);
-                let d_0 = w_0 + t1;
-                let r_0 = lit(1.0) / d_0;
-                let t2 = lit(-0.15) * cos_theta_crank;
-                let y_1_2 = t2 * w_2;
-                let g_1_0 = lit(0.15) * (sin_theta_crank * y_1_2);
-                let l_1_0 = r_0 * g_1_0;
-                let g_2_0 = t1 - w_0;
-                let l_2_0 = r_0 * g_2_0;
-                let w_1 = w[1];
-                let t3 = cos_theta_crank * y_1_2;
-                let t4 = lit(-0.15).mul_add(t3, w_1);
-                let t5 = g_1_0 * l_1_0;
-                let d_1 = t4 - t5;
-                let r_1 = lit(1.0) / d_1;
-                let growth_1 = (t4 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t6 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t6, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
-                let l_2_1 = g_2_1 * kept_1;
-                let g_3_1 = lit(-0.15).mul_add(t3, -w_1) - t5;
-                let l_3_1 = g_3_1 * kept_1;
-                let w_3 = w[3];
-                let theta_coupler = q[5];
-                let (sin_theta_coupler, cos_theta_coupler) = theta_coupler.sin_cos();
-                let w_5 = w[5];
-                let y_2_5 = lit(0.45) * sin_theta_coupler * w_5;
-                let t7 = lit(0.45) * (sin_theta_coupler * y_2_5);
-                let t8 = w_3 + t7;
-                let t9 = d_0 + t8;
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
-                let growth_2 = (t9 * r_2).abs();
-                let t10 = most_growth.lt(growth_2);
-                let kept_2 = S::select(t10, lit(0.0), r_2);
-                let t11 = lit(-0.45) * cos_theta_coupler;
-                let y_3_5 = t11 * w_5;
-                let g_5_2 = lit(0.45) * (sin_theta_coupler * y_3_5);
-                let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
-                let l_3_2 = kept_2 * g_3_2;
-                let g_4_2 = t7 - w_3;
-                let l_4_2 = g_4_2 * kept_2;
-                let l_5_2 = g_5_2 * kept_2;
-                let w_4 = w[4];
-                let t12 = cos_theta_coupler * y_3_5;
-                let t13 = lit(-0.45).mul_add(t12, w_4);
-                let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
-                let growth_3 = (r_3 * (t4 + t13)).abs();
-                let t14 = most_growth.lt(growth_3);
-                let kept_3 = S::select(t14, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, t11 * y_2_5);
-                let l_4_3 = kept_3 * g_4_3;
-                let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.45).mul_add(t12, -w_4));
-                let l_5_3 = kept_3 * g_5_3;
-                let w_6 = w[6];
-                let theta_rocker = q[8];
-                let (sin_theta_rocker, cos_theta_rocker) = theta_rocker.sin_cos();
-                let w_8 = w[8];
-                let t15 = sin_theta_rocker * w_8;
-                let y_4_8 = lit(-0.35) * t15;
-                let t16 = lit(0.35) * sin_theta_rocker;
-                let t17 = (-t16).mul_add(y_4_8, w_6) + t8;
-                let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t17));
-                let growth_4 = (t17 * r_4).abs();
-                let t18 = most_growth.lt(growth_4);
-                let kept_4 = S::select(t18, lit(0.0), r_4);
-                let t19 = cos_theta_rocker * w_8;
-                let y_5_8 = lit(0.35) * t19;
-                let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t16).mul_add(y_5_8, g_5_2)));
-                let l_5_4 = kept_4 * g_5_4;
-                let y_6_8 = lit(0.35) * t15;
-                let t20 = lit(0.35) * (sin_theta_rocker * y_6_8);
-                let g_6_4 = w_6 - t20;
-                let l_6_4 = g_6_4 * kept_4;
-                let y_7_8 = lit(-0.35) * t19;
-                let t21 = sin_theta_rocker * y_7_8;
-                let g_7_4 = lit(-0.35) * t21;
-                let l_7_4 = g_7_4 * kept_4;
-                let w_7 = w[7];
-                let t22 = lit(0.35) * cos_theta_rocker;
-                let t23 = t22.mul_add(y_5_8, w_7) + t13;
-                let r_5 =
-                    lit(1.0) / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t23)));
-                let growth_5 = (t23 * r_5).abs();
-                let t24 = most_growth.lt(growth_5);
-                let kept_5 = S::select(t24, lit(0.0), r_5);
-                let g_6_5 = (-g_5_4).mul_add(l_6_4, t22 * y_6_8);
-                let l_6_5 = kept_5 * g_6_5;
-                let t25 = lit(0.35) * (cos_theta_rocker * y_7_8);
-                let g_7_5 = (-g_5_4).mul_add(l_7_4, w_7 + t25);
-                let l_7_5 = kept_5 * g_7_5;
-                let t26 = w_6 + t20;
-                let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t26));
-                let growth_6 = (t26 * r_6).abs();
-                let t27 = most_growth.lt(growth_6);
-                let kept_6 = S::select(t27, lit(0.0), r_6);
-                let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.35) * t21));
-                let l_7_6 = kept_6 * g_7_6;
-                let t28 = w_7 - t25;
-                let r_7 =
-                    lit(1.0) / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t28)));
-                let growth_7 = (t28 * r_7).abs();
-                let t29 = most_growth.lt(growth_7);
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let t30 = residual_0 * l_1_0;
-                let b_1 = residual_1 - t30;
-                let residual_2 = r[2];
-                let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                let residual_3 = r[3];
-                let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t30));
-                let residual_4 = r[4];
-                let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                let residual_5 = r[5];
-                let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
-                let residual_6 = r[6];
-                let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
-                let residual_7 = r[7];
-                let mu_7 = S::select(t29, lit(0.0), r_7)
-                    * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
-                let mu_6 = (-l_7_6).mul_add(mu_7, kept_6 * b_6);
-                let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
-                let mu_4 =
-                    (-l_7_4).mul_add(mu_7, (-l_6_4).mul_add(mu_6, (-l_5_4).mul_add(mu_5, kept_4 * b_4)));
-                let mu_3 = (-l_5_3).mul_add(mu_5, (-l_4_3).mul_add(mu_4, kept_3 * b_3));
-                let mu_2 =
-                    (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
-                let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
-                let t31 = mu_3 + mu_1;
-                let mu_0 = (-l_1_0).mul_add(t31, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
-                // Results
-                dq[0] = w_0 * (mu_0 - mu_2);
-                dq[1] = w_1 * (mu_1 - mu_3);
-                dq[2] = y_1_2.mul_add(t31, y_0_2 * (mu_2 + mu_0));
-                dq[3] = w_3 * (mu_2 - mu_4);
-                dq[4] = w_4 * (mu_3 - mu_5);
-                dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
-                dq[6] = w_6 * (mu_6 + mu_4);
-                dq[7] = w_7 * (mu_7 + mu_5);
-                dq[8] = y_7_8.mul_add(mu_7, y_6_8.mul_add(mu_6, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
-                let t32 = S::select(t6, lit(0.0), growth_1)
-                    .max(S::select(t10, lit(0.0), growth_2))
-                    .max(S::select(t14, lit(0.0), growth_3));
-                let t33 = t32
-                    .max(S::select(t18, lit(0.0), growth_4))
-                    .max(S::select(t24, lit(0.0), growth_5))
-                    .max(S::select(t27, lit(0.0), growth_6));
-                lit(1.0) / t33.max(S::select(t29, lit(0.0), growth_7))
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 9]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(3.3333333333333335);
-                inverse_mass[1] = lit(3.3333333333333335);
-                inverse_mass[2] = lit(444.44444444444446);
-                inverse_mass[3] = lit(1.1111111111111112);
-                inverse_mass[4] = lit(1.1111111111111112);
-                inverse_mass[5] = lit(16.46090534979424);
-                inverse_mass[6] = lit(1.4285714285714286);
-                inverse_mass[7] = lit(1.4285714285714286);
-                inverse_mass[8] = lit(34.98542274052478);
             }
         }
 
@@ -1480,14 +1460,14 @@ mod plm_four_bar_ {
             /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(always)]
             fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], dx: &mut [S; 2]) -> S {
+                let last_area_0 = m[13];
+                let [crank_angle, crank_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_crank = x[0];
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let t1 = cos_theta_crank - lit(0.3);
-                let last_area_0 = m[13];
-                let loop_0_x = lit(0.3).mul_add(cos_theta_crank, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_theta_crank;
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let t1 = cos_crank_angle - lit(0.3);
+                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
@@ -1496,22 +1476,21 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
-                let cross_0_0 = (-t1).mul_add(way_0_y, sin_theta_crank * way_0_x);
-                let cross_0_1 = sin_theta_crank + cross_0_0;
+                let cross_0_0 = (-t1).mul_add(way_0_y, sin_crank_angle * way_0_x);
+                let cross_0_1 = sin_crank_angle + cross_0_0;
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_0 = lit(0.3) * cross_0_1 * reciprocal_0;
                 let momentum_0_1 = lit(0.11433333333333333) * ratio_0_0;
                 let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
-                let dot_0_0 = -sin_theta_crank.mul_add(way_0_y, t1 * way_0_x);
+                let dot_0_0 = -sin_crank_angle.mul_add(way_0_y, t1 * way_0_x);
                 let dot_0_1 = dot_0_0 - t1;
                 let t2 = lit(0.135) * ratio_0_1;
                 let momentum_0_2 = lit(-0.135).mul_add(dot_0_1, lit(0.243) * ratio_0_1);
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let still_0 = (-(lit(4.4145) * -(loop_0_x + rocker_arm_x))).mul_add(
                     ratio_0_1,
-                    lit(-3.09015).mul_add(cos_theta_crank, lit(3.4335) * rocker_arm_x * ratio_0_0),
+                    lit(-3.09015).mul_add(cos_crank_angle, lit(3.4335) * rocker_arm_x * ratio_0_0),
                 );
-                let omega_crank = x[1];
                 let t3 = ratio_0_1 * ratio_0_1;
                 let t4 = along_0 + lit(0.49);
                 let t5 = ratio_0_0 * ratio_0_0;
@@ -1521,8 +1500,8 @@ mod plm_four_bar_ {
                         * (reciprocal_0 * (-t4).mul_add(t5, lit(-0.3).mul_add(dot_0_1, lit(0.81) * t3))),
                 );
                 // Results
-                dx[0] = omega_crank;
-                let crank_angle_acceleration = (-(omega_crank * omega_crank))
+                dx[0] = crank_omega;
+                let crank_angle_acceleration = (-(crank_omega * crank_omega))
                     .mul_add((-(cross_0_1 * ratio_0_1)).mul_add(lit(0.135) - t2, t6), still_0)
                     * (lit(1.0)
                         / ratio_0_1.mul_add(
@@ -1545,21 +1524,37 @@ mod plm_four_bar_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_1,
+                    last_cosine_1,
+                    last_sine_1,
+                    last_angle_2,
+                    last_cosine_2,
+                    last_sine_2,
+                    last_area_0,
+                    ..,
+                ] = *m;
+                let [crank_angle, crank_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_crank = x[0];
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let crank_x = lit(0.15) * cos_theta_crank;
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let crank_x = lit(0.15) * cos_crank_angle;
                 q[0] = crank_x;
-                let crank_y = lit(0.15) * sin_theta_crank;
+                let crank_y = lit(0.15) * sin_crank_angle;
                 q[1] = crank_y;
-                q[2] = theta_crank;
-                let loop_0_x = lit(0.3).mul_add(cos_theta_crank, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_theta_crank;
+                q[2] = crank_angle;
+                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -1572,10 +1567,7 @@ mod plm_four_bar_ {
                 let coupler_arm_y = -(loop_0_y + rocker_arm_y);
                 let t2 = lit(0.5) * coupler_arm_y;
                 q[4] = crank_y + t2 + crank_y;
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
-                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t3 = last_angle_2
                     + (-last_sine_2)
@@ -1584,30 +1576,26 @@ mod plm_four_bar_ {
                 q[5] = t3;
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 q[7] = lit(-0.5) * rocker_arm_y;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m[9];
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t4 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
                 q[8] = t4;
-                let omega_crank = x[1];
-                let crank_vx = lit(-0.15) * (omega_crank * sin_theta_crank);
+                let crank_vx = lit(-0.15) * (crank_omega * sin_crank_angle);
                 v[0] = crank_vx;
-                let crank_vy = lit(0.15) * (omega_crank * cos_theta_crank);
+                let crank_vy = lit(0.15) * (crank_omega * cos_crank_angle);
                 v[1] = crank_vy;
-                v[2] = omega_crank;
-                let cross_0_0 = (-(cos_theta_crank - lit(0.3))).mul_add(way_0_y, sin_theta_crank * way_0_x);
+                v[2] = crank_omega;
+                let cross_0_0 = (-(cos_crank_angle - lit(0.3))).mul_add(way_0_y, sin_crank_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
-                let coupler_angle_rate = omega_crank * (lit(0.3) * cross_0_0 * reciprocal_0);
+                let coupler_angle_rate = crank_omega * (lit(0.3) * cross_0_0 * reciprocal_0);
                 v[3] = (-t2).mul_add(coupler_angle_rate, crank_vx + crank_vx);
                 v[4] = t1.mul_add(coupler_angle_rate, crank_vy + crank_vy);
                 v[5] = coupler_angle_rate;
                 let rocker_angle_rate =
-                    omega_crank * (lit(0.3) * (sin_theta_crank + cross_0_0) * reciprocal_0);
+                    crank_omega * (lit(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0);
                 v[6] = lit(0.5) * rocker_arm_y * rocker_angle_rate;
                 v[7] = lit(-0.5) * rocker_arm_x * rocker_angle_rate;
                 v[8] = rocker_angle_rate;
@@ -1624,13 +1612,29 @@ mod plm_four_bar_ {
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn look_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_1,
+                    last_cosine_1,
+                    last_sine_1,
+                    last_angle_2,
+                    last_cosine_2,
+                    last_sine_2,
+                    last_area_0,
+                    ..,
+                ] = *m;
+                let [crank_angle, ..] = *x;
                 let lit = S::lit;
-                let theta_crank = x[0];
-                memory[0] = theta_crank;
-                let (sin_theta_crank, cos_theta_crank) = theta_crank.sin_cos();
-                let last_area_0 = m[13];
-                let loop_0_x = lit(0.3).mul_add(cos_theta_crank, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_theta_crank;
+                memory[0] = crank_angle;
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
@@ -1639,24 +1643,21 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
-                let cross_0_0 = (-(cos_theta_crank - lit(0.3))).mul_add(way_0_y, sin_theta_crank * way_0_x);
+                let cross_0_0 = (-(cos_crank_angle - lit(0.3))).mul_add(way_0_y, sin_crank_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
-                let ratio_0_0 = lit(0.3) * (sin_theta_crank + cross_0_0) * reciprocal_0;
+                let ratio_0_0 = lit(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0;
                 memory[1] = lit(0.1)
                     / lit(1.0).max(ratio_0_1.abs().max(
                         (lit(0.63) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
                     ));
                 memory[2] = t;
                 memory[3] = lit(1e30);
-                memory[4] = theta_crank;
-                memory[5] = cos_theta_crank;
-                memory[6] = sin_theta_crank;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
+                memory[4] = crank_angle;
+                memory[5] = cos_crank_angle;
+                memory[6] = sin_crank_angle;
                 let rocker_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m[9];
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t1 = last_angle_1
@@ -1667,10 +1668,7 @@ mod plm_four_bar_ {
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 memory[8] = cos_t1;
                 memory[9] = sin_t1;
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
-                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -1689,28 +1687,28 @@ mod plm_four_bar_ {
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
             fn survey_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
                 let lit = S::lit;
-                let theta_crank = q[2];
-                memory[0] = theta_crank;
+                memory[0] = crank_angle;
                 memory[1] = lit(0.0);
                 memory[2] = t;
                 memory[3] = lit(0.0);
-                memory[4] = theta_crank;
-                let theta_rocker = q[8];
-                let theta_coupler = q[5];
+                memory[4] = crank_angle;
                 let (
-                    [sin_theta_crank, sin_theta_rocker, sin_theta_coupler],
-                    [cos_theta_crank, cos_theta_rocker, cos_theta_coupler],
-                ) = S::sin_cos_all([theta_crank, theta_rocker, theta_coupler]);
-                memory[5] = cos_theta_crank;
-                memory[6] = sin_theta_crank;
-                memory[7] = theta_rocker;
-                memory[8] = cos_theta_rocker;
-                memory[9] = sin_theta_rocker;
-                memory[10] = theta_coupler;
-                memory[11] = cos_theta_coupler;
-                memory[12] = sin_theta_coupler;
-                let t1 = (-sin_theta_coupler).mul_add(cos_theta_rocker, cos_theta_coupler * sin_theta_rocker);
+                    [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
+                    [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
+                ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
+                memory[5] = cos_crank_angle;
+                memory[6] = sin_crank_angle;
+                memory[7] = rocker_angle;
+                memory[8] = cos_rocker_angle;
+                memory[9] = sin_rocker_angle;
+                memory[10] = coupler_angle;
+                memory[11] = cos_coupler_angle;
+                memory[12] = sin_coupler_angle;
+                let t1 = (-sin_coupler_angle).mul_add(cos_rocker_angle, cos_coupler_angle * sin_rocker_angle);
                 memory[13] = lit(0.63) * t1;
                 t1 * t1
             }
@@ -1721,14 +1719,14 @@ mod plm_four_bar_ {
             /// 26 add, 51 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
             fn motion_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], dx: &mut [S; 2]) -> S {
+                let last_area_0 = m[13];
+                let [rocker_angle, rocker_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_rocker = x[0];
-                let (sin_theta_rocker, cos_theta_rocker) = theta_rocker.sin_cos();
-                let t1 = cos_theta_rocker + lit(0.7);
-                let last_area_0 = m[13];
-                let loop_0_x = lit(-0.7).mul_add(cos_theta_rocker, lit(-1.0));
-                let loop_0_y = lit(-0.7) * sin_theta_rocker;
+                let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                let t1 = cos_rocker_angle + lit(0.7);
+                let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
+                let loop_0_y = lit(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
@@ -1737,9 +1735,9 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
-                let cross_0_0 = (-t1).mul_add(way_0_y, sin_theta_rocker * way_0_x);
+                let cross_0_0 = (-t1).mul_add(way_0_y, sin_rocker_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_0 = lit(-0.7) * (sin_theta_rocker + cross_0_0) * reciprocal_0;
+                let ratio_0_0 = lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
                 let t2 = along_0 + lit(0.09);
                 let ratio_0_1 = lit(-0.7) * cross_0_0 * reciprocal_0;
                 let t3 = lit(0.45) * t2;
@@ -1748,21 +1746,20 @@ mod plm_four_bar_ {
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let still_0 = (-(lit(4.4145) * -(loop_0_x + crank_arm_x))).mul_add(
                     ratio_0_1,
-                    (-(lit(10.3005) * crank_arm_x)).mul_add(ratio_0_0, lit(-2.40345) * cos_theta_rocker),
+                    (-(lit(10.3005) * crank_arm_x)).mul_add(ratio_0_0, lit(-2.40345) * cos_rocker_angle),
                 );
-                let omega_rocker = x[1];
                 let t4 = ratio_0_1 * ratio_0_1;
-                let dot_0_0 = -sin_theta_rocker.mul_add(way_0_y, t1 * way_0_x);
+                let dot_0_0 = -sin_rocker_angle.mul_add(way_0_y, t1 * way_0_x);
                 let t5 = ratio_0_0 * ratio_0_0;
                 let t6 = momentum_0_0
                     * (reciprocal_0 * (-t2).mul_add(t5, lit(0.7).mul_add(dot_0_0 - t1, lit(0.81) * t4)));
                 let t7 = momentum_0_2
                     .mul_add(reciprocal_0 * t2.mul_add(t4, lit(-0.09).mul_add(t5, lit(0.7) * dot_0_0)), t6);
-                let t8 = omega_rocker
-                    * omega_rocker
+                let t8 = rocker_omega
+                    * rocker_omega
                     * (lit(0.45) * area_0 * ratio_0_0 * ratio_0_1).mul_add(ratio_0_0 - ratio_0_1, t7);
                 // Results
-                dx[0] = omega_rocker;
+                dx[0] = rocker_omega;
                 dx[1] = (still_0 - t8)
                     * (lit(1.0)
                         / (ratio_0_1.mul_add(momentum_0_2, ratio_0_0 * momentum_0_0)
@@ -1782,16 +1779,32 @@ mod plm_four_bar_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_0,
+                    last_cosine_0,
+                    last_sine_0,
+                    _,
+                    _,
+                    _,
+                    last_angle_2,
+                    last_cosine_2,
+                    last_sine_2,
+                    last_area_0,
+                    ..,
+                ] = *m;
+                let [rocker_angle, rocker_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_rocker = x[0];
-                let (sin_theta_rocker, cos_theta_rocker) = theta_rocker.sin_cos();
-                let loop_0_x = lit(-0.7).mul_add(cos_theta_rocker, lit(-1.0));
-                let loop_0_y = lit(-0.7) * sin_theta_rocker;
+                let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
+                let loop_0_y = lit(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -1802,10 +1815,7 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -1816,24 +1826,20 @@ mod plm_four_bar_ {
                 q[3] = lit(0.5).mul_add(crank_arm_x + coupler_arm_x, crank_x);
                 let coupler_arm_y = -(loop_0_y + crank_arm_y);
                 q[4] = lit(0.5).mul_add(crank_arm_y + coupler_arm_y, crank_y);
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
-                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t2 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
                 q[5] = t2;
-                q[6] = lit(0.35).mul_add(cos_theta_rocker, lit(1.0));
-                q[7] = lit(0.35) * sin_theta_rocker;
-                q[8] = theta_rocker;
-                let omega_rocker = x[1];
-                let cross_0_0 = (-(cos_theta_rocker + lit(0.7))).mul_add(way_0_y, sin_theta_rocker * way_0_x);
+                q[6] = lit(0.35).mul_add(cos_rocker_angle, lit(1.0));
+                q[7] = lit(0.35) * sin_rocker_angle;
+                q[8] = rocker_angle;
+                let cross_0_0 = (-(cos_rocker_angle + lit(0.7))).mul_add(way_0_y, sin_rocker_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let crank_angle_rate =
-                    omega_rocker * (lit(-0.7) * (sin_theta_rocker + cross_0_0) * reciprocal_0);
+                    rocker_omega * (lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0);
                 let t3 = crank_arm_y * crank_angle_rate;
                 let crank_vx = lit(-0.5) * t3;
                 v[0] = crank_vx;
@@ -1841,13 +1847,13 @@ mod plm_four_bar_ {
                 let crank_vy = lit(0.5) * t4;
                 v[1] = crank_vy;
                 v[2] = crank_angle_rate;
-                let coupler_angle_rate = omega_rocker * (lit(-0.7) * cross_0_0 * reciprocal_0);
+                let coupler_angle_rate = rocker_omega * (lit(-0.7) * cross_0_0 * reciprocal_0);
                 v[3] = lit(-0.5).mul_add(coupler_arm_y.mul_add(coupler_angle_rate, t3), crank_vx);
                 v[4] = lit(0.5).mul_add(coupler_arm_x.mul_add(coupler_angle_rate, t4), crank_vy);
                 v[5] = coupler_angle_rate;
-                v[6] = lit(-0.35) * omega_rocker * sin_theta_rocker;
-                v[7] = lit(0.35) * omega_rocker * cos_theta_rocker;
-                v[8] = omega_rocker;
+                v[6] = lit(-0.35) * rocker_omega * sin_rocker_angle;
+                v[7] = lit(0.35) * rocker_omega * cos_rocker_angle;
+                v[8] = rocker_omega;
                 lit(13.717421124828531) * square_0
             }
 
@@ -1861,13 +1867,29 @@ mod plm_four_bar_ {
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn look_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_0,
+                    last_cosine_0,
+                    last_sine_0,
+                    _,
+                    _,
+                    _,
+                    last_angle_2,
+                    last_cosine_2,
+                    last_sine_2,
+                    last_area_0,
+                    ..,
+                ] = *m;
+                let [rocker_angle, ..] = *x;
                 let lit = S::lit;
-                let theta_rocker = x[0];
-                memory[0] = theta_rocker;
-                let (sin_theta_rocker, cos_theta_rocker) = theta_rocker.sin_cos();
-                let last_area_0 = m[13];
-                let loop_0_x = lit(-0.7).mul_add(cos_theta_rocker, lit(-1.0));
-                let loop_0_y = lit(-0.7) * sin_theta_rocker;
+                memory[0] = rocker_angle;
+                let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
+                let loop_0_y = lit(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
@@ -1876,21 +1898,18 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
-                let cross_0_0 = (-(cos_theta_rocker + lit(0.7))).mul_add(way_0_y, sin_theta_rocker * way_0_x);
+                let cross_0_0 = (-(cos_rocker_angle + lit(0.7))).mul_add(way_0_y, sin_rocker_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(-0.7) * cross_0_0 * reciprocal_0;
-                let ratio_0_0 = lit(-0.7) * (sin_theta_rocker + cross_0_0) * reciprocal_0;
+                let ratio_0_0 = lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
                 memory[1] = lit(0.1)
                     / lit(1.0).max(ratio_0_1.abs().max(
                         (lit(0.27) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
                     ));
                 memory[2] = t;
                 memory[3] = lit(1e30);
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
@@ -1901,13 +1920,10 @@ mod plm_four_bar_ {
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 memory[5] = cos_t1;
                 memory[6] = sin_t1;
-                memory[7] = theta_rocker;
-                memory[8] = cos_theta_rocker;
-                memory[9] = sin_theta_rocker;
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
+                memory[7] = rocker_angle;
+                memory[8] = cos_rocker_angle;
+                memory[9] = sin_rocker_angle;
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + crank_arm_y);
-                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + crank_arm_x);
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -1926,28 +1942,28 @@ mod plm_four_bar_ {
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
             fn survey_1(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
                 let lit = S::lit;
-                let theta_rocker = q[8];
-                memory[0] = theta_rocker;
+                memory[0] = rocker_angle;
                 memory[1] = lit(0.0);
                 memory[2] = t;
                 memory[3] = lit(0.0);
-                let theta_crank = q[2];
-                memory[4] = theta_crank;
-                let theta_coupler = q[5];
+                memory[4] = crank_angle;
                 let (
-                    [sin_theta_crank, sin_theta_rocker, sin_theta_coupler],
-                    [cos_theta_crank, cos_theta_rocker, cos_theta_coupler],
-                ) = S::sin_cos_all([theta_crank, theta_rocker, theta_coupler]);
-                memory[5] = cos_theta_crank;
-                memory[6] = sin_theta_crank;
-                memory[7] = theta_rocker;
-                memory[8] = cos_theta_rocker;
-                memory[9] = sin_theta_rocker;
-                memory[10] = theta_coupler;
-                memory[11] = cos_theta_coupler;
-                memory[12] = sin_theta_coupler;
-                let t1 = (-cos_theta_crank).mul_add(sin_theta_coupler, sin_theta_crank * cos_theta_coupler);
+                    [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
+                    [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
+                ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
+                memory[5] = cos_crank_angle;
+                memory[6] = sin_crank_angle;
+                memory[7] = rocker_angle;
+                memory[8] = cos_rocker_angle;
+                memory[9] = sin_rocker_angle;
+                memory[10] = coupler_angle;
+                memory[11] = cos_coupler_angle;
+                memory[12] = sin_coupler_angle;
+                let t1 = (-cos_crank_angle).mul_add(sin_coupler_angle, sin_crank_angle * cos_coupler_angle);
                 memory[13] = lit(-0.27) * t1;
                 t1 * t1
             }
@@ -1958,26 +1974,26 @@ mod plm_four_bar_ {
             /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
             fn motion_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], dx: &mut [S; 2]) -> S {
+                let last_area_0 = m[13];
+                let [coupler_angle, coupler_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
-                let theta_coupler = x[0];
-                let (sin_theta_coupler, cos_theta_coupler) = theta_coupler.sin_cos();
-                let t1 = cos_theta_coupler - lit(0.9);
-                let loop_0_x = lit(0.9).mul_add(cos_theta_coupler, lit(-1.0));
-                let loop_0_y = lit(0.9) * sin_theta_coupler;
+                let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                let t1 = cos_coupler_angle - lit(0.9);
+                let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
+                let loop_0_y = lit(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
                 let way_0_y = area_0 * inverse_0;
-                let dot_0_0 = -sin_theta_coupler.mul_add(way_0_y, t1 * way_0_x);
-                let cross_0_0 = (-t1).mul_add(way_0_y, sin_theta_coupler * way_0_x);
+                let dot_0_0 = -sin_coupler_angle.mul_add(way_0_y, t1 * way_0_x);
+                let cross_0_0 = (-t1).mul_add(way_0_y, sin_coupler_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_0 = lit(0.9) * (sin_theta_coupler + cross_0_0) * reciprocal_0;
+                let ratio_0_0 = lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
                 let t2 = lit(0.405) * dot_0_0;
                 let momentum_0_0 = lit(0.09).mul_add(ratio_0_0, t2);
                 let ratio_0_1 = lit(0.9) * cross_0_0 * reciprocal_0;
@@ -1986,9 +2002,8 @@ mod plm_four_bar_ {
                 let still_0 = (-(lit(10.3005) * crank_arm_x)).mul_add(
                     ratio_0_0,
                     lit(-3.97305)
-                        .mul_add(cos_theta_coupler, lit(3.4335) * -(loop_0_x + crank_arm_x) * ratio_0_1),
+                        .mul_add(cos_coupler_angle, lit(3.4335) * -(loop_0_x + crank_arm_x) * ratio_0_1),
                 );
-                let omega_coupler = x[1];
                 let t3 = ratio_0_1 * ratio_0_1;
                 let t4 = along_0 + lit(0.09);
                 let t5 = ratio_0_0 * ratio_0_0;
@@ -1996,12 +2011,12 @@ mod plm_four_bar_ {
                     * (reciprocal_0 * (-t4).mul_add(t5, lit(-0.9).mul_add(dot_0_0 - t1, lit(0.49) * t3)));
                 let t7 = momentum_0_1
                     .mul_add(reciprocal_0 * lit(-0.09).mul_add(t5, lit(-0.9).mul_add(dot_0_0, t4 * t3)), t6);
-                let force_0 = (-(omega_coupler * omega_coupler)).mul_add(
+                let force_0 = (-(coupler_omega * coupler_omega)).mul_add(
                     (cross_0_0 * ratio_0_0).mul_add(lit(-0.405).mul_add(ratio_0_0, lit(0.405)), t7),
                     still_0,
                 );
                 // Results
-                dx[0] = omega_coupler;
+                dx[0] = coupler_omega;
                 let coupler_angle_acceleration = lit(1.0)
                     / ratio_0_1.mul_add(
                         momentum_0_1,
@@ -2024,16 +2039,32 @@ mod plm_four_bar_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_0,
+                    last_cosine_0,
+                    last_sine_0,
+                    last_angle_1,
+                    last_cosine_1,
+                    last_sine_1,
+                    _,
+                    _,
+                    _,
+                    last_area_0,
+                    ..,
+                ] = *m;
+                let [coupler_angle, coupler_omega, ..] = *x;
                 let lit = S::lit;
-                let theta_coupler = x[0];
-                let (sin_theta_coupler, cos_theta_coupler) = theta_coupler.sin_cos();
-                let loop_0_x = lit(0.9).mul_add(cos_theta_coupler, lit(-1.0));
-                let loop_0_y = lit(0.9) * sin_theta_coupler;
+                let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
+                let loop_0_y = lit(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -2044,49 +2075,42 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
                 q[2] = t1;
-                q[3] = lit(0.45).mul_add(cos_theta_coupler, crank_x) + crank_x;
-                q[4] = lit(0.45).mul_add(sin_theta_coupler, crank_y) + crank_y;
-                q[5] = theta_coupler;
+                q[3] = lit(0.45).mul_add(cos_coupler_angle, crank_x) + crank_x;
+                q[4] = lit(0.45).mul_add(sin_coupler_angle, crank_y) + crank_y;
+                q[5] = coupler_angle;
                 let rocker_arm_x = -(loop_0_x + crank_arm_x);
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 let rocker_arm_y = -(loop_0_y + crank_arm_y);
                 q[7] = lit(-0.5) * rocker_arm_y;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m[9];
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
                 q[8] = t2;
-                let omega_coupler = x[1];
                 let cross_0_0 =
-                    (-(cos_theta_coupler - lit(0.9))).mul_add(way_0_y, sin_theta_coupler * way_0_x);
+                    (-(cos_coupler_angle - lit(0.9))).mul_add(way_0_y, sin_coupler_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let crank_angle_rate =
-                    omega_coupler * (lit(0.9) * (sin_theta_coupler + cross_0_0) * reciprocal_0);
+                    coupler_omega * (lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0);
                 let crank_vx = lit(-0.5) * (crank_arm_y * crank_angle_rate);
                 v[0] = crank_vx;
                 let crank_vy = lit(0.5) * (crank_arm_x * crank_angle_rate);
                 v[1] = crank_vy;
                 v[2] = crank_angle_rate;
-                let t3 = lit(0.45) * omega_coupler;
-                v[3] = (-t3).mul_add(sin_theta_coupler, crank_vx) + crank_vx;
-                v[4] = t3.mul_add(cos_theta_coupler, crank_vy) + crank_vy;
-                v[5] = omega_coupler;
-                let rocker_angle_rate = omega_coupler * (lit(0.9) * cross_0_0 * reciprocal_0);
+                let t3 = lit(0.45) * coupler_omega;
+                v[3] = (-t3).mul_add(sin_coupler_angle, crank_vx) + crank_vx;
+                v[4] = t3.mul_add(cos_coupler_angle, crank_vy) + crank_vy;
+                v[5] = coupler_omega;
+                let rocker_angle_rate = coupler_omega * (lit(0.9) * cross_0_0 * reciprocal_0);
                 v[6] = lit(0.5) * rocker_arm_y * rocker_angle_rate;
                 v[7] = lit(-0.5) * rocker_arm_x * rocker_angle_rate;
                 v[8] = rocker_angle_rate;
@@ -2103,13 +2127,29 @@ mod plm_four_bar_ {
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn look_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_0,
+                    last_cosine_0,
+                    last_sine_0,
+                    last_angle_1,
+                    last_cosine_1,
+                    last_sine_1,
+                    _,
+                    _,
+                    _,
+                    last_area_0,
+                    ..,
+                ] = *m;
+                let [coupler_angle, ..] = *x;
                 let lit = S::lit;
-                let theta_coupler = x[0];
-                memory[0] = theta_coupler;
-                let (sin_theta_coupler, cos_theta_coupler) = theta_coupler.sin_cos();
-                let last_area_0 = m[13];
-                let loop_0_x = lit(0.9).mul_add(cos_theta_coupler, lit(-1.0));
-                let loop_0_y = lit(0.9) * sin_theta_coupler;
+                memory[0] = coupler_angle;
+                let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
+                let loop_0_y = lit(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
@@ -2119,21 +2159,18 @@ mod plm_four_bar_ {
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
                 let cross_0_0 =
-                    (-(cos_theta_coupler - lit(0.9))).mul_add(way_0_y, sin_theta_coupler * way_0_x);
+                    (-(cos_coupler_angle - lit(0.9))).mul_add(way_0_y, sin_coupler_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(0.9) * cross_0_0 * reciprocal_0;
-                let ratio_0_0 = lit(0.9) * (sin_theta_coupler + cross_0_0) * reciprocal_0;
+                let ratio_0_0 = lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
                 memory[1] = lit(0.1)
                     / lit(1.0).max(ratio_0_1.abs().max(
                         (lit(0.21) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
                     ));
                 memory[2] = t;
                 memory[3] = lit(1e30);
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
@@ -2144,10 +2181,7 @@ mod plm_four_bar_ {
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 memory[5] = cos_t1;
                 memory[6] = sin_t1;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
                 let rocker_sin = lit(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
-                let last_sine_1 = m[9];
                 let rocker_cos = lit(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
                 let t2 = last_angle_1
                     + (-last_sine_1)
@@ -2157,9 +2191,9 @@ mod plm_four_bar_ {
                 let (sin_t2, cos_t2) = t2.sin_cos();
                 memory[8] = cos_t2;
                 memory[9] = sin_t2;
-                memory[10] = theta_coupler;
-                memory[11] = cos_theta_coupler;
-                memory[12] = sin_theta_coupler;
+                memory[10] = coupler_angle;
+                memory[11] = cos_coupler_angle;
+                memory[12] = sin_coupler_angle;
                 memory[13] = area_0;
                 lit(22.675736961451246) * square_0
             }
@@ -2169,28 +2203,28 @@ mod plm_four_bar_ {
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
             fn survey_2(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+                let crank_angle = q[2];
+                let coupler_angle = q[5];
+                let rocker_angle = q[8];
                 let lit = S::lit;
-                let theta_coupler = q[5];
-                memory[0] = theta_coupler;
+                memory[0] = coupler_angle;
                 memory[1] = lit(0.0);
                 memory[2] = t;
                 memory[3] = lit(0.0);
-                let theta_crank = q[2];
-                memory[4] = theta_crank;
-                let theta_rocker = q[8];
+                memory[4] = crank_angle;
                 let (
-                    [sin_theta_crank, sin_theta_rocker, sin_theta_coupler],
-                    [cos_theta_crank, cos_theta_rocker, cos_theta_coupler],
-                ) = S::sin_cos_all([theta_crank, theta_rocker, theta_coupler]);
-                memory[5] = cos_theta_crank;
-                memory[6] = sin_theta_crank;
-                memory[7] = theta_rocker;
-                memory[8] = cos_theta_rocker;
-                memory[9] = sin_theta_rocker;
-                memory[10] = theta_coupler;
-                memory[11] = cos_theta_coupler;
-                memory[12] = sin_theta_coupler;
-                let t1 = (-cos_theta_crank).mul_add(sin_theta_rocker, sin_theta_crank * cos_theta_rocker);
+                    [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
+                    [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
+                ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
+                memory[5] = cos_crank_angle;
+                memory[6] = sin_crank_angle;
+                memory[7] = rocker_angle;
+                memory[8] = cos_rocker_angle;
+                memory[9] = sin_rocker_angle;
+                memory[10] = coupler_angle;
+                memory[11] = cos_coupler_angle;
+                memory[12] = sin_coupler_angle;
+                let t1 = (-cos_crank_angle).mul_add(sin_rocker_angle, sin_crank_angle * cos_rocker_angle);
                 memory[13] = lit(0.21) * t1;
                 t1 * t1
             }

@@ -1,9 +1,10 @@
 #[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-pub use plm_plate_on_three_pins_::plate_on_three_pins;
-#[doc(inline)]
 #[allow(unreachable_pub)]
 pub use plm_plate_on_three_pins_::plate_on_three_pins::PlateOnThreePins;
+
+#[doc(inline)]
+#[allow(unreachable_pub, unused_imports)]
+pub use plm_plate_on_three_pins_::plate_on_three_pins;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, unused, unreachable_pub)]
 mod plm_plate_on_three_pins_ {
     /// A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.
@@ -17,18 +18,18 @@ mod plm_plate_on_three_pins_ {
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
-    /// | 0 | `o[0].x` | `x_crank[0] - 0.1*cos(theta_crank[0]) = 0` | m |
-    /// | 1 | `o[0].y` | `y_crank[0] - 0.1*sin(theta_crank[0]) = 0` | m |
-    /// | 2 | `o[1].x` | `x_crank[1] - 0.1*cos(theta_crank[1]) - 1 = 0` | m |
-    /// | 3 | `o[1].y` | `y_crank[1] - 0.1*sin(theta_crank[1]) = 0` | m |
-    /// | 4 | `o[2].x` | `x_crank[2] - 0.1*cos(theta_crank[2]) - 0.5 = 0` | m |
-    /// | 5 | `o[2].y` | `y_crank[2] - 0.1*sin(theta_crank[2]) - 0.9 = 0` | m |
-    /// | 6 | `slot[0].normal` | `(0.573576436351046*cos(theta_plate) + 0.8191520442889918*sin(theta_plate))*(x_crank[0] + 0.1*cos(theta_crank[0]) - x_plate + 0.4*cos(theta_plate) - 0.3*sin(theta_plate)) - (0.8191520442889918*cos(theta_plate) - 0.573576436351046*sin(theta_plate))*(y_crank[0] + 0.1*sin(theta_crank[0]) - y_plate + 0.3*cos(theta_plate) + 0.4*sin(theta_plate)) = 0` | m |
-    /// | 7 | `slot[1].normal` | `(0.6427876096865393*cos(theta_plate) - 0.766044443118978*sin(theta_plate))*(x_crank[1] + 0.1*cos(theta_crank[1]) - x_plate - 0.4*cos(theta_plate) - 0.3*sin(theta_plate)) + (0.766044443118978*cos(theta_plate) + 0.6427876096865393*sin(theta_plate))*(y_crank[1] + 0.1*sin(theta_crank[1]) - y_plate + 0.3*cos(theta_plate) - 0.4*sin(theta_plate)) = 0` | m |
-    /// | 8 | `slot[2].normal` | `(0.984807753012208*cos(theta_plate) - 0.17364817766693033*sin(theta_plate))*(x_crank[2] + 0.1*cos(theta_crank[2]) - x_plate + 0.4*sin(theta_plate)) + (0.17364817766693033*cos(theta_plate) + 0.984807753012208*sin(theta_plate))*(y_crank[2] + 0.1*sin(theta_crank[2]) - y_plate - 0.4*cos(theta_plate)) = 0` | m |
-    /// | 9 | `first` | `theta_crank[0] - 0.4*sin(3*t) = 0` | rad |
-    /// | 10 | `second` | `theta_crank[1] - 0.3*cos(2*t) = 0` | rad |
-    /// | 11 | `third` | `theta_crank[2] - 0.2*sin(4*t) + 0.1 = 0` | rad |
+    /// | 0 | `o[0].x` | `crank[0].x - 0.1*cos(crank[0].angle) = 0` | m |
+    /// | 1 | `o[0].y` | `crank[0].y - 0.1*sin(crank[0].angle) = 0` | m |
+    /// | 2 | `o[1].x` | `crank[1].x - 0.1*cos(crank[1].angle) - 1 = 0` | m |
+    /// | 3 | `o[1].y` | `crank[1].y - 0.1*sin(crank[1].angle) = 0` | m |
+    /// | 4 | `o[2].x` | `crank[2].x - 0.1*cos(crank[2].angle) - 0.5 = 0` | m |
+    /// | 5 | `o[2].y` | `crank[2].y - 0.1*sin(crank[2].angle) - 0.9 = 0` | m |
+    /// | 6 | `slot[0].normal` | `(0.573576436351046*cos(plate.angle) + 0.8191520442889918*sin(plate.angle))*(crank[0].x + 0.1*cos(crank[0].angle) - plate.x + 0.4*cos(plate.angle) - 0.3*sin(plate.angle)) - (0.8191520442889918*cos(plate.angle) - 0.573576436351046*sin(plate.angle))*(crank[0].y + 0.1*sin(crank[0].angle) - plate.y + 0.3*cos(plate.angle) + 0.4*sin(plate.angle)) = 0` | m |
+    /// | 7 | `slot[1].normal` | `(0.6427876096865393*cos(plate.angle) - 0.766044443118978*sin(plate.angle))*(crank[1].x + 0.1*cos(crank[1].angle) - plate.x - 0.4*cos(plate.angle) - 0.3*sin(plate.angle)) + (0.766044443118978*cos(plate.angle) + 0.6427876096865393*sin(plate.angle))*(crank[1].y + 0.1*sin(crank[1].angle) - plate.y + 0.3*cos(plate.angle) - 0.4*sin(plate.angle)) = 0` | m |
+    /// | 8 | `slot[2].normal` | `(0.984807753012208*cos(plate.angle) - 0.17364817766693033*sin(plate.angle))*(crank[2].x + 0.1*cos(crank[2].angle) - plate.x + 0.4*sin(plate.angle)) + (0.17364817766693033*cos(plate.angle) + 0.984807753012208*sin(plate.angle))*(crank[2].y + 0.1*sin(crank[2].angle) - plate.y - 0.4*cos(plate.angle)) = 0` | m |
+    /// | 9 | `first` | `crank[0].angle - 0.4*sin(3*t) = 0` | rad |
+    /// | 10 | `second` | `crank[1].angle - 0.3*cos(2*t) = 0` | rad |
+    /// | 11 | `third` | `crank[2].angle - 0.2*sin(4*t) + 0.1 = 0` | rad |
     pub mod plate_on_three_pins {
         pub use super::code_::*;
         pub use super::type_::PlateOnThreePins;
@@ -45,6 +46,8 @@ mod plm_plate_on_three_pins_ {
 
     mod code_ {
         use super::type_::PlateOnThreePins;
+        use ::plm::runtime as rt;
+        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
 
         /// Start values, SI units.
@@ -59,6 +62,9 @@ mod plm_plate_on_three_pins_ {
             /// Origin of body `plate`.
             pub plate: BodyStart<S>,
         }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,56 +135,59 @@ mod plm_plate_on_three_pins_ {
 
             /// Output `slot[2].force`, N.
             ///
-            /// What the slot does to the body of `a` at the point of `b`, absolute axes; the body of `b` feels the opposite.
+            /// What the slot does to `plate` at the point of `crank[2].p`, absolute axes; `crank[2]` feels the opposite.
             pub fn slot_2_force(&self) -> [S; 2] {
-                let (a, lambda) = self.solved_();
                 let mut value = [S::lit(0.0); 2];
-                let (q, v) = self.pose_();
-                let lit = S::lit;
+                let (_, lambda) = self.solved_();
+                let (q, _) = self.pose_();
                 let lambda_slot_2_normal = lambda[8];
-                let theta_plate = q[11];
-                let (sin_theta_plate, cos_theta_plate) = theta_plate.sin_cos();
+                let plate_angle = q[11];
+                let lit = S::lit;
+                let (sin_plate_angle, cos_plate_angle) = plate_angle.sin_cos();
                 value[0] = lambda_slot_2_normal
                     * lit(-0.17364817766693033)
-                        .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate);
+                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
                 value[1] = lambda_slot_2_normal
                     * lit(0.984807753012208)
-                        .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate);
+                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
                 value
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (_, v) = self.pose_();
+                let [
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    crank_1_vx,
+                    crank_1_vy,
+                    crank_1_omega,
+                    crank_2_vx,
+                    crank_2_vy,
+                    crank_2_omega,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = v;
                 let lit = S::lit;
-                let vx_plate = v[9];
-                let vy_plate = v[10];
-                let vx_crank_0 = v[0];
-                let vy_crank_0 = v[1];
-                let vx_crank_1 = v[3];
-                let vy_crank_1 = v[4];
-                let vx_crank_2 = v[6];
-                let vy_crank_2 = v[7];
-                let omega_plate = v[11];
-                let t1 = vx_crank_2.mul_add(
-                    vx_crank_2,
-                    vy_crank_1.mul_add(
-                        vy_crank_1,
-                        vx_crank_1
-                            .mul_add(vx_crank_1, vy_crank_0.mul_add(vy_crank_0, vx_crank_0 * vx_crank_0)),
+                let t1 = crank_2_vx.mul_add(
+                    crank_2_vx,
+                    crank_1_vy.mul_add(
+                        crank_1_vy,
+                        crank_1_vx
+                            .mul_add(crank_1_vx, crank_0_vy.mul_add(crank_0_vy, crank_0_vx * crank_0_vx)),
                     ),
                 );
-                let omega_crank_0 = v[2];
-                let omega_crank_1 = v[5];
-                let omega_crank_2 = v[8];
                 let t2 = lit(0.15).mul_add(
-                    omega_plate.mul_add(omega_plate, vy_crank_2.mul_add(vy_crank_2, t1)),
-                    vy_plate.mul_add(vy_plate, vx_plate * vx_plate),
+                    plate_omega.mul_add(plate_omega, crank_2_vy.mul_add(crank_2_vy, t1)),
+                    plate_vy.mul_add(plate_vy, plate_vx * plate_vx),
                 );
                 lit(0.005).mul_add(
-                    omega_crank_2.mul_add(
-                        omega_crank_2,
-                        omega_crank_1.mul_add(omega_crank_1, omega_crank_0 * omega_crank_0),
+                    crank_2_omega.mul_add(
+                        crank_2_omega,
+                        crank_1_omega.mul_add(crank_1_omega, crank_0_omega * crank_0_omega),
                     ),
                     t2,
                 )
@@ -186,52 +195,70 @@ mod plm_plate_on_three_pins_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, v) = self.pose_();
+                let (q, _) = self.pose_();
+                let crank_0_y = q[1];
+                let crank_1_y = q[4];
+                let crank_2_y = q[7];
+                let plate_y = q[10];
                 let lit = S::lit;
-                let y_plate = q[10];
-                let y_crank_0 = q[1];
-                let y_crank_1 = q[4];
-                let y_crank_2 = q[7];
-                lit(2.943).mul_add(y_crank_0 + y_crank_1 + y_crank_2, lit(19.62) * y_plate)
+                lit(2.943).mul_add(crank_0_y + crank_1_y + crank_2_y, lit(19.62) * plate_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = q;
+                let [
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = v;
                 let lit = S::lit;
-                let omega_crank_0 = v[2];
-                let theta_plate = q[11];
-                let theta_crank_0 = q[2];
-                let ([sin_theta_plate, sin_theta_crank_0], [cos_theta_plate, cos_theta_crank_0]) =
-                    S::sin_cos_all([theta_plate, theta_crank_0]);
+                let ([sin_plate_angle, sin_crank_0_angle], [cos_plate_angle, cos_crank_0_angle]) =
+                    S::sin_cos_all([plate_angle, crank_0_angle]);
                 let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                let x_crank_0 = q[0];
-                let x_plate = q[9];
-                let t2 = lit(-0.3).mul_add(sin_theta_plate, lit(0.4) * cos_theta_plate);
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t2 = lit(-0.3).mul_add(sin_plate_angle, lit(0.4) * cos_plate_angle);
                 let t3 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                let y_crank_0 = q[1];
-                let y_plate = q[10];
-                let t4 = lit(0.4).mul_add(sin_theta_plate, lit(0.3) * cos_theta_plate);
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t4 = lit(0.4).mul_add(sin_plate_angle, lit(0.3) * cos_plate_angle);
                 let t5 = t3.mul_add(
-                    lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) - y_plate + t4,
-                    t1 * (lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) - x_plate + t2),
+                    lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t4,
+                    t1 * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t2),
                 );
-                let omega_plate = v[11];
-                let vx_crank_0 = v[0];
-                let vx_plate = v[9];
-                let vy_crank_0 = v[1];
-                let vy_plate = v[10];
                 let t6 = t5.mul_add(
-                    t3.mul_add(vy_crank_0 - vy_plate, t1 * (vx_crank_0 - vx_plate)),
-                    omega_plate * (t5 * (-t4).mul_add(t1, t2 * t3)),
+                    t3.mul_add(crank_0_vy - plate_vy, t1 * (crank_0_vx - plate_vx)),
+                    plate_omega * (t5 * (-t4).mul_add(t1, t2 * t3)),
                 );
                 let t7 = lit(-100.0).mul_add(
                     t6,
                     lit(-10.0)
-                        * omega_crank_0
-                        * (t5 * (-sin_theta_crank_0).mul_add(t1, cos_theta_crank_0 * t3)),
+                        * crank_0_omega
+                        * (t5 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t3)),
                 );
                 t7
             }
@@ -260,14 +287,12 @@ mod plm_plate_on_three_pins_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 0] {
                 let mut value = [S::lit(0.0); 0];
-                let (q, v) = self.pose_();
                 []
             }
 
             /// Names and units of the columns of [`State::outputs`].
             pub const OUTPUTS: [(&'static str, &'static str); 2] =
                 [("slot[2].force.x", "N"), ("slot[2].force.y", "N")];
-
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.slot_2_force()[0], self.slot_2_force()[1]]
@@ -360,16 +385,9 @@ mod plm_plate_on_three_pins_ {
         impl<S: Scalar> PlateOnThreePins<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Input<S> {
-                let lit = S::lit;
                 Input { none: core::marker::PhantomData }
             }
         }
-
-        use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
-
-        /// What assembly found.
-        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         impl<S: Real> rt::charts::Charted for PlateOnThreePins<S> {
             type Input = Input<S>;
@@ -381,65 +399,26 @@ mod plm_plate_on_three_pins_ {
             const BEFORE_FOLLOWED: usize = 15;
             const FOLLOWED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
             const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
-
             fn place(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
                 let measure = self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v);
                 (q, v, measure)
             }
+
             fn look(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 28], S) {
                 let mut memory = [S::lit(0.0); 28];
                 let measure = self.look_0(t, &held.input, &held.memory, x, &mut memory);
                 (memory, measure)
             }
+
             fn survey(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> ([S; 28], S) {
                 let mut memory = [S::lit(0.0); 28];
                 let measure = self.survey_0(t, q, v, &mut memory);
                 (memory, measure)
             }
+
             fn project(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
-            }
-        }
-
-        #[doc(hidden)] // As `Absolute`.
-        impl<S: Real> rt::singular::Fine<12, 12, 24> for PlateOnThreePins<S> {
-            type Twofold = PlateOnThreePins<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
-
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
-                use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
-            }
-            #[cold]
-            fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
-                u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 24],
-                dx: &mut [rt::Twofold<S>; 24],
-            ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 12];
-                fine.dynamics(t, u, x, dx, &mut lambda);
-            }
-            const CHARTED: bool = true;
-            #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
-            }
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 24] {
-                rt::charts::full(self, t, held, x)
-            }
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 24]) {
-                rt::charts::hold::<Self, 24>(held, x, full);
-            }
-            fn flat_part(&self, t: S, full: &[S; 24]) -> &'static str {
-                let (q, v): ([S; 12], [S; 12]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
             }
         }
 
@@ -448,7 +427,6 @@ mod plm_plate_on_three_pins_ {
             type X = [S; 0];
             type U = rt::charts::Held<Input<S>, [S; 28]>;
             const NQ: usize = 0;
-
             #[inline]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::Health(self.motion_0(t, &u.input, &u.memory, x, dx))
@@ -462,7 +440,6 @@ mod plm_plate_on_three_pins_ {
             type G = [S; 0];
             const NQ: usize = 0;
             const SHORT: bool = false;
-
             #[inline]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
@@ -507,6 +484,53 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
+        #[doc(hidden)]
+        impl<S: Real> rt::singular::Fine<12, 12, 24> for PlateOnThreePins<S> {
+            type Twofold = PlateOnThreePins<rt::Twofold<S>>;
+            type Inputs = Input<rt::Twofold<S>>;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+            }
+
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; 24],
+                dx: &mut [rt::Twofold<S>; 24],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); 12];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+
+            const CHARTED: bool = true;
+            #[inline]
+            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+                rt::charts::is_sharp(self, t, held, before, x)
+            }
+
+            fn is_near(held: &Self::U) -> bool {
+                rt::charts::is_free::<Self>(held)
+            }
+
+            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 24] {
+                rt::charts::full(self, t, held, x)
+            }
+
+            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 24]) {
+                rt::charts::hold::<Self, 24>(held, x, full);
+            }
+
+            fn flat_part(&self, t: S, full: &[S; 24]) -> &'static str {
+                let (q, v): ([S; 12], [S; 12]) = absolute::split(full);
+                rt::charts::flat_part(self, t, &q, &v)
+            }
+        }
+
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
             #[inline]
@@ -521,9 +545,6 @@ mod plm_plate_on_three_pins_ {
                 let (q, v) = self.pose_();
                 let mut x = [S::lit(0.0); 24];
                 absolute::join(&q, &v, &mut x);
-                for k in 0..0 {
-                    x[24 + k] = self.x[0 + k];
-                }
                 x
             }
         }
@@ -539,18 +560,23 @@ mod plm_plate_on_three_pins_ {
             ) -> Self {
                 State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
             }
+
             fn mechanism(&self) -> &PlateOnThreePins<S> {
                 &self.mechanism
             }
+
             fn held(&self) -> rt::charts::Held<Input<S>, [S; 28]> {
                 rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
             }
+
             fn time(&self) -> S {
                 self.time
             }
+
             fn x(&self) -> &[S; 0] {
                 &self.x
             }
+
             fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 28]>, x: &[S; 0]) {
                 let held = *held;
                 self.time = time;
@@ -565,7 +591,6 @@ mod plm_plate_on_three_pins_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 12, 12, 24>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-
             fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 28]>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
@@ -598,7 +623,107 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        #[doc(hidden)] // rustdoc shows a constant argument by its source, which is the whole declaration.
+        impl<S: Scalar> PlateOnThreePins<S> {
+            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            ///
+            /// 40 add, 37 mul, 6 neg, 4 sin_cos.
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
+                let (
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                let t1 = lit(0.1) * sin_crank_0_angle;
+                phi_q[1] = t1;
+                phi_q[2] = lit(1.0);
+                let t2 = lit(-0.1) * cos_crank_0_angle;
+                phi_q[3] = t2;
+                phi_q[4] = lit(1.0);
+                let t3 = lit(0.1) * sin_crank_1_angle;
+                phi_q[5] = t3;
+                phi_q[6] = lit(1.0);
+                let t4 = lit(-0.1) * cos_crank_1_angle;
+                phi_q[7] = t4;
+                phi_q[8] = lit(1.0);
+                let t5 = lit(0.1) * sin_crank_2_angle;
+                phi_q[9] = t5;
+                phi_q[10] = lit(1.0);
+                let t6 = lit(-0.1) * cos_crank_2_angle;
+                phi_q[11] = t6;
+                let t7 = lit(0.8191520442889918)
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                phi_q[12] = t7;
+                let t8 = lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                phi_q[13] = -t8;
+                phi_q[14] = lit(-0.1) * cos_crank_0_angle.mul_add(t8, sin_crank_0_angle * t7);
+                phi_q[15] = -t7;
+                phi_q[16] = t8;
+                let t9 = lit(0.4) * cos_plate_angle;
+                let t10 = lit(0.3) * sin_plate_angle;
+                let t11 = t9 - t10;
+                let t12 = lit(0.3) * cos_plate_angle;
+                let t13 = lit(0.4) * sin_plate_angle;
+                let t14 = t12 + t13;
+                let t15 = t7.mul_add(
+                    crank_0_y + t1 - plate_y + t14 - t14,
+                    t8 * (crank_0_x - t2 - plate_x + t11 - t11),
+                );
+                phi_q[17] = t15;
+                let t16 = lit(-0.766044443118978)
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                phi_q[18] = t16;
+                let t17 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                phi_q[19] = t17;
+                phi_q[20] = lit(-0.1) * (-cos_crank_1_angle).mul_add(t17, sin_crank_1_angle * t16);
+                phi_q[21] = -t16;
+                phi_q[22] = -t17;
+                let t18 = t9 + t10;
+                let t19 = t12 - t13;
+                let t20 = (-t17).mul_add(
+                    t18 + (crank_1_x - t4 - plate_x - t18),
+                    t16 * (crank_1_y + t3 - plate_y + t19 - t19),
+                );
+                phi_q[23] = t20;
+                let t21 = lit(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                phi_q[24] = t21;
+                let t22 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                phi_q[25] = t22;
+                phi_q[26] = lit(-0.1) * (-cos_crank_2_angle).mul_add(t22, sin_crank_2_angle * t21);
+                phi_q[27] = -t21;
+                phi_q[28] = -t22;
+                let t23 = (-t22).mul_add(
+                    crank_2_x - t6 - plate_x + t13 - t13,
+                    t21 * (t9 + (crank_2_y + t5 - plate_y - t9)),
+                );
+                phi_q[29] = t23;
+                phi_q[30] = lit(1.0);
+                phi_q[31] = lit(1.0);
+                phi_q[32] = lit(1.0);
+            }
+        }
+
+        #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for PlateOnThreePins<S> {
             const ROWS: [&'static str; 12] = [
                 "o[0].x",
@@ -634,17 +759,181 @@ mod plm_plate_on_three_pins_ {
             ];
             const ANGULAR: [bool; 12] =
                 [false, false, false, false, false, false, false, false, false, true, true, true];
-
+            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
+            ///
+            /// 42 add, 34 mul, 7 sin_cos.
             fn phi(&self, t: S, q: &[S; 12]) -> [S; 12] {
                 let mut phi = [S::lit(0.0); 12];
-                self.residual(t, q, &mut phi);
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let lit = S::lit;
+                let (
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                let t1 = lit(0.1) * cos_crank_0_angle;
+                phi[0] = crank_0_x - t1;
+                let t2 = lit(0.1) * sin_crank_0_angle;
+                phi[1] = crank_0_y - t2;
+                let t3 = lit(0.1) * cos_crank_1_angle;
+                phi[2] = crank_1_x - t3 - lit(1.0);
+                let t4 = lit(0.1) * sin_crank_1_angle;
+                phi[3] = crank_1_y - t4;
+                let t5 = lit(0.1) * cos_crank_2_angle;
+                phi[4] = crank_2_x - t5 - lit(0.5);
+                let t6 = lit(0.1) * sin_crank_2_angle;
+                phi[5] = crank_2_y - t6 - lit(0.9);
+                let t7 = lit(0.3).mul_add(sin_plate_angle, plate_x);
+                let t8 = lit(0.4) * cos_plate_angle;
+                let t9 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t10 = lit(0.4) * sin_plate_angle;
+                let t11 = (-lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
+                .mul_add(
+                    crank_0_y + t2 + t10 - t9,
+                    lit(0.8191520442889918)
+                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
+                        * (crank_0_x + t1 + t8 - t7),
+                );
+                phi[6] = t11;
+                let t12 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                    .mul_add(
+                        crank_1_y + t4 - t10 - t9,
+                        lit(-0.766044443118978)
+                            .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
+                            * (crank_1_x + t3 - t8 - t7),
+                    );
+                phi[7] = t12;
+                let t13 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
+                    .mul_add(
+                        crank_2_y + t6 - plate_y - t8,
+                        lit(-0.17364817766693033)
+                            .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                            * (crank_2_x + t5 - plate_x + t10),
+                    );
+                phi[8] = t13;
+                phi[9] = lit(-0.4).mul_add((lit(3.0) * t).sin(), crank_0_angle);
+                phi[10] = lit(-0.3).mul_add((lit(2.0) * t).cos(), crank_1_angle);
+                phi[11] = lit(-0.2).mul_add((lit(4.0) * t).sin(), crank_2_angle) + lit(0.1);
                 phi
             }
+
+            /// Their rates, `phi_q v - nu`, m/s or rad/s.
+            ///
+            /// 70 add, 70 mul, 7 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 12], v: &[S; 12]) -> [S; 12] {
                 let mut phi_dot = [S::lit(0.0); 12];
-                self.residual_rate(t, q, v, &mut phi_dot);
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let [
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    crank_1_vx,
+                    crank_1_vy,
+                    crank_1_omega,
+                    crank_2_vx,
+                    crank_2_vy,
+                    crank_2_omega,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = *v;
+                let lit = S::lit;
+                let (
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                let t1 = lit(0.1) * (crank_0_omega * sin_crank_0_angle);
+                phi_dot[0] = crank_0_vx + t1;
+                let t2 = lit(0.1) * (crank_0_omega * cos_crank_0_angle);
+                phi_dot[1] = crank_0_vy - t2;
+                let t3 = lit(0.1) * (crank_1_omega * sin_crank_1_angle);
+                phi_dot[2] = crank_1_vx + t3;
+                let t4 = lit(0.1) * (crank_1_omega * cos_crank_1_angle);
+                phi_dot[3] = crank_1_vy - t4;
+                let t5 = lit(0.1) * (crank_2_omega * sin_crank_2_angle);
+                phi_dot[4] = crank_2_vx + t5;
+                let t6 = lit(0.1) * (crank_2_omega * cos_crank_2_angle);
+                phi_dot[5] = crank_2_vy - t6;
+                let t7 = plate_omega * sin_plate_angle;
+                let t8 = plate_omega * cos_plate_angle;
+                let t9 = lit(0.3).mul_add(sin_plate_angle, plate_x);
+                let t10 = lit(0.4) * cos_plate_angle;
+                let t11 = lit(-0.8191520442889918).mul_add(t8, lit(0.573576436351046) * t7)
+                    * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t10 - t9);
+                let t12 = lit(0.3).mul_add(t8, plate_vx);
+                let t13 = lit(0.4) * t7;
+                let t14 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t15 = lit(0.4) * sin_plate_angle;
+                let t16 = lit(0.573576436351046).mul_add(t8, lit(0.8191520442889918) * t7)
+                    * (lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t15 - t14);
+                let t17 = lit(0.3).mul_add(t7, plate_vy);
+                let t18 = lit(0.4) * t8;
+                let t19 = lit(0.8191520442889918)
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
+                    .mul_add(crank_0_vx - t1 - t13 - t12, -t11);
+                let t20 = (-lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
+                .mul_add(crank_0_vy + t2 + t18 - t17, t19 + t16);
+                phi_dot[6] = t20;
+                let t21 = lit(0.766044443118978).mul_add(t8, lit(0.6427876096865393) * t7)
+                    * (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t10 - t9);
+                let t22 = lit(-0.6427876096865393).mul_add(t8, lit(0.766044443118978) * t7)
+                    * (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t15 - t14);
+                let t23 = lit(-0.766044443118978)
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
+                    .mul_add(crank_1_vx + t13 - t3 - t12, -t21);
+                let t24 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                    .mul_add(crank_1_vy - t18 + t4 - t17, t23 - t22);
+                phi_dot[7] = t24;
+                let t25 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t15)
+                    * lit(0.17364817766693033).mul_add(t8, lit(0.984807753012208) * t7);
+                let t26 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t10)
+                    * lit(-0.984807753012208).mul_add(t8, lit(0.17364817766693033) * t7);
+                let t27 = lit(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                    .mul_add(crank_2_vx - plate_vx + t18 - t5, -t25);
+                let t28 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
+                    .mul_add(crank_2_vy - plate_vy + t13 + t6, t27 - t26);
+                phi_dot[8] = t28;
+                phi_dot[9] = lit(-1.2).mul_add((lit(3.0) * t).cos(), crank_0_omega);
+                phi_dot[10] = lit(0.6).mul_add((lit(2.0) * t).sin(), crank_1_omega);
+                phi_dot[11] = lit(-0.8).mul_add((lit(4.0) * t).cos(), crank_2_omega);
                 phi_dot
             }
+
             fn phi_q(&self, t: S, q: &[S; 12], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[
                     [0, 0],
@@ -687,6 +976,11 @@ mod plm_plate_on_three_pins_ {
                     each(row as usize, column as usize, entry);
                 }
             }
+
+            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+            /// Returns the smallest pivot ratio of the factorisation.
+            ///
+            /// 170 add, 260 mul, 13 div, 9 neg, 4 sin_cos, 44 select.
             fn min_norm(
                 &self,
                 t: S,
@@ -695,16 +989,295 @@ mod plm_plate_on_three_pins_ {
                 r: &[S; 12],
                 dq: &mut [S; 12],
             ) -> rt::Health<S> {
-                rt::Health(self.closing_step(t, q, w, r, dq))
+                rt::Health({
+                    let [
+                        crank_0_x,
+                        crank_0_y,
+                        crank_0_angle,
+                        crank_1_x,
+                        crank_1_y,
+                        crank_1_angle,
+                        crank_2_x,
+                        crank_2_y,
+                        crank_2_angle,
+                        plate_x,
+                        plate_y,
+                        plate_angle,
+                        ..,
+                    ] = *q;
+                    let [
+                        residual_0,
+                        residual_1,
+                        residual_2,
+                        residual_3,
+                        residual_4,
+                        residual_5,
+                        residual_6,
+                        residual_7,
+                        residual_8,
+                        residual_9,
+                        residual_10,
+                        residual_11,
+                        ..,
+                    ] = *r;
+                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, ..] = *w;
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let (
+                        [sin_crank_0_angle, sin_plate_angle, sin_crank_1_angle, sin_crank_2_angle],
+                        [cos_crank_0_angle, cos_plate_angle, cos_crank_1_angle, cos_crank_2_angle],
+                    ) = S::sin_cos_all([crank_0_angle, plate_angle, crank_1_angle, crank_2_angle]);
+                    let t1 = lit(0.1) * sin_crank_0_angle;
+                    let y_0_2 = t1 * w_2;
+                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
+                    let y_1_2 = lit(-0.1) * (cos_crank_0_angle * w_2);
+                    let g_1_0 = t1 * y_1_2;
+                    let l_1_0 = r_0 * g_1_0;
+                    let t2 = lit(0.8191520442889918)
+                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                    let y_6_0 = t2 * w_0;
+                    let t3 = lit(-0.573576436351046)
+                        .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                    let t4 = cos_crank_0_angle.mul_add(t3, sin_crank_0_angle * t2);
+                    let y_6_2 = lit(-0.1) * (t4 * w_2);
+                    let g_6_0 = t1.mul_add(y_6_2, y_6_0);
+                    let l_6_0 = r_0 * g_6_0;
+                    let l_9_0 = y_0_2 * r_0;
+                    let t5 = lit(0.1) * cos_crank_0_angle;
+                    let t6 = (-t5).mul_add(y_1_2, w_1);
+                    let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t6);
+                    let growth_1 = (t6 * r_1).abs();
+                    let most_growth = lit(S::MOST_GROWTH);
+                    let t7 = most_growth.lt(growth_1);
+                    let kept_1 = S::select(t7, lit(0.0), r_1);
+                    let y_6_1 = -(t3 * w_1);
+                    let g_6_1 = (-g_1_0).mul_add(l_6_0, (-t5).mul_add(y_6_2, y_6_1));
+                    let l_6_1 = g_6_1 * kept_1;
+                    let g_9_1 = (-g_1_0).mul_add(l_9_0, y_1_2);
+                    let l_9_1 = g_9_1 * kept_1;
+                    let r_9 = lit(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, w_2));
+                    let growth_9 = (w_2 * r_9).abs();
+                    let t8 = most_growth.lt(growth_9);
+                    let kept_9 = S::select(t8, lit(0.0), r_9);
+                    let g_6_9 = (-g_6_1).mul_add(l_9_1, (-g_6_0).mul_add(l_9_0, y_6_2));
+                    let l_6_9 = kept_9 * g_6_9;
+                    let y_6_9 = -(t2 * w_9);
+                    let y_6_10 = t3 * w_10;
+                    let t9 = lit(0.4) * cos_plate_angle;
+                    let t10 = lit(0.3) * sin_plate_angle;
+                    let t11 = t9 - t10;
+                    let t12 = lit(0.3) * cos_plate_angle;
+                    let t13 = lit(0.4) * sin_plate_angle;
+                    let t14 = t12 + t13;
+                    let t15 = t2.mul_add(
+                        crank_0_y + t1 - plate_y + t14 - t14,
+                        t3 * (crank_0_x + t5 - plate_x + t11 - t11),
+                    );
+                    let y_6_11 = w_11 * t15;
+                    let t16 = (-t2)
+                        .mul_add(y_6_9, (-(lit(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
+                    let t17 = t15.mul_add(y_6_11, t3.mul_add(y_6_10, t16));
+                    let r_6 = lit(1.0)
+                        / (-g_6_9).mul_add(l_6_9, (-g_6_1).mul_add(l_6_1, (-g_6_0).mul_add(l_6_0, t17)));
+                    let growth_6 = (t17 * r_6).abs();
+                    let t18 = most_growth.lt(growth_6);
+                    let kept_6 = S::select(t18, lit(0.0), r_6);
+                    let t19 = lit(-0.766044443118978)
+                        .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                    let y_7_9 = -(t19 * w_9);
+                    let t20 = lit(0.6427876096865393)
+                        .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                    let y_7_10 = -(t20 * w_10);
+                    let t21 = t9 + t10;
+                    let t22 = lit(0.1) * cos_crank_1_angle;
+                    let t23 = t12 - t13;
+                    let t24 = lit(0.1) * sin_crank_1_angle;
+                    let t25 = (-t19).mul_add(
+                        crank_1_y + t24 - plate_y + t23 - t23,
+                        t20 * (t21 + (crank_1_x + t22 - plate_x - t21)),
+                    );
+                    let y_7_11 = -(w_11 * t25);
+                    let g_7_6 = t15.mul_add(y_7_11, (-t2).mul_add(y_7_9, t3 * y_7_10));
+                    let l_7_6 = kept_6 * g_7_6;
+                    let t26 = lit(-0.17364817766693033)
+                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                    let y_8_9 = -(t26 * w_9);
+                    let t27 = lit(0.984807753012208)
+                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                    let y_8_10 = -(t27 * w_10);
+                    let t28 = lit(0.1) * cos_crank_2_angle;
+                    let t29 = lit(0.1) * sin_crank_2_angle;
+                    let t30 = (-t26).mul_add(
+                        t9 + (crank_2_y + t29 - plate_y - t9),
+                        t27 * (crank_2_x + t28 - plate_x + t13 - t13),
+                    );
+                    let y_8_11 = -(w_11 * t30);
+                    let g_8_6 = t15.mul_add(y_8_11, (-t2).mul_add(y_8_9, t3 * y_8_10));
+                    let l_8_6 = kept_6 * g_8_6;
+                    let y_2_5 = t24 * w_5;
+                    let r_2 = lit(1.0) / t24.mul_add(y_2_5, w_3);
+                    let y_3_5 = lit(-0.1) * (cos_crank_1_angle * w_5);
+                    let g_3_2 = t24 * y_3_5;
+                    let l_3_2 = r_2 * g_3_2;
+                    let y_7_3 = t19 * w_3;
+                    let t31 = (-cos_crank_1_angle).mul_add(t20, sin_crank_1_angle * t19);
+                    let y_7_5 = lit(-0.1) * (t31 * w_5);
+                    let g_7_2 = t24.mul_add(y_7_5, y_7_3);
+                    let l_7_2 = r_2 * g_7_2;
+                    let l_10_2 = y_2_5 * r_2;
+                    let t32 = (-t22).mul_add(y_3_5, w_4);
+                    let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, t32);
+                    let growth_3 = (t32 * r_3).abs();
+                    let t33 = most_growth.lt(growth_3);
+                    let kept_3 = S::select(t33, lit(0.0), r_3);
+                    let y_7_4 = t20 * w_4;
+                    let g_7_3 = (-g_3_2).mul_add(l_7_2, (-t22).mul_add(y_7_5, y_7_4));
+                    let l_7_3 = g_7_3 * kept_3;
+                    let g_10_3 = (-g_3_2).mul_add(l_10_2, y_3_5);
+                    let l_10_3 = g_10_3 * kept_3;
+                    let r_10 = lit(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, w_5));
+                    let growth_10 = (w_5 * r_10).abs();
+                    let t34 = most_growth.lt(growth_10);
+                    let kept_10 = S::select(t34, lit(0.0), r_10);
+                    let g_7_10 = (-g_7_3).mul_add(l_10_3, (-g_7_2).mul_add(l_10_2, y_7_5));
+                    let l_7_10 = kept_10 * g_7_10;
+                    let t35 = (-t19)
+                        .mul_add(y_7_9, (-(lit(0.1) * t31)).mul_add(y_7_5, t20.mul_add(y_7_4, t19 * y_7_3)));
+                    let t36 = (-t25).mul_add(y_7_11, (-t20).mul_add(y_7_10, t35));
+                    let d_7 = (-g_7_10).mul_add(
+                        l_7_10,
+                        (-g_7_3).mul_add(l_7_3, (-g_7_6).mul_add(l_7_6, (-g_7_2).mul_add(l_7_2, t36))),
+                    );
+                    let r_7 = lit(1.0) / d_7;
+                    let growth_7 = (t36 * r_7).abs();
+                    let t37 = most_growth.lt(growth_7);
+                    let kept_7 = S::select(t37, lit(0.0), r_7);
+                    let g_8_7 = -g_7_6.mul_add(l_8_6, t25.mul_add(y_8_11, t20.mul_add(y_8_10, t19 * y_8_9)));
+                    let l_8_7 = kept_7 * g_8_7;
+                    let y_4_8 = t29 * w_8;
+                    let r_4 = lit(1.0) / t29.mul_add(y_4_8, w_6);
+                    let y_5_8 = lit(-0.1) * (cos_crank_2_angle * w_8);
+                    let g_5_4 = t29 * y_5_8;
+                    let l_5_4 = r_4 * g_5_4;
+                    let y_8_6 = t26 * w_6;
+                    let t38 = (-cos_crank_2_angle).mul_add(t27, sin_crank_2_angle * t26);
+                    let y_8_8 = lit(-0.1) * (t38 * w_8);
+                    let g_8_4 = t29.mul_add(y_8_8, y_8_6);
+                    let l_8_4 = r_4 * g_8_4;
+                    let l_11_4 = y_4_8 * r_4;
+                    let t39 = (-t28).mul_add(y_5_8, w_7);
+                    let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, t39);
+                    let growth_5 = (t39 * r_5).abs();
+                    let t40 = most_growth.lt(growth_5);
+                    let kept_5 = S::select(t40, lit(0.0), r_5);
+                    let y_8_7 = t27 * w_7;
+                    let g_8_5 = (-g_5_4).mul_add(l_8_4, (-t28).mul_add(y_8_8, y_8_7));
+                    let l_8_5 = g_8_5 * kept_5;
+                    let g_11_5 = (-g_5_4).mul_add(l_11_4, y_5_8);
+                    let l_11_5 = g_11_5 * kept_5;
+                    let t41 = (-t26)
+                        .mul_add(y_8_9, (-(lit(0.1) * t38)).mul_add(y_8_8, t27.mul_add(y_8_7, t26 * y_8_6)));
+                    let t42 = (-t30).mul_add(y_8_11, (-t27).mul_add(y_8_10, t41));
+                    let d_8 = (-g_8_5).mul_add(
+                        l_8_5,
+                        (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t42))),
+                    );
+                    let r_8 = lit(1.0) / d_8;
+                    let growth_8 = (t42 * r_8).abs();
+                    let t43 = most_growth.lt(growth_8);
+                    let kept_8 = S::select(t43, lit(0.0), r_8);
+                    let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
+                    let l_11_8 = kept_8 * g_11_8;
+                    let r_11 = lit(1.0)
+                        / (-g_11_8).mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, w_8)));
+                    let growth_11 = (w_8 * r_11).abs();
+                    let t44 = most_growth.lt(growth_11);
+                    // (phi_q W phi_q^T) mu = r
+                    let b_1 = (-residual_0).mul_add(l_1_0, residual_1);
+                    let b_9 = (-b_1).mul_add(l_9_1, (-residual_0).mul_add(l_9_0, residual_9));
+                    let b_6 = (-l_6_9)
+                        .mul_add(b_9, (-b_1).mul_add(l_6_1, (-residual_0).mul_add(l_6_0, residual_6)));
+                    let b_3 = (-residual_2).mul_add(l_3_2, residual_3);
+                    let b_10 = (-b_3).mul_add(l_10_3, (-residual_2).mul_add(l_10_2, residual_10));
+                    let b_7 = (-l_7_10).mul_add(
+                        b_10,
+                        (-b_3)
+                            .mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-residual_2).mul_add(l_7_2, residual_7))),
+                    );
+                    let b_5 = (-residual_4).mul_add(l_5_4, residual_5);
+                    let b_8 = (-b_5).mul_add(
+                        l_8_5,
+                        (-l_8_7)
+                            .mul_add(b_7, (-l_8_6).mul_add(b_6, (-residual_4).mul_add(l_8_4, residual_8))),
+                    );
+                    let mu_11 = S::select(t44, lit(0.0), r_11)
+                        * (-l_11_8)
+                            .mul_add(b_8, (-b_5).mul_add(l_11_5, (-residual_4).mul_add(l_11_4, residual_11)));
+                    let mu_8 = (-l_11_8).mul_add(mu_11, kept_8 * b_8);
+                    let mu_5 = (-l_11_5).mul_add(mu_11, (-l_8_5).mul_add(mu_8, b_5 * kept_5));
+                    let mu_4 = (-l_11_4)
+                        .mul_add(mu_11, (-l_8_4).mul_add(mu_8, (-l_5_4).mul_add(mu_5, residual_4 * r_4)));
+                    let mu_7 = (-l_8_7).mul_add(mu_8, kept_7 * b_7);
+                    let mu_10 = (-l_7_10).mul_add(mu_7, kept_10 * b_10);
+                    let mu_3 = (-l_10_3).mul_add(mu_10, (-l_7_3).mul_add(mu_7, b_3 * kept_3));
+                    let mu_2 = (-l_10_2)
+                        .mul_add(mu_10, (-l_7_2).mul_add(mu_7, (-l_3_2).mul_add(mu_3, residual_2 * r_2)));
+                    let mu_6 = (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6));
+                    let mu_9 = (-l_6_9).mul_add(mu_6, kept_9 * b_9);
+                    let mu_1 = (-l_9_1).mul_add(mu_9, (-l_6_1).mul_add(mu_6, b_1 * kept_1));
+                    let mu_0 = (-l_9_0)
+                        .mul_add(mu_9, (-l_6_0).mul_add(mu_6, (-l_1_0).mul_add(mu_1, residual_0 * r_0)));
+                    // Results
+                    dq[0] = y_6_0.mul_add(mu_6, w_0 * mu_0);
+                    dq[1] = y_6_1.mul_add(mu_6, w_1 * mu_1);
+                    dq[2] = w_2.mul_add(mu_9, y_6_2.mul_add(mu_6, y_1_2.mul_add(mu_1, y_0_2 * mu_0)));
+                    dq[3] = y_7_3.mul_add(mu_7, w_3 * mu_2);
+                    dq[4] = y_7_4.mul_add(mu_7, w_4 * mu_3);
+                    dq[5] = w_5.mul_add(mu_10, y_7_5.mul_add(mu_7, y_3_5.mul_add(mu_3, y_2_5 * mu_2)));
+                    dq[6] = y_8_6.mul_add(mu_8, w_6 * mu_4);
+                    dq[7] = y_8_7.mul_add(mu_8, w_7 * mu_5);
+                    dq[8] = w_8.mul_add(mu_11, y_8_8.mul_add(mu_8, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
+                    dq[9] = y_8_9.mul_add(mu_8, y_7_9.mul_add(mu_7, y_6_9 * mu_6));
+                    dq[10] = y_8_10.mul_add(mu_8, y_7_10.mul_add(mu_7, y_6_10 * mu_6));
+                    dq[11] = y_8_11.mul_add(mu_8, y_7_11.mul_add(mu_7, y_6_11 * mu_6));
+                    let t45 = S::select(t7, lit(0.0), growth_1)
+                        .max(S::select(t8, lit(0.0), growth_9))
+                        .max(S::select(t18, lit(0.0), growth_6));
+                    let t46 = t45
+                        .max(S::select(t33, lit(0.0), growth_3))
+                        .max(S::select(t34, lit(0.0), growth_10))
+                        .max(S::select(t37, lit(0.0), growth_7));
+                    let t47 = t46
+                        .max(S::select(t40, lit(0.0), growth_5))
+                        .max(S::select(t43, lit(0.0), growth_8))
+                        .max(S::select(t44, lit(0.0), growth_11));
+                    lit(1.0) / t47
+                })
             }
+
+            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
             fn inverse_mass(&self) -> [S; 12] {
                 let mut inverse_mass = [S::lit(0.0); 12];
-                self.reciprocal_mass(&mut inverse_mass);
+                let lit = S::lit;
+                inverse_mass[0] = lit(3.3333333333333335);
+                inverse_mass[1] = lit(3.3333333333333335);
+                inverse_mass[2] = lit(100.0);
+                inverse_mass[3] = lit(3.3333333333333335);
+                inverse_mass[4] = lit(3.3333333333333335);
+                inverse_mass[5] = lit(100.0);
+                inverse_mass[6] = lit(3.3333333333333335);
+                inverse_mass[7] = lit(3.3333333333333335);
+                inverse_mass[8] = lit(100.0);
+                inverse_mass[9] = lit(0.5);
+                inverse_mass[10] = lit(0.5);
+                inverse_mass[11] = lit(3.3333333333333335);
                 inverse_mass
             }
+
             fn length(&self) -> S {
                 S::lit(0.4)
             }
+
             fn start_position(&self) -> [Start<S>; 12] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 4] = [
@@ -715,6 +1288,7 @@ mod plm_plate_on_three_pins_ {
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
+
             fn start_velocity(&self, q: &[S; 12]) -> [Start<S>; 12] {
                 let lit = S::lit;
                 let bodies: [[Start<S>; 3]; 4] = [
@@ -739,8 +1313,7 @@ mod plm_plate_on_three_pins_ {
                 let (q, _): ([S; 12], [S; 12]) = absolute::split(x);
                 let (mut force, mut gamma) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
                 self.free(t, u, x, &mut force, &mut gamma);
-                let mut inverse_mass = [S::lit(0.0); 12];
-                self.reciprocal_mass(&mut inverse_mass);
+                let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
                     absolute::jacobian(self, t, &q, rows)
                 })
@@ -774,7 +1347,7 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::lanes::Pack for PlateOnThreePins<S> {
             type Packed<T: Scalar> = PlateOnThreePins<T>;
 
-            #[allow(unused_variables)] // where there are no parameters
+            #[allow(unused_variables)]
             fn pack<T: Scalar, const N: usize>(
                 &self,
                 all: [&Self; N],
@@ -789,7 +1362,7 @@ mod plm_plate_on_three_pins_ {
                 PlateOnThreePins { start }
             }
 
-            #[allow(unused_variables)] // where there are no inputs
+            #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
                 first: &rt::charts::Held<Input<S>, [S; 28]>,
                 all: [&rt::charts::Held<Input<S>, [S; 28]>; N],
@@ -830,11 +1403,8 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::Ports for PlateOnThreePins<S> {
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-
-            fn input(held: &mut rt::charts::Held<Input<S>, [S; 28]>, index: usize) -> Option<&mut S> {
-                match index {
-                    _ => None,
-                }
+            fn input(_held: &mut rt::charts::Held<Input<S>, [S; 28]>, _index: usize) -> Option<&mut S> {
+                None
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -844,97 +1414,45 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        impl<S: Scalar> PlateOnThreePins<S> {
-            /// Applied forces `Q` (N, N, N m per body) and rates of the first-order states, without accelerations.
-            ///
-            /// 15 add, 25 mul, 2 sin_cos.
-            #[cold]
-            fn at_rest(
-                &self,
-                t: S,
-                u: &Input<S>,
-                x: &[S; 24],
-                lambda: &[S; 12],
-                force: &mut [S; 12],
-                x_dot: &mut [S; 0],
-            ) {
-                let lit = S::lit;
-                let theta_plate = x[11];
-                let theta_crank_0 = x[2];
-                let ([sin_theta_plate, sin_theta_crank_0], [cos_theta_plate, cos_theta_crank_0]) =
-                    S::sin_cos_all([theta_plate, theta_crank_0]);
-                let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                let x_crank_0 = x[0];
-                let x_plate = x[9];
-                let t2 = lit(-0.3).mul_add(sin_theta_plate, lit(0.4) * cos_theta_plate);
-                let t3 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                let y_crank_0 = x[1];
-                let y_plate = x[10];
-                let t4 = lit(0.4).mul_add(sin_theta_plate, lit(0.3) * cos_theta_plate);
-                let t5 = t3.mul_add(
-                    lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) - y_plate + t4,
-                    t1 * (lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) - x_plate + t2),
-                );
-                let t6 = t1 * t5;
-                force[0] = lit(-100.0) * t6;
-                let t7 = lit(100.0) * (t3 * t5);
-                force[1] = lit(-2.943) - t7;
-                force[2] = lit(-10.0) * t5 * (-sin_theta_crank_0).mul_add(t1, cos_theta_crank_0 * t3);
-                force[3] = lit(0.0);
-                force[4] = lit(-2.943);
-                force[5] = lit(0.0);
-                force[6] = lit(0.0);
-                force[7] = lit(-2.943);
-                force[8] = lit(0.0);
-                force[9] = lit(100.0) * t6;
-                force[10] = t7 - lit(19.62);
-                force[11] = lit(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
-            }
-        }
-
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
-                {
-                    self.crank_0.each(
-                        [
-                            "crank[0].x",
-                            "crank[0].y",
-                            "crank[0].angle",
-                            "crank[0].vx",
-                            "crank[0].vy",
-                            "crank[0].omega",
-                        ],
-                        &mut *each,
-                    );
-                    self.crank_1.each(
-                        [
-                            "crank[1].x",
-                            "crank[1].y",
-                            "crank[1].angle",
-                            "crank[1].vx",
-                            "crank[1].vy",
-                            "crank[1].omega",
-                        ],
-                        &mut *each,
-                    );
-                    self.crank_2.each(
-                        [
-                            "crank[2].x",
-                            "crank[2].y",
-                            "crank[2].angle",
-                            "crank[2].vx",
-                            "crank[2].vy",
-                            "crank[2].omega",
-                        ],
-                        &mut *each,
-                    );
-                    self.plate.each(
-                        ["plate.x", "plate.y", "plate.angle", "plate.vx", "plate.vy", "plate.omega"],
-                        &mut *each,
-                    );
-                }
+                self.crank_0.each(
+                    [
+                        "crank[0].x",
+                        "crank[0].y",
+                        "crank[0].angle",
+                        "crank[0].vx",
+                        "crank[0].vy",
+                        "crank[0].omega",
+                    ],
+                    &mut *each,
+                );
+                self.crank_1.each(
+                    [
+                        "crank[1].x",
+                        "crank[1].y",
+                        "crank[1].angle",
+                        "crank[1].vx",
+                        "crank[1].vy",
+                        "crank[1].omega",
+                    ],
+                    &mut *each,
+                );
+                self.crank_2.each(
+                    [
+                        "crank[2].x",
+                        "crank[2].y",
+                        "crank[2].angle",
+                        "crank[2].vx",
+                        "crank[2].vy",
+                        "crank[2].omega",
+                    ],
+                    &mut *each,
+                );
+                self.plate.each(
+                    ["plate.x", "plate.y", "plate.angle", "plate.vx", "plate.vy", "plate.omega"],
+                    &mut *each,
+                );
             }
         }
 
@@ -1013,10 +1531,15 @@ mod plm_plate_on_three_pins_ {
                 "third",
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
-
             fn full(state: &State<S>) -> [S; 24] {
                 state.absolute_()
             }
+
+            /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+            /// constraints, rates of the first-order states, without accelerations.
+            ///
+            /// 15 add, 25 mul, 2 sin_cos.
+            #[cold]
             fn equations(
                 &self,
                 t: S,
@@ -1025,24 +1548,70 @@ mod plm_plate_on_three_pins_ {
                 lambda: &[S; 12],
                 each: &mut impl FnMut(S),
             ) {
-                let (q, v): ([S; 12], [S; 12]) = absolute::split(x);
+                let u = &held.input;
                 let (mut force, mut x_dot) = ([S::lit(0.0); 12], [S::lit(0.0); 0]);
-                self.at_rest(t, &held.input, x, lambda, &mut force, &mut x_dot);
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *x;
+                let lit = S::lit;
+                let ([sin_plate_angle, sin_crank_0_angle], [cos_plate_angle, cos_crank_0_angle]) =
+                    S::sin_cos_all([plate_angle, crank_0_angle]);
+                let t1 = lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t2 = lit(-0.3).mul_add(sin_plate_angle, lit(0.4) * cos_plate_angle);
+                let t3 = lit(0.8191520442889918)
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t4 = lit(0.4).mul_add(sin_plate_angle, lit(0.3) * cos_plate_angle);
+                let t5 = t3.mul_add(
+                    lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t4,
+                    t1 * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t2),
+                );
+                let t6 = t1 * t5;
+                force[0] = lit(-100.0) * t6;
+                let t7 = lit(100.0) * (t3 * t5);
+                force[1] = lit(-2.943) - t7;
+                force[2] = lit(-10.0) * t5 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t3);
+                force[3] = lit(0.0);
+                force[4] = lit(-2.943);
+                force[5] = lit(0.0);
+                force[6] = lit(0.0);
+                force[7] = lit(-2.943);
+                force[8] = lit(0.0);
+                force[9] = lit(100.0) * t6;
+                force[10] = t7 - lit(19.62);
+                force[11] = lit(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
+                let (q, _): ([S; 12], [S; 12]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
                     .for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, 24>(self, t, x, each);
                 x_dot.into_iter().for_each(each);
             }
+
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
+
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+
             fn starts_at(&self, x: &[S; 24]) -> Starts<S> {
                 self.placed(x)
             }
+
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
             }
@@ -1055,16 +1624,43 @@ mod plm_plate_on_three_pins_ {
             /// 261 add, 367 mul, 13 div, 5 neg, 7 sin_cos, 44 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 24], dx: &mut [S; 24], lambda: &mut [S; 12]) -> S {
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    crank_1_vx,
+                    crank_1_vy,
+                    crank_1_omega,
+                    crank_2_vx,
+                    crank_2_vy,
+                    crank_2_omega,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
                 let (
-                    sin_theta_crank_0,
-                    cos_theta_crank_0,
-                    sin_theta_crank_1,
-                    cos_theta_crank_1,
-                    sin_theta_crank_2,
-                    cos_theta_crank_2,
-                    sin_theta_plate,
-                    cos_theta_plate,
+                    sin_crank_0_angle,
+                    cos_crank_0_angle,
+                    sin_crank_1_angle,
+                    cos_crank_1_angle,
+                    sin_crank_2_angle,
+                    cos_crank_2_angle,
+                    sin_plate_angle,
+                    cos_plate_angle,
                     t4,
                     t5,
                     t13,
@@ -1115,7 +1711,6 @@ mod plm_plate_on_three_pins_ {
                     l_6_0,
                     l_9_0,
                     growth_1,
-                    most_growth,
                     t35,
                     kept_1,
                     l_6_1,
@@ -1129,7 +1724,6 @@ mod plm_plate_on_three_pins_ {
                     t40,
                     kept_6,
                     l_7_6,
-                    g_8_6,
                     l_8_6,
                     r_2,
                     l_3_2,
@@ -1147,81 +1741,71 @@ mod plm_plate_on_three_pins_ {
                     growth_7,
                     t47,
                     kept_7,
-                    g_8_7,
                     l_8_7,
                     r_4,
                     l_5_4,
-                    g_8_4,
                     l_8_4,
                     l_11_4,
                     growth_5,
                     t50,
                     kept_5,
-                    g_8_5,
                     l_8_5,
-                    g_11_5,
                     l_11_5,
-                    t51,
+                    growth_8,
+                    t53,
+                    kept_8,
+                    l_11_8,
+                    r_11,
+                    growth_11,
+                    t54,
                 ) = {
                     // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
-                    let theta_crank_0 = x[2];
-                    let theta_crank_1 = x[5];
-                    let theta_crank_2 = x[8];
-                    let theta_plate = x[11];
                     let (
-                        [sin_theta_crank_0, sin_theta_crank_1, sin_theta_crank_2, sin_theta_plate],
-                        [cos_theta_crank_0, cos_theta_crank_1, cos_theta_crank_2, cos_theta_plate],
-                    ) = S::sin_cos_all([theta_crank_0, theta_crank_1, theta_crank_2, theta_plate]);
-                    let t1 = lit(0.1) * sin_theta_crank_0;
-                    let t2 = lit(0.1) * sin_theta_crank_1;
-                    let t3 = lit(0.1) * sin_theta_crank_2;
+                        [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                        [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                    ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                    let t1 = lit(0.1) * sin_crank_0_angle;
+                    let t2 = lit(0.1) * sin_crank_1_angle;
+                    let t3 = lit(0.1) * sin_crank_2_angle;
                     let t4 = lit(0.8191520442889918)
-                        .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
+                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
                     let t5 = lit(-0.573576436351046)
-                        .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                    let t6 = cos_theta_crank_0.mul_add(t5, sin_theta_crank_0 * t4);
-                    let t7 = lit(0.3) * cos_theta_plate;
-                    let t8 = lit(0.4) * sin_theta_plate;
+                        .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                    let t6 = cos_crank_0_angle.mul_add(t5, sin_crank_0_angle * t4);
+                    let t7 = lit(0.3) * cos_plate_angle;
+                    let t8 = lit(0.4) * sin_plate_angle;
                     let t9 = t7 + t8;
-                    let t10 = lit(0.4) * cos_theta_plate;
-                    let t11 = lit(0.3) * sin_theta_plate;
+                    let t10 = lit(0.4) * cos_plate_angle;
+                    let t11 = lit(0.3) * sin_plate_angle;
                     let t12 = t10 - t11;
-                    let x_crank_0 = x[0];
-                    let x_plate = x[9];
-                    let t13 = lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) - x_plate + t12;
-                    let y_crank_0 = x[1];
-                    let y_plate = x[10];
-                    let t14 = y_crank_0 + t1 - y_plate + t9;
+                    let t13 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t12;
+                    let t14 = crank_0_y + t1 - plate_y + t9;
                     let t15 = t4.mul_add(t14, t5 * t13);
                     let t16 = (-t12).mul_add(t5, (-t9).mul_add(t4, t15));
                     let t17 = lit(-0.766044443118978)
-                        .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate);
+                        .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
                     let t18 = lit(0.6427876096865393)
-                        .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate);
-                    let t19 = (-cos_theta_crank_1).mul_add(t18, sin_theta_crank_1 * t17);
+                        .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                    let t19 = (-cos_crank_1_angle).mul_add(t18, sin_crank_1_angle * t17);
                     let t20 = t10 + t11;
-                    let x_crank_1 = x[3];
-                    let t21 = lit(0.1).mul_add(cos_theta_crank_1, x_crank_1) - x_plate - t20;
+                    let t21 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t20;
                     let t22 = t7 - t8;
-                    let y_crank_1 = x[4];
-                    let t23 = y_crank_1 + t2 - y_plate + t22;
+                    let t23 = crank_1_y + t2 - plate_y + t22;
                     let t24 = (-t17).mul_add(t23 - t22, t18 * (t20 + t21));
                     let t25 = lit(-0.17364817766693033)
-                        .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate);
+                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
                     let t26 = lit(0.984807753012208)
-                        .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate);
-                    let t27 = (-cos_theta_crank_2).mul_add(t26, sin_theta_crank_2 * t25);
-                    let x_crank_2 = x[6];
-                    let t28 = lit(0.1).mul_add(cos_theta_crank_2, x_crank_2) - x_plate + t8;
-                    let y_crank_2 = x[7];
-                    let t29 = y_crank_2 + t3 - y_plate - t10;
+                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                    let t27 = (-cos_crank_2_angle).mul_add(t26, sin_crank_2_angle * t25);
+                    let t28 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8;
+                    let t29 = crank_2_y + t3 - plate_y - t10;
                     let t30 = (-t25).mul_add(t10 + t29, t26 * (t28 - t8));
-                    let y_0_2 = lit(10.0) * sin_theta_crank_0;
-                    let y_1_2 = lit(-10.0) * cos_theta_crank_0;
-                    let y_2_5 = lit(10.0) * sin_theta_crank_1;
-                    let y_3_5 = lit(-10.0) * cos_theta_crank_1;
-                    let y_4_8 = lit(10.0) * sin_theta_crank_2;
-                    let y_5_8 = lit(-10.0) * cos_theta_crank_2;
+                    let y_0_2 = lit(10.0) * sin_crank_0_angle;
+                    let y_1_2 = lit(-10.0) * cos_crank_0_angle;
+                    let y_2_5 = lit(10.0) * sin_crank_1_angle;
+                    let y_3_5 = lit(-10.0) * cos_crank_1_angle;
+                    let y_4_8 = lit(10.0) * sin_crank_2_angle;
+                    let y_5_8 = lit(-10.0) * cos_crank_2_angle;
                     let y_6_0 = lit(3.3333333333333335) * t4;
                     let y_6_1 = lit(-3.3333333333333335) * t5;
                     let y_6_2 = lit(-10.0) * t6;
@@ -1246,7 +1830,7 @@ mod plm_plate_on_three_pins_ {
                     let t32 = t4 * t15;
                     let free_crank_0_y = lit(-333.3333333333333).mul_add(t32, lit(-9.81));
                     let free_crank_0_angle =
-                        lit(-1000.0) * t15 * (-sin_theta_crank_0).mul_add(t5, cos_theta_crank_0 * t4);
+                        lit(-1000.0) * t15 * (-sin_crank_0_angle).mul_add(t5, cos_crank_0_angle * t4);
                     let free_plate_x = lit(50.0) * t31;
                     let free_plate_y = lit(50.0).mul_add(t32, lit(-9.81));
                     let free_plate_angle = lit(-333.3333333333333) * t15 * (-t9).mul_add(t5, t12 * t4);
@@ -1257,7 +1841,7 @@ mod plm_plate_on_three_pins_ {
                     let g_6_0 = t1.mul_add(y_6_2, y_6_0);
                     let l_6_0 = r_0 * g_6_0;
                     let l_9_0 = y_0_2 * r_0;
-                    let t33 = lit(0.1) * cos_theta_crank_0;
+                    let t33 = lit(0.1) * cos_crank_0_angle;
                     let t34 = t33.mul_add(y_1_2, lit(-3.3333333333333335));
                     let r_1 = lit(1.0) / -g_1_0.mul_add(l_1_0, t34);
                     let growth_1 = (t34 * r_1).abs();
@@ -1295,7 +1879,7 @@ mod plm_plate_on_three_pins_ {
                     let g_7_2 = t2.mul_add(y_7_5, y_7_3);
                     let l_7_2 = r_2 * g_7_2;
                     let l_10_2 = y_2_5 * r_2;
-                    let t41 = lit(0.1) * cos_theta_crank_1;
+                    let t41 = lit(0.1) * cos_crank_1_angle;
                     let t42 = t41.mul_add(y_3_5, lit(-3.3333333333333335));
                     let r_3 = lit(1.0) / -g_3_2.mul_add(l_3_2, t42);
                     let growth_3 = (t42 * r_3).abs();
@@ -1330,7 +1914,7 @@ mod plm_plate_on_three_pins_ {
                     let g_8_4 = t3.mul_add(y_8_8, y_8_6);
                     let l_8_4 = r_4 * g_8_4;
                     let l_11_4 = y_4_8 * r_4;
-                    let t48 = lit(0.1) * cos_theta_crank_2;
+                    let t48 = lit(0.1) * cos_crank_2_angle;
                     let t49 = t48.mul_add(y_5_8, lit(-3.3333333333333335));
                     let r_5 = lit(1.0) / -g_5_4.mul_add(l_5_4, t49);
                     let growth_5 = (t49 * r_5).abs();
@@ -1342,15 +1926,32 @@ mod plm_plate_on_three_pins_ {
                     let l_11_5 = g_11_5 * kept_5;
                     let t51 = (-t25)
                         .mul_add(y_8_9, (-(lit(0.1) * t27)).mul_add(y_8_8, t26.mul_add(y_8_7, t25 * y_8_6)));
+                    let t52 = (-t30).mul_add(y_8_11, (-t26).mul_add(y_8_10, t51));
+                    let d_8 = (-g_8_5).mul_add(
+                        l_8_5,
+                        (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t52))),
+                    );
+                    let r_8 = lit(1.0) / d_8;
+                    let growth_8 = (t52 * r_8).abs();
+                    let t53 = most_growth.lt(growth_8);
+                    let kept_8 = S::select(t53, lit(0.0), r_8);
+                    let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
+                    let l_11_8 = kept_8 * g_11_8;
+                    let r_11 = lit(1.0)
+                        / (-g_11_8)
+                            .mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, lit(100.0))));
+                    let growth_11 = lit(100.0) * r_11.abs();
+                    let t54 = most_growth.lt(growth_11);
+                    // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
                     (
-                        sin_theta_crank_0,
-                        cos_theta_crank_0,
-                        sin_theta_crank_1,
-                        cos_theta_crank_1,
-                        sin_theta_crank_2,
-                        cos_theta_crank_2,
-                        sin_theta_plate,
-                        cos_theta_plate,
+                        sin_crank_0_angle,
+                        cos_crank_0_angle,
+                        sin_crank_1_angle,
+                        cos_crank_1_angle,
+                        sin_crank_2_angle,
+                        cos_crank_2_angle,
+                        sin_plate_angle,
+                        cos_plate_angle,
                         t4,
                         t5,
                         t13,
@@ -1401,7 +2002,6 @@ mod plm_plate_on_three_pins_ {
                         l_6_0,
                         l_9_0,
                         growth_1,
-                        most_growth,
                         t35,
                         kept_1,
                         l_6_1,
@@ -1415,7 +2015,6 @@ mod plm_plate_on_three_pins_ {
                         t40,
                         kept_6,
                         l_7_6,
-                        g_8_6,
                         l_8_6,
                         r_2,
                         l_3_2,
@@ -1433,74 +2032,52 @@ mod plm_plate_on_three_pins_ {
                         growth_7,
                         t47,
                         kept_7,
-                        g_8_7,
                         l_8_7,
                         r_4,
                         l_5_4,
-                        g_8_4,
                         l_8_4,
                         l_11_4,
                         growth_5,
                         t50,
                         kept_5,
-                        g_8_5,
                         l_8_5,
-                        g_11_5,
                         l_11_5,
-                        t51,
+                        growth_8,
+                        t53,
+                        kept_8,
+                        l_11_8,
+                        r_11,
+                        growth_11,
+                        t54,
                     )
                 };
                 let t95 = {
-                    let t52 = (-t30).mul_add(y_8_11, (-t26).mul_add(y_8_10, t51));
-                    let d_8 = (-g_8_5).mul_add(
-                        l_8_5,
-                        (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t52))),
-                    );
-                    let r_8 = lit(1.0) / d_8;
-                    let growth_8 = (t52 * r_8).abs();
-                    let t53 = most_growth.lt(growth_8);
-                    let kept_8 = S::select(t53, lit(0.0), r_8);
-                    let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
-                    let l_11_8 = kept_8 * g_11_8;
-                    let r_11 = lit(1.0)
-                        / (-g_11_8)
-                            .mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, lit(100.0))));
-                    let growth_11 = lit(100.0) * r_11.abs();
-                    let t54 = most_growth.lt(growth_11);
-                    // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
-                    let omega_crank_0 = x[14];
-                    let t55 = omega_crank_0 * cos_theta_crank_0;
-                    let t56 = omega_crank_0 * t55;
+                    let t55 = crank_0_omega * cos_crank_0_angle;
+                    let t56 = crank_0_omega * t55;
                     let b_0 =
-                        lit(0.1).mul_add(sin_theta_crank_0.mul_add(free_crank_0_angle, t56), free_crank_0_x);
-                    let t57 = omega_crank_0 * sin_theta_crank_0;
-                    let t58 = omega_crank_0 * t57;
+                        lit(0.1).mul_add(sin_crank_0_angle.mul_add(free_crank_0_angle, t56), free_crank_0_x);
+                    let t57 = crank_0_omega * sin_crank_0_angle;
+                    let t58 = crank_0_omega * t57;
                     let b_1 = lit(0.1).mul_add(
-                        (-cos_theta_crank_0).mul_add(free_crank_0_angle, t58),
+                        (-cos_crank_0_angle).mul_add(free_crank_0_angle, t58),
                         (-l_1_0).mul_add(b_0, free_crank_0_y),
                     );
-                    let t_2 = t;
                     let b_9 = (-l_9_1).mul_add(
                         b_1,
-                        (-l_9_0).mul_add(b_0, lit(3.6).mul_add((lit(3.0) * t_2).sin(), free_crank_0_angle)),
+                        (-l_9_0).mul_add(b_0, lit(3.6).mul_add((lit(3.0) * t).sin(), free_crank_0_angle)),
                     );
-                    let omega_plate = x[23];
-                    let t59 = omega_plate * sin_theta_plate;
-                    let t60 = omega_plate * cos_theta_plate;
-                    let vx_crank_0 = x[12];
-                    let vx_plate = x[21];
-                    let t61 = lit(0.3).mul_add(t60, vx_plate);
+                    let t59 = plate_omega * sin_plate_angle;
+                    let t60 = plate_omega * cos_plate_angle;
+                    let t61 = lit(0.3).mul_add(t60, plate_vx);
                     let t62 = lit(0.4) * t59;
                     let t63 = lit(-1.6383040885779836).mul_add(t60, lit(1.147152872702092) * t59)
-                        * (lit(-0.1).mul_add(t57, vx_crank_0) - t62 - t61);
-                    let t64 = omega_plate * t60;
-                    let t65 = omega_plate * t59;
-                    let vy_crank_0 = x[13];
-                    let vy_plate = x[22];
-                    let t66 = lit(0.3).mul_add(t59, vy_plate);
+                        * (lit(-0.1).mul_add(t57, crank_0_vx) - t62 - t61);
+                    let t64 = plate_omega * t60;
+                    let t65 = plate_omega * t59;
+                    let t66 = lit(0.3).mul_add(t59, plate_vy);
                     let t67 = lit(0.4) * t60;
                     let t68 = lit(-1.147152872702092).mul_add(t60, lit(-1.6383040885779836) * t59)
-                        * (lit(0.1).mul_add(t55, vy_crank_0) + t67 - t66);
+                        * (lit(0.1).mul_add(t55, crank_0_vy) + t67 - t66);
                     let t69 = lit(0.3) * t64;
                     let t70 = lit(0.4) * t65;
                     let t71 = lit(0.4) * t64;
@@ -1525,24 +2102,21 @@ mod plm_plate_on_three_pins_ {
                     );
                     let b_6 = (-t4)
                         .mul_add(free_plate_x - free_crank_0_x + (lit(0.1).mul_add(t56, t71) - t72), t75);
-                    let omega_crank_1 = x[17];
-                    let t76 = omega_crank_1 * cos_theta_crank_1;
-                    let b_2 = lit(0.1) * (omega_crank_1 * t76);
-                    let t77 = omega_crank_1 * sin_theta_crank_1;
-                    let t78 = lit(0.1) * (omega_crank_1 * t77);
+                    let t76 = crank_1_omega * cos_crank_1_angle;
+                    let b_2 = lit(0.1) * (crank_1_omega * t76);
+                    let t77 = crank_1_omega * sin_crank_1_angle;
+                    let t78 = lit(0.1) * (crank_1_omega * t77);
                     let b_3 = (-l_3_2).mul_add(b_2, t78) - lit(9.81);
                     let b_10 =
-                        (-l_10_3).mul_add(b_3, (-l_10_2).mul_add(b_2, lit(1.2) * (lit(2.0) * t_2).cos()));
-                    let vx_crank_1 = x[15];
+                        (-l_10_3).mul_add(b_3, (-l_10_2).mul_add(b_2, lit(1.2) * (lit(2.0) * t).cos()));
                     let t79 = lit(1.532088886237956).mul_add(t60, lit(1.2855752193730785) * t59)
-                        * (lit(-0.1).mul_add(t77, vx_crank_1 + t62) - t61);
-                    let vy_crank_1 = x[16];
+                        * (lit(-0.1).mul_add(t77, crank_1_vx + t62) - t61);
                     let t80 = lit(-1.2855752193730785).mul_add(t60, lit(1.532088886237956) * t59)
-                        * (lit(0.1).mul_add(t76, vy_crank_1 - t67) - t66);
+                        * (lit(0.1).mul_add(t76, crank_1_vy - t67) - t66);
                     let t81 = (-t21).mul_add(
                         lit(-0.766044443118978).mul_add(t65, lit(0.6427876096865393) * t64),
                         lit(-6.305746451024951)
-                            .mul_add(sin_theta_plate, lit(-7.514895986997175) * cos_theta_plate)
+                            .mul_add(sin_plate_angle, lit(-7.514895986997175) * cos_plate_angle)
                             - t79,
                     );
                     let t82 = (-t24).mul_add(
@@ -1560,17 +2134,14 @@ mod plm_plate_on_three_pins_ {
                         free_plate_x + (b_2 - t71 - t72),
                         (-t18).mul_add(free_plate_y + (t69 - t70 + t78), t83),
                     );
-                    let omega_crank_2 = x[20];
-                    let t84 = omega_crank_2 * cos_theta_crank_2;
-                    let b_4 = lit(0.1) * (omega_crank_2 * t84);
-                    let t85 = omega_crank_2 * sin_theta_crank_2;
-                    let t86 = lit(0.1) * (omega_crank_2 * t85);
+                    let t84 = crank_2_omega * cos_crank_2_angle;
+                    let b_4 = lit(0.1) * (crank_2_omega * t84);
+                    let t85 = crank_2_omega * sin_crank_2_angle;
+                    let t86 = lit(0.1) * (crank_2_omega * t85);
                     let b_5 = (-l_5_4).mul_add(b_4, t86) - lit(9.81);
-                    let vx_crank_2 = x[18];
-                    let t87 = lit(-0.1).mul_add(t85, vx_crank_2 - vx_plate + t67)
+                    let t87 = lit(-0.1).mul_add(t85, crank_2_vx - plate_vx + t67)
                         * lit(0.34729635533386066).mul_add(t60, lit(1.969615506024416) * t59);
-                    let vy_crank_2 = x[19];
-                    let t88 = lit(0.1).mul_add(t84, vy_crank_2 - vy_plate + t62)
+                    let t88 = lit(0.1).mul_add(t84, crank_2_vy - plate_vy + t62)
                         * lit(-1.969615506024416).mul_add(t60, lit(0.34729635533386066) * t59);
                     let t89 = t29.mul_add(
                         lit(0.984807753012208).mul_add(t65, lit(0.17364817766693033) * t64),
@@ -1590,7 +2161,7 @@ mod plm_plate_on_three_pins_ {
                     let b_8 = -t91;
                     let b_11 = (-l_11_8).mul_add(
                         b_8,
-                        (-l_11_5).mul_add(b_5, (-l_11_4).mul_add(b_4, lit(3.2) * (lit(4.0) * t_2).sin())),
+                        (-l_11_5).mul_add(b_5, (-l_11_4).mul_add(b_4, lit(3.2) * (lit(4.0) * t).sin())),
                     );
                     let lambda_third = S::select(t54, lit(0.0), r_11) * b_11;
                     let lambda_slot_2_normal = (-l_11_8).mul_add(lambda_third, kept_8 * b_8);
@@ -1618,18 +2189,18 @@ mod plm_plate_on_three_pins_ {
                         (-l_6_0).mul_add(lambda_slot_0_normal, (-l_1_0).mul_add(lambda_o_0_y, r_0 * b_0)),
                     );
                     // Results
-                    dx[0] = vx_crank_0;
-                    dx[1] = vy_crank_0;
-                    dx[2] = omega_crank_0;
-                    dx[3] = vx_crank_1;
-                    dx[4] = vy_crank_1;
-                    dx[5] = omega_crank_1;
-                    dx[6] = vx_crank_2;
-                    dx[7] = vy_crank_2;
-                    dx[8] = omega_crank_2;
-                    dx[9] = vx_plate;
-                    dx[10] = vy_plate;
-                    dx[11] = omega_plate;
+                    dx[0] = crank_0_vx;
+                    dx[1] = crank_0_vy;
+                    dx[2] = crank_0_omega;
+                    dx[3] = crank_1_vx;
+                    dx[4] = crank_1_vy;
+                    dx[5] = crank_1_omega;
+                    dx[6] = crank_2_vx;
+                    dx[7] = crank_2_vy;
+                    dx[8] = crank_2_omega;
+                    dx[9] = plate_vx;
+                    dx[10] = plate_vy;
+                    dx[11] = plate_omega;
                     dx[12] = (-y_6_0).mul_add(
                         lambda_slot_0_normal,
                         lit(-3.3333333333333335).mul_add(lambda_o_0_x, free_crank_0_x),
@@ -1725,37 +2296,56 @@ mod plm_plate_on_three_pins_ {
             /// 90 add, 125 mul, 7 sin_cos.
             #[cold]
             fn free(&self, t: S, u: &Input<S>, x: &[S; 24], force: &mut [S; 12], gamma: &mut [S; 12]) {
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    crank_1_vx,
+                    crank_1_vy,
+                    crank_1_omega,
+                    crank_2_vx,
+                    crank_2_vy,
+                    crank_2_omega,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
-                let theta_plate = x[11];
-                let theta_crank_0 = x[2];
-                let theta_crank_1 = x[5];
-                let theta_crank_2 = x[8];
                 let (
-                    [sin_theta_plate, sin_theta_crank_0, sin_theta_crank_1, sin_theta_crank_2],
-                    [cos_theta_plate, cos_theta_crank_0, cos_theta_crank_1, cos_theta_crank_2],
-                ) = S::sin_cos_all([theta_plate, theta_crank_0, theta_crank_1, theta_crank_2]);
+                    [sin_plate_angle, sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle],
+                    [cos_plate_angle, cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle],
+                ) = S::sin_cos_all([plate_angle, crank_0_angle, crank_1_angle, crank_2_angle]);
                 let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                let x_crank_0 = x[0];
-                let x_plate = x[9];
-                let t2 = lit(0.4) * cos_theta_plate;
-                let t3 = lit(0.3) * sin_theta_plate;
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t2 = lit(0.4) * cos_plate_angle;
+                let t3 = lit(0.3) * sin_plate_angle;
                 let t4 = t2 - t3;
-                let t5 = lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) - x_plate + t4;
+                let t5 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t4;
                 let t6 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                let y_crank_0 = x[1];
-                let y_plate = x[10];
-                let t7 = lit(0.3) * cos_theta_plate;
-                let t8 = lit(0.4) * sin_theta_plate;
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t7 = lit(0.3) * cos_plate_angle;
+                let t8 = lit(0.4) * sin_plate_angle;
                 let t9 = t7 + t8;
-                let t10 = lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) - y_plate + t9;
+                let t10 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t9;
                 let t11 = t6.mul_add(t10, t1 * t5);
                 let t12 = t1 * t11;
                 force[0] = lit(-100.0) * t12;
                 let t13 = lit(100.0) * (t6 * t11);
                 force[1] = lit(-2.943) - t13;
-                force[2] = lit(-10.0) * t11 * (-sin_theta_crank_0).mul_add(t1, cos_theta_crank_0 * t6);
+                force[2] = lit(-10.0) * t11 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t6);
                 force[3] = lit(0.0);
                 force[4] = lit(-2.943);
                 force[5] = lit(0.0);
@@ -1765,44 +2355,36 @@ mod plm_plate_on_three_pins_ {
                 force[9] = lit(100.0) * t12;
                 force[10] = t13 - lit(19.62);
                 force[11] = lit(-100.0) * t11 * (-t9).mul_add(t1, t4 * t6);
-                let omega_crank_0 = x[14];
-                let t14 = omega_crank_0 * cos_theta_crank_0;
-                let t15 = omega_crank_0 * t14;
+                let t14 = crank_0_omega * cos_crank_0_angle;
+                let t15 = crank_0_omega * t14;
                 gamma[0] = lit(-0.1) * t15;
-                let t16 = omega_crank_0 * sin_theta_crank_0;
-                let t17 = omega_crank_0 * t16;
+                let t16 = crank_0_omega * sin_crank_0_angle;
+                let t17 = crank_0_omega * t16;
                 gamma[1] = lit(-0.1) * t17;
-                let omega_crank_1 = x[17];
-                let t18 = omega_crank_1 * cos_theta_crank_1;
-                let t19 = omega_crank_1 * t18;
+                let t18 = crank_1_omega * cos_crank_1_angle;
+                let t19 = crank_1_omega * t18;
                 gamma[2] = lit(-0.1) * t19;
-                let t20 = omega_crank_1 * sin_theta_crank_1;
-                let t21 = lit(-0.1) * (omega_crank_1 * t20);
+                let t20 = crank_1_omega * sin_crank_1_angle;
+                let t21 = lit(-0.1) * (crank_1_omega * t20);
                 gamma[3] = t21;
-                let omega_crank_2 = x[20];
-                let t22 = omega_crank_2 * cos_theta_crank_2;
-                let t23 = lit(-0.1) * (omega_crank_2 * t22);
+                let t22 = crank_2_omega * cos_crank_2_angle;
+                let t23 = lit(-0.1) * (crank_2_omega * t22);
                 gamma[4] = t23;
-                let t24 = omega_crank_2 * sin_theta_crank_2;
-                let t25 = omega_crank_2 * t24;
+                let t24 = crank_2_omega * sin_crank_2_angle;
+                let t25 = crank_2_omega * t24;
                 gamma[5] = lit(-0.1) * t25;
-                let omega_plate = x[23];
-                let t26 = omega_plate * sin_theta_plate;
-                let t27 = omega_plate * cos_theta_plate;
-                let vx_crank_0 = x[12];
-                let vx_plate = x[21];
-                let t28 = lit(0.3).mul_add(t27, vx_plate);
+                let t26 = plate_omega * sin_plate_angle;
+                let t27 = plate_omega * cos_plate_angle;
+                let t28 = lit(0.3).mul_add(t27, plate_vx);
                 let t29 = lit(0.4) * t26;
                 let t30 = lit(-1.6383040885779836).mul_add(t27, lit(1.147152872702092) * t26)
-                    * (lit(-0.1).mul_add(t16, vx_crank_0) - t29 - t28);
-                let t31 = omega_plate * t27;
-                let t32 = omega_plate * t26;
-                let vy_crank_0 = x[13];
-                let vy_plate = x[22];
-                let t33 = lit(0.3).mul_add(t26, vy_plate);
+                    * (lit(-0.1).mul_add(t16, crank_0_vx) - t29 - t28);
+                let t31 = plate_omega * t27;
+                let t32 = plate_omega * t26;
+                let t33 = lit(0.3).mul_add(t26, plate_vy);
                 let t34 = lit(0.4) * t27;
                 let t35 = lit(-1.147152872702092).mul_add(t27, lit(-1.6383040885779836) * t26)
-                    * (lit(0.1).mul_add(t14, vy_crank_0) + t34 - t33);
+                    * (lit(0.1).mul_add(t14, crank_0_vy) + t34 - t33);
                 let t36 = lit(0.4) * t31;
                 let t37 = lit(0.3) * t32;
                 let t38 = lit(0.3) * t31;
@@ -1816,597 +2398,38 @@ mod plm_plate_on_three_pins_ {
                     t6.mul_add(lit(0.1).mul_add(t15, t36) - t37, t40),
                 );
                 gamma[6] = t41;
-                let vx_crank_1 = x[15];
                 let t42 = lit(1.532088886237956).mul_add(t27, lit(1.2855752193730785) * t26)
-                    * (lit(-0.1).mul_add(t20, vx_crank_1 + t29) - t28);
-                let vy_crank_1 = x[16];
+                    * (lit(-0.1).mul_add(t20, crank_1_vx + t29) - t28);
                 let t43 = lit(-1.2855752193730785).mul_add(t27, lit(1.532088886237956) * t26)
-                    * (lit(0.1).mul_add(t18, vy_crank_1 - t34) - t33);
-                let x_crank_1 = x[3];
-                let t44 = (lit(0.1).mul_add(cos_theta_crank_1, x_crank_1) - x_plate - t2 - t3)
+                    * (lit(0.1).mul_add(t18, crank_1_vy - t34) - t33);
+                let t44 = (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t2 - t3)
                     * lit(-0.766044443118978).mul_add(t32, lit(0.6427876096865393) * t31);
-                let y_crank_1 = x[4];
-                let t45 = (lit(0.1).mul_add(sin_theta_crank_1, y_crank_1) - y_plate + t7 - t8)
+                let t45 = (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - plate_y + t7 - t8)
                     * lit(0.6427876096865393).mul_add(t32, lit(0.766044443118978) * t31);
                 let t46 = lit(-0.766044443118978)
-                    .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate)
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
                     .mul_add(lit(0.1).mul_add(t19, -t36) - t37, t42 + t43 + t44);
                 let t47 = lit(0.6427876096865393)
-                    .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
                     .mul_add(t38 - t39 - t21, t46 + t45);
                 gamma[7] = t47;
-                let vx_crank_2 = x[18];
-                let t48 = lit(-0.1).mul_add(t24, vx_crank_2 - vx_plate + t34)
+                let t48 = lit(-0.1).mul_add(t24, crank_2_vx - plate_vx + t34)
                     * lit(0.34729635533386066).mul_add(t27, lit(1.969615506024416) * t26);
-                let x_crank_2 = x[6];
-                let t49 = (lit(0.1).mul_add(cos_theta_crank_2, x_crank_2) - x_plate + t8)
+                let t49 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8)
                     * lit(-0.17364817766693033).mul_add(t32, lit(0.984807753012208) * t31);
-                let vy_crank_2 = x[19];
-                let t50 = lit(0.1).mul_add(t22, vy_crank_2 - vy_plate + t29)
+                let t50 = lit(0.1).mul_add(t22, crank_2_vy - plate_vy + t29)
                     * lit(-1.969615506024416).mul_add(t27, lit(0.34729635533386066) * t26);
-                let y_crank_2 = x[7];
-                let t51 = (lit(0.1).mul_add(sin_theta_crank_2, y_crank_2) - y_plate - t2)
+                let t51 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t2)
                     * lit(0.984807753012208).mul_add(t32, lit(0.17364817766693033) * t31);
                 let t52 = lit(-0.17364817766693033)
-                    .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate)
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
                     .mul_add(t39 - t23, t48 + t49 + t50 + t51);
                 gamma[8] = lit(0.984807753012208)
-                    .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
                     .mul_add(lit(0.1).mul_add(t25, -t36), t52);
-                let t_2 = t;
-                gamma[9] = lit(-3.6) * (lit(3.0) * t_2).sin();
-                gamma[10] = lit(-1.2) * (lit(2.0) * t_2).cos();
-                gamma[11] = lit(-3.2) * (lit(4.0) * t_2).sin();
-            }
-        }
-
-        impl<S: Scalar> PlateOnThreePins<S> {
-            /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
-            ///
-            /// 42 add, 34 mul, 7 sin_cos.
-            fn residual(&self, t: S, q: &[S; 12], phi: &mut [S; 12]) {
-                let lit = S::lit;
-                let x_crank_0 = q[0];
-                let theta_crank_0 = q[2];
-                let theta_crank_1 = q[5];
-                let theta_crank_2 = q[8];
-                let theta_plate = q[11];
-                let (
-                    [sin_theta_crank_0, sin_theta_crank_1, sin_theta_crank_2, sin_theta_plate],
-                    [cos_theta_crank_0, cos_theta_crank_1, cos_theta_crank_2, cos_theta_plate],
-                ) = S::sin_cos_all([theta_crank_0, theta_crank_1, theta_crank_2, theta_plate]);
-                let t1 = lit(0.1) * cos_theta_crank_0;
-                phi[0] = x_crank_0 - t1;
-                let y_crank_0 = q[1];
-                let t2 = lit(0.1) * sin_theta_crank_0;
-                phi[1] = y_crank_0 - t2;
-                let x_crank_1 = q[3];
-                let t3 = lit(0.1) * cos_theta_crank_1;
-                phi[2] = x_crank_1 - t3 - lit(1.0);
-                let y_crank_1 = q[4];
-                let t4 = lit(0.1) * sin_theta_crank_1;
-                phi[3] = y_crank_1 - t4;
-                let x_crank_2 = q[6];
-                let t5 = lit(0.1) * cos_theta_crank_2;
-                phi[4] = x_crank_2 - t5 - lit(0.5);
-                let y_crank_2 = q[7];
-                let t6 = lit(0.1) * sin_theta_crank_2;
-                phi[5] = y_crank_2 - t6 - lit(0.9);
-                let x_plate = q[9];
-                let t7 = lit(0.3).mul_add(sin_theta_plate, x_plate);
-                let t8 = lit(0.4) * cos_theta_plate;
-                let y_plate = q[10];
-                let t9 = lit(-0.3).mul_add(cos_theta_plate, y_plate);
-                let t10 = lit(0.4) * sin_theta_plate;
-                let t11 = (-lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate))
-                .mul_add(
-                    y_crank_0 + t2 + t10 - t9,
-                    lit(0.8191520442889918)
-                        .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate)
-                        * (x_crank_0 + t1 + t8 - t7),
-                );
-                phi[6] = t11;
-                let t12 = lit(0.6427876096865393)
-                    .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate)
-                    .mul_add(
-                        y_crank_1 + t4 - t10 - t9,
-                        lit(-0.766044443118978)
-                            .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate)
-                            * (x_crank_1 + t3 - t8 - t7),
-                    );
-                phi[7] = t12;
-                let t13 = lit(0.984807753012208)
-                    .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate)
-                    .mul_add(
-                        y_crank_2 + t6 - y_plate - t8,
-                        lit(-0.17364817766693033)
-                            .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate)
-                            * (x_crank_2 + t5 - x_plate + t10),
-                    );
-                phi[8] = t13;
-                let t_2 = t;
-                phi[9] = lit(-0.4).mul_add((lit(3.0) * t_2).sin(), theta_crank_0);
-                phi[10] = lit(-0.3).mul_add((lit(2.0) * t_2).cos(), theta_crank_1);
-                phi[11] = lit(-0.2).mul_add((lit(4.0) * t_2).sin(), theta_crank_2) + lit(0.1);
-            }
-
-            /// Their rates, `phi_q v - nu`, m/s or rad/s.
-            ///
-            /// 70 add, 70 mul, 7 sin_cos.
-            fn residual_rate(&self, t: S, q: &[S; 12], v: &[S; 12], phi_dot: &mut [S; 12]) {
-                let lit = S::lit;
-                let vx_crank_0 = v[0];
-                let omega_crank_0 = v[2];
-                let theta_crank_0 = q[2];
-                let theta_crank_1 = q[5];
-                let theta_crank_2 = q[8];
-                let theta_plate = q[11];
-                let (
-                    [sin_theta_crank_0, sin_theta_crank_1, sin_theta_crank_2, sin_theta_plate],
-                    [cos_theta_crank_0, cos_theta_crank_1, cos_theta_crank_2, cos_theta_plate],
-                ) = S::sin_cos_all([theta_crank_0, theta_crank_1, theta_crank_2, theta_plate]);
-                let t1 = lit(0.1) * (omega_crank_0 * sin_theta_crank_0);
-                phi_dot[0] = vx_crank_0 + t1;
-                let vy_crank_0 = v[1];
-                let t2 = lit(0.1) * (omega_crank_0 * cos_theta_crank_0);
-                phi_dot[1] = vy_crank_0 - t2;
-                let vx_crank_1 = v[3];
-                let omega_crank_1 = v[5];
-                let t3 = lit(0.1) * (omega_crank_1 * sin_theta_crank_1);
-                phi_dot[2] = vx_crank_1 + t3;
-                let vy_crank_1 = v[4];
-                let t4 = lit(0.1) * (omega_crank_1 * cos_theta_crank_1);
-                phi_dot[3] = vy_crank_1 - t4;
-                let vx_crank_2 = v[6];
-                let omega_crank_2 = v[8];
-                let t5 = lit(0.1) * (omega_crank_2 * sin_theta_crank_2);
-                phi_dot[4] = vx_crank_2 + t5;
-                let vy_crank_2 = v[7];
-                let t6 = lit(0.1) * (omega_crank_2 * cos_theta_crank_2);
-                phi_dot[5] = vy_crank_2 - t6;
-                let omega_plate = v[11];
-                let t7 = omega_plate * sin_theta_plate;
-                let t8 = omega_plate * cos_theta_plate;
-                let x_crank_0 = q[0];
-                let x_plate = q[9];
-                let t9 = lit(0.3).mul_add(sin_theta_plate, x_plate);
-                let t10 = lit(0.4) * cos_theta_plate;
-                let t11 = lit(-0.8191520442889918).mul_add(t8, lit(0.573576436351046) * t7)
-                    * (lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) + t10 - t9);
-                let vx_plate = v[9];
-                let t12 = lit(0.3).mul_add(t8, vx_plate);
-                let t13 = lit(0.4) * t7;
-                let y_crank_0 = q[1];
-                let y_plate = q[10];
-                let t14 = lit(-0.3).mul_add(cos_theta_plate, y_plate);
-                let t15 = lit(0.4) * sin_theta_plate;
-                let t16 = lit(0.573576436351046).mul_add(t8, lit(0.8191520442889918) * t7)
-                    * (lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) + t15 - t14);
-                let vy_plate = v[10];
-                let t17 = lit(0.3).mul_add(t7, vy_plate);
-                let t18 = lit(0.4) * t8;
-                let t19 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate)
-                    .mul_add(vx_crank_0 - t1 - t13 - t12, -t11);
-                let t20 = (-lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate))
-                .mul_add(vy_crank_0 + t2 + t18 - t17, t19 + t16);
-                phi_dot[6] = t20;
-                let x_crank_1 = q[3];
-                let t21 = lit(0.766044443118978).mul_add(t8, lit(0.6427876096865393) * t7)
-                    * (lit(0.1).mul_add(cos_theta_crank_1, x_crank_1) - t10 - t9);
-                let y_crank_1 = q[4];
-                let t22 = lit(-0.6427876096865393).mul_add(t8, lit(0.766044443118978) * t7)
-                    * (lit(0.1).mul_add(sin_theta_crank_1, y_crank_1) - t15 - t14);
-                let t23 = lit(-0.766044443118978)
-                    .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate)
-                    .mul_add(vx_crank_1 + t13 - t3 - t12, -t21);
-                let t24 = lit(0.6427876096865393)
-                    .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate)
-                    .mul_add(vy_crank_1 - t18 + t4 - t17, t23 - t22);
-                phi_dot[7] = t24;
-                let x_crank_2 = q[6];
-                let t25 = (lit(0.1).mul_add(cos_theta_crank_2, x_crank_2) - x_plate + t15)
-                    * lit(0.17364817766693033).mul_add(t8, lit(0.984807753012208) * t7);
-                let y_crank_2 = q[7];
-                let t26 = (lit(0.1).mul_add(sin_theta_crank_2, y_crank_2) - y_plate - t10)
-                    * lit(-0.984807753012208).mul_add(t8, lit(0.17364817766693033) * t7);
-                let t27 = lit(-0.17364817766693033)
-                    .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate)
-                    .mul_add(vx_crank_2 - vx_plate + t18 - t5, -t25);
-                let t28 = lit(0.984807753012208)
-                    .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate)
-                    .mul_add(vy_crank_2 - vy_plate + t13 + t6, t27 - t26);
-                phi_dot[8] = t28;
-                let t_2 = t;
-                phi_dot[9] = lit(-1.2).mul_add((lit(3.0) * t_2).cos(), omega_crank_0);
-                phi_dot[10] = lit(0.6).mul_add((lit(2.0) * t_2).sin(), omega_crank_1);
-                phi_dot[11] = lit(-0.8).mul_add((lit(4.0) * t_2).cos(), omega_crank_2);
-            }
-
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
-            ///
-            /// 40 add, 37 mul, 6 neg, 4 sin_cos.
-            #[cold]
-            fn jacobian(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
-                let theta_crank_0 = q[2];
-                let theta_crank_1 = q[5];
-                let theta_crank_2 = q[8];
-                let theta_plate = q[11];
-                let (
-                    [sin_theta_crank_0, sin_theta_crank_1, sin_theta_crank_2, sin_theta_plate],
-                    [cos_theta_crank_0, cos_theta_crank_1, cos_theta_crank_2, cos_theta_plate],
-                ) = S::sin_cos_all([theta_crank_0, theta_crank_1, theta_crank_2, theta_plate]);
-                let t1 = lit(0.1) * sin_theta_crank_0;
-                phi_q[1] = t1;
-                phi_q[2] = lit(1.0);
-                let t2 = lit(-0.1) * cos_theta_crank_0;
-                phi_q[3] = t2;
-                phi_q[4] = lit(1.0);
-                let t3 = lit(0.1) * sin_theta_crank_1;
-                phi_q[5] = t3;
-                phi_q[6] = lit(1.0);
-                let t4 = lit(-0.1) * cos_theta_crank_1;
-                phi_q[7] = t4;
-                phi_q[8] = lit(1.0);
-                let t5 = lit(0.1) * sin_theta_crank_2;
-                phi_q[9] = t5;
-                phi_q[10] = lit(1.0);
-                let t6 = lit(-0.1) * cos_theta_crank_2;
-                phi_q[11] = t6;
-                let t7 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                phi_q[12] = t7;
-                let t8 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                phi_q[13] = -t8;
-                phi_q[14] = lit(-0.1) * cos_theta_crank_0.mul_add(t8, sin_theta_crank_0 * t7);
-                phi_q[15] = -t7;
-                phi_q[16] = t8;
-                let t9 = lit(0.4) * cos_theta_plate;
-                let t10 = lit(0.3) * sin_theta_plate;
-                let t11 = t9 - t10;
-                let x_crank_0 = q[0];
-                let x_plate = q[9];
-                let t12 = lit(0.3) * cos_theta_plate;
-                let t13 = lit(0.4) * sin_theta_plate;
-                let t14 = t12 + t13;
-                let y_crank_0 = q[1];
-                let y_plate = q[10];
-                let t15 = t7.mul_add(
-                    y_crank_0 + t1 - y_plate + t14 - t14,
-                    t8 * (x_crank_0 - t2 - x_plate + t11 - t11),
-                );
-                phi_q[17] = t15;
-                let t16 = lit(-0.766044443118978)
-                    .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate);
-                phi_q[18] = t16;
-                let t17 = lit(0.6427876096865393)
-                    .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate);
-                phi_q[19] = t17;
-                phi_q[20] = lit(-0.1) * (-cos_theta_crank_1).mul_add(t17, sin_theta_crank_1 * t16);
-                phi_q[21] = -t16;
-                phi_q[22] = -t17;
-                let t18 = t9 + t10;
-                let x_crank_1 = q[3];
-                let t19 = t12 - t13;
-                let y_crank_1 = q[4];
-                let t20 = (-t17).mul_add(
-                    t18 + (x_crank_1 - t4 - x_plate - t18),
-                    t16 * (y_crank_1 + t3 - y_plate + t19 - t19),
-                );
-                phi_q[23] = t20;
-                let t21 = lit(-0.17364817766693033)
-                    .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate);
-                phi_q[24] = t21;
-                let t22 = lit(0.984807753012208)
-                    .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate);
-                phi_q[25] = t22;
-                phi_q[26] = lit(-0.1) * (-cos_theta_crank_2).mul_add(t22, sin_theta_crank_2 * t21);
-                phi_q[27] = -t21;
-                phi_q[28] = -t22;
-                let x_crank_2 = q[6];
-                let y_crank_2 = q[7];
-                let t23 = (-t22).mul_add(
-                    x_crank_2 - t6 - x_plate + t13 - t13,
-                    t21 * (t9 + (y_crank_2 + t5 - y_plate - t9)),
-                );
-                phi_q[29] = t23;
-                phi_q[30] = lit(1.0);
-                phi_q[31] = lit(1.0);
-                phi_q[32] = lit(1.0);
-            }
-
-            /// The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
-            /// Returns the smallest pivot ratio of the factorisation.
-            ///
-            /// 170 add, 260 mul, 13 div, 9 neg, 4 sin_cos, 44 select.
-            fn closing_step(&self, t: S, q: &[S; 12], w: &[S; 12], r: &[S; 12], dq: &mut [S; 12]) -> S {
-                let lit = S::lit;
-                // phi_q W phi_q^T = L D L^T
-                let w_0 = w[0];
-                let theta_crank_0 = q[2];
-                let theta_plate = q[11];
-                let theta_crank_1 = q[5];
-                let theta_crank_2 = q[8];
-                let (
-                    [sin_theta_crank_0, sin_theta_plate, sin_theta_crank_1, sin_theta_crank_2],
-                    [cos_theta_crank_0, cos_theta_plate, cos_theta_crank_1, cos_theta_crank_2],
-                ) = S::sin_cos_all([theta_crank_0, theta_plate, theta_crank_1, theta_crank_2]);
-                let w_2 = w[2];
-                let t1 = lit(0.1) * sin_theta_crank_0;
-                let y_0_2 = t1 * w_2;
-                let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                let y_1_2 = lit(-0.1) * (cos_theta_crank_0 * w_2);
-                let g_1_0 = t1 * y_1_2;
-                let l_1_0 = r_0 * g_1_0;
-                let t2 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                let y_6_0 = t2 * w_0;
-                let t3 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                let t4 = cos_theta_crank_0.mul_add(t3, sin_theta_crank_0 * t2);
-                let y_6_2 = lit(-0.1) * (t4 * w_2);
-                let g_6_0 = t1.mul_add(y_6_2, y_6_0);
-                let l_6_0 = r_0 * g_6_0;
-                let l_9_0 = y_0_2 * r_0;
-                let w_1 = w[1];
-                let t5 = lit(0.1) * cos_theta_crank_0;
-                let t6 = (-t5).mul_add(y_1_2, w_1);
-                let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t6);
-                let growth_1 = (t6 * r_1).abs();
-                let most_growth = lit(S::MOST_GROWTH);
-                let t7 = most_growth.lt(growth_1);
-                let kept_1 = S::select(t7, lit(0.0), r_1);
-                let y_6_1 = -(t3 * w_1);
-                let g_6_1 = (-g_1_0).mul_add(l_6_0, (-t5).mul_add(y_6_2, y_6_1));
-                let l_6_1 = g_6_1 * kept_1;
-                let g_9_1 = (-g_1_0).mul_add(l_9_0, y_1_2);
-                let l_9_1 = g_9_1 * kept_1;
-                let r_9 = lit(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, w_2));
-                let growth_9 = (w_2 * r_9).abs();
-                let t8 = most_growth.lt(growth_9);
-                let kept_9 = S::select(t8, lit(0.0), r_9);
-                let g_6_9 = (-g_6_1).mul_add(l_9_1, (-g_6_0).mul_add(l_9_0, y_6_2));
-                let l_6_9 = kept_9 * g_6_9;
-                let w_9 = w[9];
-                let y_6_9 = -(t2 * w_9);
-                let w_10 = w[10];
-                let y_6_10 = t3 * w_10;
-                let t9 = lit(0.4) * cos_theta_plate;
-                let t10 = lit(0.3) * sin_theta_plate;
-                let t11 = t9 - t10;
-                let x_crank_0 = q[0];
-                let x_plate = q[9];
-                let t12 = lit(0.3) * cos_theta_plate;
-                let t13 = lit(0.4) * sin_theta_plate;
-                let t14 = t12 + t13;
-                let y_crank_0 = q[1];
-                let y_plate = q[10];
-                let t15 = t2.mul_add(
-                    y_crank_0 + t1 - y_plate + t14 - t14,
-                    t3 * (x_crank_0 + t5 - x_plate + t11 - t11),
-                );
-                let w_11 = w[11];
-                let y_6_11 = w_11 * t15;
-                let t16 =
-                    (-t2).mul_add(y_6_9, (-(lit(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
-                let t17 = t15.mul_add(y_6_11, t3.mul_add(y_6_10, t16));
-                let r_6 =
-                    lit(1.0) / (-g_6_9).mul_add(l_6_9, (-g_6_1).mul_add(l_6_1, (-g_6_0).mul_add(l_6_0, t17)));
-                let growth_6 = (t17 * r_6).abs();
-                let t18 = most_growth.lt(growth_6);
-                let kept_6 = S::select(t18, lit(0.0), r_6);
-                let t19 = lit(-0.766044443118978)
-                    .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate);
-                let y_7_9 = -(t19 * w_9);
-                let t20 = lit(0.6427876096865393)
-                    .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate);
-                let y_7_10 = -(t20 * w_10);
-                let t21 = t9 + t10;
-                let x_crank_1 = q[3];
-                let t22 = lit(0.1) * cos_theta_crank_1;
-                let t23 = t12 - t13;
-                let y_crank_1 = q[4];
-                let t24 = lit(0.1) * sin_theta_crank_1;
-                let t25 = (-t19).mul_add(
-                    y_crank_1 + t24 - y_plate + t23 - t23,
-                    t20 * (t21 + (x_crank_1 + t22 - x_plate - t21)),
-                );
-                let y_7_11 = -(w_11 * t25);
-                let g_7_6 = t15.mul_add(y_7_11, (-t2).mul_add(y_7_9, t3 * y_7_10));
-                let l_7_6 = kept_6 * g_7_6;
-                let t26 = lit(-0.17364817766693033)
-                    .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate);
-                let y_8_9 = -(t26 * w_9);
-                let t27 = lit(0.984807753012208)
-                    .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate);
-                let y_8_10 = -(t27 * w_10);
-                let x_crank_2 = q[6];
-                let t28 = lit(0.1) * cos_theta_crank_2;
-                let y_crank_2 = q[7];
-                let t29 = lit(0.1) * sin_theta_crank_2;
-                let t30 = (-t26).mul_add(
-                    t9 + (y_crank_2 + t29 - y_plate - t9),
-                    t27 * (x_crank_2 + t28 - x_plate + t13 - t13),
-                );
-                let y_8_11 = -(w_11 * t30);
-                let g_8_6 = t15.mul_add(y_8_11, (-t2).mul_add(y_8_9, t3 * y_8_10));
-                let l_8_6 = kept_6 * g_8_6;
-                let w_3 = w[3];
-                let w_5 = w[5];
-                let y_2_5 = t24 * w_5;
-                let r_2 = lit(1.0) / t24.mul_add(y_2_5, w_3);
-                let y_3_5 = lit(-0.1) * (cos_theta_crank_1 * w_5);
-                let g_3_2 = t24 * y_3_5;
-                let l_3_2 = r_2 * g_3_2;
-                let y_7_3 = t19 * w_3;
-                let t31 = (-cos_theta_crank_1).mul_add(t20, sin_theta_crank_1 * t19);
-                let y_7_5 = lit(-0.1) * (t31 * w_5);
-                let g_7_2 = t24.mul_add(y_7_5, y_7_3);
-                let l_7_2 = r_2 * g_7_2;
-                let l_10_2 = y_2_5 * r_2;
-                let w_4 = w[4];
-                let t32 = (-t22).mul_add(y_3_5, w_4);
-                let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, t32);
-                let growth_3 = (t32 * r_3).abs();
-                let t33 = most_growth.lt(growth_3);
-                let kept_3 = S::select(t33, lit(0.0), r_3);
-                let y_7_4 = t20 * w_4;
-                let g_7_3 = (-g_3_2).mul_add(l_7_2, (-t22).mul_add(y_7_5, y_7_4));
-                let l_7_3 = g_7_3 * kept_3;
-                let g_10_3 = (-g_3_2).mul_add(l_10_2, y_3_5);
-                let l_10_3 = g_10_3 * kept_3;
-                let r_10 = lit(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, w_5));
-                let growth_10 = (w_5 * r_10).abs();
-                let t34 = most_growth.lt(growth_10);
-                let kept_10 = S::select(t34, lit(0.0), r_10);
-                let g_7_10 = (-g_7_3).mul_add(l_10_3, (-g_7_2).mul_add(l_10_2, y_7_5));
-                let l_7_10 = kept_10 * g_7_10;
-                let t35 = (-t19)
-                    .mul_add(y_7_9, (-(lit(0.1) * t31)).mul_add(y_7_5, t20.mul_add(y_7_4, t19 * y_7_3)));
-                let t36 = (-t25).mul_add(y_7_11, (-t20).mul_add(y_7_10, t35));
-                let d_7 = (-g_7_10).mul_add(
-                    l_7_10,
-                    (-g_7_3).mul_add(l_7_3, (-g_7_6).mul_add(l_7_6, (-g_7_2).mul_add(l_7_2, t36))),
-                );
-                let r_7 = lit(1.0) / d_7;
-                let growth_7 = (t36 * r_7).abs();
-                let t37 = most_growth.lt(growth_7);
-                let kept_7 = S::select(t37, lit(0.0), r_7);
-                let g_8_7 = -g_7_6.mul_add(l_8_6, t25.mul_add(y_8_11, t20.mul_add(y_8_10, t19 * y_8_9)));
-                let l_8_7 = kept_7 * g_8_7;
-                let w_6 = w[6];
-                let w_8 = w[8];
-                let y_4_8 = t29 * w_8;
-                let r_4 = lit(1.0) / t29.mul_add(y_4_8, w_6);
-                let y_5_8 = lit(-0.1) * (cos_theta_crank_2 * w_8);
-                let g_5_4 = t29 * y_5_8;
-                let l_5_4 = r_4 * g_5_4;
-                let y_8_6 = t26 * w_6;
-                let t38 = (-cos_theta_crank_2).mul_add(t27, sin_theta_crank_2 * t26);
-                let y_8_8 = lit(-0.1) * (t38 * w_8);
-                let g_8_4 = t29.mul_add(y_8_8, y_8_6);
-                let l_8_4 = r_4 * g_8_4;
-                let l_11_4 = y_4_8 * r_4;
-                let w_7 = w[7];
-                let t39 = (-t28).mul_add(y_5_8, w_7);
-                let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, t39);
-                let growth_5 = (t39 * r_5).abs();
-                let t40 = most_growth.lt(growth_5);
-                let kept_5 = S::select(t40, lit(0.0), r_5);
-                let y_8_7 = t27 * w_7;
-                let g_8_5 = (-g_5_4).mul_add(l_8_4, (-t28).mul_add(y_8_8, y_8_7));
-                let l_8_5 = g_8_5 * kept_5;
-                let g_11_5 = (-g_5_4).mul_add(l_11_4, y_5_8);
-                let l_11_5 = g_11_5 * kept_5;
-                let t41 = (-t26)
-                    .mul_add(y_8_9, (-(lit(0.1) * t38)).mul_add(y_8_8, t27.mul_add(y_8_7, t26 * y_8_6)));
-                let t42 = (-t30).mul_add(y_8_11, (-t27).mul_add(y_8_10, t41));
-                let d_8 = (-g_8_5).mul_add(
-                    l_8_5,
-                    (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t42))),
-                );
-                let r_8 = lit(1.0) / d_8;
-                let growth_8 = (t42 * r_8).abs();
-                let t43 = most_growth.lt(growth_8);
-                let kept_8 = S::select(t43, lit(0.0), r_8);
-                let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
-                let l_11_8 = kept_8 * g_11_8;
-                let r_11 = lit(1.0)
-                    / (-g_11_8).mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, w_8)));
-                let growth_11 = (w_8 * r_11).abs();
-                let t44 = most_growth.lt(growth_11);
-                // (phi_q W phi_q^T) mu = r
-                let residual_0 = r[0];
-                let residual_1 = r[1];
-                let b_1 = (-residual_0).mul_add(l_1_0, residual_1);
-                let residual_9 = r[9];
-                let b_9 = (-b_1).mul_add(l_9_1, (-residual_0).mul_add(l_9_0, residual_9));
-                let residual_6 = r[6];
-                let b_6 =
-                    (-l_6_9).mul_add(b_9, (-b_1).mul_add(l_6_1, (-residual_0).mul_add(l_6_0, residual_6)));
-                let residual_2 = r[2];
-                let residual_3 = r[3];
-                let b_3 = (-residual_2).mul_add(l_3_2, residual_3);
-                let residual_10 = r[10];
-                let b_10 = (-b_3).mul_add(l_10_3, (-residual_2).mul_add(l_10_2, residual_10));
-                let residual_7 = r[7];
-                let b_7 = (-l_7_10).mul_add(
-                    b_10,
-                    (-b_3).mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-residual_2).mul_add(l_7_2, residual_7))),
-                );
-                let residual_4 = r[4];
-                let residual_5 = r[5];
-                let b_5 = (-residual_4).mul_add(l_5_4, residual_5);
-                let residual_8 = r[8];
-                let b_8 = (-b_5).mul_add(
-                    l_8_5,
-                    (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, (-residual_4).mul_add(l_8_4, residual_8))),
-                );
-                let residual_11 = r[11];
-                let mu_11 = S::select(t44, lit(0.0), r_11)
-                    * (-l_11_8)
-                        .mul_add(b_8, (-b_5).mul_add(l_11_5, (-residual_4).mul_add(l_11_4, residual_11)));
-                let mu_8 = (-l_11_8).mul_add(mu_11, kept_8 * b_8);
-                let mu_5 = (-l_11_5).mul_add(mu_11, (-l_8_5).mul_add(mu_8, b_5 * kept_5));
-                let mu_4 = (-l_11_4)
-                    .mul_add(mu_11, (-l_8_4).mul_add(mu_8, (-l_5_4).mul_add(mu_5, residual_4 * r_4)));
-                let mu_7 = (-l_8_7).mul_add(mu_8, kept_7 * b_7);
-                let mu_10 = (-l_7_10).mul_add(mu_7, kept_10 * b_10);
-                let mu_3 = (-l_10_3).mul_add(mu_10, (-l_7_3).mul_add(mu_7, b_3 * kept_3));
-                let mu_2 = (-l_10_2)
-                    .mul_add(mu_10, (-l_7_2).mul_add(mu_7, (-l_3_2).mul_add(mu_3, residual_2 * r_2)));
-                let mu_6 = (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6));
-                let mu_9 = (-l_6_9).mul_add(mu_6, kept_9 * b_9);
-                let mu_1 = (-l_9_1).mul_add(mu_9, (-l_6_1).mul_add(mu_6, b_1 * kept_1));
-                let mu_0 =
-                    (-l_9_0).mul_add(mu_9, (-l_6_0).mul_add(mu_6, (-l_1_0).mul_add(mu_1, residual_0 * r_0)));
-                // Results
-                dq[0] = y_6_0.mul_add(mu_6, w_0 * mu_0);
-                dq[1] = y_6_1.mul_add(mu_6, w_1 * mu_1);
-                dq[2] = w_2.mul_add(mu_9, y_6_2.mul_add(mu_6, y_1_2.mul_add(mu_1, y_0_2 * mu_0)));
-                dq[3] = y_7_3.mul_add(mu_7, w_3 * mu_2);
-                dq[4] = y_7_4.mul_add(mu_7, w_4 * mu_3);
-                dq[5] = w_5.mul_add(mu_10, y_7_5.mul_add(mu_7, y_3_5.mul_add(mu_3, y_2_5 * mu_2)));
-                dq[6] = y_8_6.mul_add(mu_8, w_6 * mu_4);
-                dq[7] = y_8_7.mul_add(mu_8, w_7 * mu_5);
-                dq[8] = w_8.mul_add(mu_11, y_8_8.mul_add(mu_8, y_5_8.mul_add(mu_5, y_4_8 * mu_4)));
-                dq[9] = y_8_9.mul_add(mu_8, y_7_9.mul_add(mu_7, y_6_9 * mu_6));
-                dq[10] = y_8_10.mul_add(mu_8, y_7_10.mul_add(mu_7, y_6_10 * mu_6));
-                dq[11] = y_8_11.mul_add(mu_8, y_7_11.mul_add(mu_7, y_6_11 * mu_6));
-                let t45 = S::select(t7, lit(0.0), growth_1)
-                    .max(S::select(t8, lit(0.0), growth_9))
-                    .max(S::select(t18, lit(0.0), growth_6));
-                let t46 = t45
-                    .max(S::select(t33, lit(0.0), growth_3))
-                    .max(S::select(t34, lit(0.0), growth_10))
-                    .max(S::select(t37, lit(0.0), growth_7));
-                let t47 = t46
-                    .max(S::select(t40, lit(0.0), growth_5))
-                    .max(S::select(t43, lit(0.0), growth_8))
-                    .max(S::select(t44, lit(0.0), growth_11));
-                lit(1.0) / t47
-            }
-
-            /// Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.
-            fn reciprocal_mass(&self, inverse_mass: &mut [S; 12]) {
-                let lit = S::lit;
-                inverse_mass[0] = lit(3.3333333333333335);
-                inverse_mass[1] = lit(3.3333333333333335);
-                inverse_mass[2] = lit(100.0);
-                inverse_mass[3] = lit(3.3333333333333335);
-                inverse_mass[4] = lit(3.3333333333333335);
-                inverse_mass[5] = lit(100.0);
-                inverse_mass[6] = lit(3.3333333333333335);
-                inverse_mass[7] = lit(3.3333333333333335);
-                inverse_mass[8] = lit(100.0);
-                inverse_mass[9] = lit(0.5);
-                inverse_mass[10] = lit(0.5);
-                inverse_mass[11] = lit(3.3333333333333335);
+                gamma[9] = lit(-3.6) * (lit(3.0) * t).sin();
+                gamma[10] = lit(-1.2) * (lit(2.0) * t).cos();
+                gamma[11] = lit(-3.2) * (lit(4.0) * t).sin();
             }
         }
 
@@ -2417,25 +2440,50 @@ mod plm_plate_on_three_pins_ {
             /// 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
             #[inline(always)]
             fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], dx: &mut [S; 0]) -> S {
+                let [
+                    last_0,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_cosine_3,
+                    last_sine_3,
+                    _,
+                    _,
+                    last_rate_3,
+                    last_bend_3,
+                    last_value_4,
+                    last_rate_4,
+                    last_bend_4,
+                    last_value_5,
+                    last_rate_5,
+                    last_bend_5,
+                    last_value_6,
+                    last_rate_6,
+                    last_bend_6,
+                    precision,
+                    ..,
+                ] = *m;
                 let lit = S::lit;
                 // Results
-                let t_2 = t;
-                let crank_0_angle = lit(0.4) * (lit(3.0) * t_2).sin();
+                let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
-                let crank_1_angle = lit(0.3) * (lit(2.0) * t_2).cos();
+                let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
                 let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
-                let last_cosine_3 = m[12];
-                let last_0 = m[0];
-                let since_look = t_2 - last_0;
-                let last_rate_3 = m[16];
-                let last_bend_3 = m[17];
+                let since_look = t - last_0;
                 let t1 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m[13];
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -2451,14 +2499,8 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = m[18];
-                let last_rate_4 = m[19];
-                let last_bend_4 = m[20];
                 let slot_0_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
-                let last_value_5 = m[21];
-                let last_rate_5 = m[22];
-                let last_bend_5 = m[23];
                 let slot_1_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
                 let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
@@ -2473,9 +2515,6 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = m[24];
-                let last_rate_6 = m[25];
-                let last_bend_6 = m[26];
                 let slot_2_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
                 let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
@@ -2491,7 +2530,7 @@ mod plm_plate_on_three_pins_ {
                 let gap0_0_x = loop_0_x + arm0_0_4_x;
                 let j0_0_step_0_across_0 = -t11.mul_add(gap0_0_x, t10 * gap0_0_y);
                 let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
-                let crank_2_angle = lit(0.2).mul_add((lit(4.0) * t_2).sin(), lit(-0.1));
+                let crank_2_angle = lit(0.2).mul_add((lit(4.0) * t).sin(), lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
                 let loop_1_y = lit(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
                 let gap0_1_y = arm0_1_4_y + loop_1_y;
@@ -2658,7 +2697,6 @@ mod plm_plate_on_three_pins_ {
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t39, plate_angle_2_sin * t38);
                 let gap_1_y = loop_1_y + arm_1_4_y;
-                let precision = m[27];
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -2698,9 +2736,39 @@ mod plm_plate_on_three_pins_ {
                 q: &mut [S; 12],
                 v: &mut [S; 12],
             ) -> S {
+                let [
+                    last_0,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_3,
+                    last_cosine_3,
+                    last_sine_3,
+                    _,
+                    _,
+                    last_rate_3,
+                    last_bend_3,
+                    last_value_4,
+                    last_rate_4,
+                    last_bend_4,
+                    last_value_5,
+                    last_rate_5,
+                    last_bend_5,
+                    last_value_6,
+                    last_rate_6,
+                    last_bend_6,
+                    precision,
+                    ..,
+                ] = *m;
                 let lit = S::lit;
-                let t_2 = t;
-                let t1 = lit(3.0) * t_2;
+                let t1 = lit(3.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 let crank_0_angle = lit(0.4) * sin_t1;
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
@@ -2709,7 +2777,7 @@ mod plm_plate_on_three_pins_ {
                 let crank_0_y = lit(0.1) * sin_crank_0_angle;
                 q[1] = crank_0_y;
                 q[2] = crank_0_angle;
-                let t2 = lit(2.0) * t_2;
+                let t2 = lit(2.0) * t;
                 let (sin_t2, cos_t2) = t2.sin_cos();
                 let crank_1_angle = lit(0.3) * cos_t2;
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
@@ -2717,7 +2785,7 @@ mod plm_plate_on_three_pins_ {
                 q[3] = t3 + lit(1.0);
                 q[4] = lit(0.1) * sin_crank_1_angle;
                 q[5] = crank_1_angle;
-                let t4 = lit(4.0) * t_2;
+                let t4 = lit(4.0) * t;
                 let (sin_t4, cos_t4) = t4.sin_cos();
                 let crank_2_angle = lit(0.2).mul_add(sin_t4, lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
@@ -2725,17 +2793,12 @@ mod plm_plate_on_three_pins_ {
                 q[6] = t5 + lit(0.5);
                 q[7] = lit(0.1).mul_add(sin_crank_2_angle, lit(0.9));
                 q[8] = crank_2_angle;
-                let last_cosine_3 = m[12];
-                let last_0 = m[0];
-                let since_look = t_2 - last_0;
-                let last_rate_3 = m[16];
-                let last_bend_3 = m[17];
+                let since_look = t - last_0;
                 let t6 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
                 let plate_angle_expected_tangent =
                     t6 * (lit(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m[13];
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -2751,14 +2814,8 @@ mod plm_plate_on_three_pins_ {
                 let t10 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t9.mul_add(t10, t7 * t8);
-                let last_value_4 = m[18];
-                let last_rate_4 = m[19];
-                let last_bend_4 = m[20];
                 let slot_0_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
-                let last_value_5 = m[21];
-                let last_rate_5 = m[22];
-                let last_bend_5 = m[23];
                 let slot_1_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
                 let t11 = lit(0.8191520442889918) * slot_0_displacement_expected;
@@ -2773,9 +2830,6 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t15, arm0_0_4_y * t16);
                 let j0_0_across_0_1 = t9.mul_add(t16, t7 * t15);
-                let last_value_6 = m[24];
-                let last_rate_6 = m[25];
-                let last_bend_6 = m[26];
                 let slot_2_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
                 let t17 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t11) - lit(0.4);
@@ -2939,7 +2993,6 @@ mod plm_plate_on_three_pins_ {
                 q[9] = crank_0_x + crank_0_x - t41;
                 let t42 = plate_angle_2_cos.mul_add(t40, plate_angle_2_sin * t38);
                 q[10] = crank_0_y + crank_0_y - t42;
-                let last_angle_3 = m[11];
                 let t43 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
@@ -3031,7 +3084,6 @@ mod plm_plate_on_three_pins_ {
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let gap_1_y = loop_1_y + arm_1_4_y;
-                let precision = m[27];
                 let t62 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -3048,20 +3100,45 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 11 select, 1 other.
             fn look_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], memory: &mut [S; 28]) -> S {
+                let [
+                    last_0,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    last_angle_3,
+                    last_cosine_3,
+                    last_sine_3,
+                    _,
+                    _,
+                    last_rate_3,
+                    last_bend_3,
+                    last_value_4,
+                    last_rate_4,
+                    last_bend_4,
+                    last_value_5,
+                    last_rate_5,
+                    last_bend_5,
+                    last_value_6,
+                    last_rate_6,
+                    last_bend_6,
+                    precision,
+                    ..,
+                ] = *m;
                 let lit = S::lit;
-                let t_2 = t;
-                memory[0] = t_2;
-                let last_cosine_3 = m[12];
-                let last_0 = m[0];
-                let since_look = t_2 - last_0;
-                let last_rate_3 = m[16];
-                let last_bend_3 = m[17];
+                memory[0] = t;
+                let since_look = t - last_0;
                 let t1 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m[13];
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -3077,14 +3154,8 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = m[18];
-                let last_rate_4 = m[19];
-                let last_bend_4 = m[20];
                 let slot_0_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
-                let last_value_5 = m[21];
-                let last_rate_5 = m[22];
-                let last_bend_5 = m[23];
                 let slot_1_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
                 let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
@@ -3099,9 +3170,6 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = m[24];
-                let last_rate_6 = m[25];
-                let last_bend_6 = m[26];
                 let slot_2_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
                 let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
@@ -3112,11 +3180,11 @@ mod plm_plate_on_three_pins_ {
                 let j0_0_reciprocal =
                     lit(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
                 let j0_0_inverse_0_0 = j0_0_across_1_1 * j0_0_reciprocal;
-                let t14 = lit(3.0) * t_2;
+                let t14 = lit(3.0) * t;
                 let (sin_t14, cos_t14) = t14.sin_cos();
                 let crank_0_angle = lit(0.4) * sin_t14;
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
-                let t15 = lit(2.0) * t_2;
+                let t15 = lit(2.0) * t;
                 let (sin_t15, cos_t15) = t15.sin_cos();
                 let crank_1_angle = lit(0.3) * cos_t15;
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
@@ -3126,7 +3194,7 @@ mod plm_plate_on_three_pins_ {
                 let gap0_0_x = loop_0_x + arm0_0_4_x;
                 let j0_0_step_0_across_0 = -t11.mul_add(gap0_0_x, t10 * gap0_0_y);
                 let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
-                let t16 = lit(4.0) * t_2;
+                let t16 = lit(4.0) * t;
                 let (sin_t16, cos_t16) = t16.sin_cos();
                 let crank_2_angle = lit(0.2).mul_add(sin_t16, lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
@@ -3327,7 +3395,6 @@ mod plm_plate_on_three_pins_ {
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let gap_1_y = loop_1_y + arm_1_4_y;
-                let precision = m[27];
                 let t58 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -3367,7 +3434,6 @@ mod plm_plate_on_three_pins_ {
                 memory[8] = crank_2_angle;
                 memory[9] = cos_crank_2_angle;
                 memory[10] = sin_crank_2_angle;
-                let last_angle_3 = m[11];
                 let t66 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
@@ -3398,120 +3464,126 @@ mod plm_plate_on_three_pins_ {
             /// 84 add, 105 mul, 1 div, 2 neg, 4 sin_cos.
             #[cold]
             fn survey_0(&self, t: S, q: &[S; 12], v: &[S; 12], memory: &mut [S; 28]) -> S {
+                let [
+                    crank_0_x,
+                    crank_0_y,
+                    crank_0_angle,
+                    crank_1_x,
+                    crank_1_y,
+                    crank_1_angle,
+                    crank_2_x,
+                    crank_2_y,
+                    crank_2_angle,
+                    plate_x,
+                    plate_y,
+                    plate_angle,
+                    ..,
+                ] = *q;
+                let [
+                    crank_0_vx,
+                    crank_0_vy,
+                    crank_0_omega,
+                    crank_1_vx,
+                    crank_1_vy,
+                    crank_1_omega,
+                    crank_2_vx,
+                    crank_2_vy,
+                    crank_2_omega,
+                    plate_vx,
+                    plate_vy,
+                    plate_omega,
+                    ..,
+                ] = *v;
                 let lit = S::lit;
                 memory[0] = t;
                 memory[1] = lit(0.0);
-                let theta_crank_0 = q[2];
-                memory[2] = theta_crank_0;
-                let theta_crank_1 = q[5];
-                let theta_crank_2 = q[8];
-                let theta_plate = q[11];
+                memory[2] = crank_0_angle;
                 let (
-                    [sin_theta_crank_0, sin_theta_crank_1, sin_theta_crank_2, sin_theta_plate],
-                    [cos_theta_crank_0, cos_theta_crank_1, cos_theta_crank_2, cos_theta_plate],
-                ) = S::sin_cos_all([theta_crank_0, theta_crank_1, theta_crank_2, theta_plate]);
-                memory[3] = cos_theta_crank_0;
-                memory[4] = sin_theta_crank_0;
-                memory[5] = theta_crank_1;
-                memory[6] = cos_theta_crank_1;
-                memory[7] = sin_theta_crank_1;
-                memory[8] = theta_crank_2;
-                memory[9] = cos_theta_crank_2;
-                memory[10] = sin_theta_crank_2;
-                memory[11] = theta_plate;
-                memory[12] = cos_theta_plate;
-                memory[13] = sin_theta_plate;
+                    [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
+                    [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
+                ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
+                memory[3] = cos_crank_0_angle;
+                memory[4] = sin_crank_0_angle;
+                memory[5] = crank_1_angle;
+                memory[6] = cos_crank_1_angle;
+                memory[7] = sin_crank_1_angle;
+                memory[8] = crank_2_angle;
+                memory[9] = cos_crank_2_angle;
+                memory[10] = sin_crank_2_angle;
+                memory[11] = plate_angle;
+                memory[12] = cos_plate_angle;
+                memory[13] = sin_plate_angle;
                 memory[14] = lit(1.0);
-                memory[15] = theta_plate;
-                let omega_plate = v[11];
-                memory[16] = omega_plate;
+                memory[15] = plate_angle;
+                memory[16] = plate_omega;
                 memory[17] = lit(0.0);
                 let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_theta_plate, lit(0.8191520442889918) * cos_theta_plate);
-                let x_crank_0 = q[0];
-                let x_plate = q[9];
-                let t2 = lit(0.3).mul_add(sin_theta_plate, x_plate);
-                let t3 = lit(0.4) * cos_theta_plate;
-                let t4 = lit(0.1).mul_add(cos_theta_crank_0, x_crank_0) + t3 - t2;
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t2 = lit(0.3).mul_add(sin_plate_angle, plate_x);
+                let t3 = lit(0.4) * cos_plate_angle;
+                let t4 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t3 - t2;
                 let t5 = lit(0.8191520442889918)
-                    .mul_add(sin_theta_plate, lit(0.573576436351046) * cos_theta_plate);
-                let y_crank_0 = q[1];
-                let y_plate = q[10];
-                let t6 = lit(-0.3).mul_add(cos_theta_plate, y_plate);
-                let t7 = lit(0.4) * sin_theta_plate;
-                let t8 = lit(0.1).mul_add(sin_theta_crank_0, y_crank_0) + t7 - t6;
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t6 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t7 = lit(0.4) * sin_plate_angle;
+                let t8 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t7 - t6;
                 let t9 = t5.mul_add(t8, t1 * t4);
                 memory[18] = lit(2.5) * t9;
-                let t10 = omega_plate * sin_theta_plate;
-                let t11 = omega_plate * cos_theta_plate;
-                let vx_crank_0 = v[0];
-                let omega_crank_0 = v[2];
-                let vx_plate = v[9];
-                let t12 = lit(0.3).mul_add(t11, vx_plate);
-                let t13 = lit(0.1) * omega_crank_0;
+                let t10 = plate_omega * sin_plate_angle;
+                let t11 = plate_omega * cos_plate_angle;
+                let t12 = lit(0.3).mul_add(t11, plate_vx);
+                let t13 = lit(0.1) * crank_0_omega;
                 let t14 = lit(0.4) * t10;
-                let vy_crank_0 = v[1];
-                let vy_plate = v[10];
-                let t15 = lit(0.3).mul_add(t10, vy_plate);
+                let t15 = lit(0.3).mul_add(t10, plate_vy);
                 let t16 = lit(0.4) * t11;
                 let t17 = (-t1).mul_add(
-                    (-t13).mul_add(sin_theta_crank_0, vx_crank_0) - t14 - t12,
+                    (-t13).mul_add(sin_crank_0_angle, crank_0_vx) - t14 - t12,
                     lit(0.573576436351046).mul_add(t11, lit(0.8191520442889918) * t10) * t4,
                 );
                 let t18 = (-t5).mul_add(
-                    t13.mul_add(cos_theta_crank_0, vy_crank_0) + t16 - t15,
+                    t13.mul_add(cos_crank_0_angle, crank_0_vy) + t16 - t15,
                     lit(-0.8191520442889918).mul_add(t11, lit(0.573576436351046) * t10).mul_add(t8, t17),
                 );
                 memory[19] = lit(-2.5) * t18;
                 memory[20] = lit(0.0);
                 let t19 = lit(0.6427876096865393)
-                    .mul_add(sin_theta_plate, lit(0.766044443118978) * cos_theta_plate);
-                let x_crank_1 = q[3];
-                let t20 = lit(0.1).mul_add(cos_theta_crank_1, x_crank_1) - t3 - t2;
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                let t20 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t3 - t2;
                 let t21 = t19 * t20;
                 let t22 = lit(-0.766044443118978)
-                    .mul_add(sin_theta_plate, lit(0.6427876096865393) * cos_theta_plate);
-                let y_crank_1 = q[4];
-                let t23 = lit(0.1).mul_add(sin_theta_crank_1, y_crank_1) - t7 - t6;
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                let t23 = lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t7 - t6;
                 let t24 = t22 * t23;
                 let t25 = t21 - t24;
                 memory[21] = lit(-2.5) * t25;
-                let vx_crank_1 = v[3];
-                let omega_crank_1 = v[5];
-                let t26 = lit(0.1) * omega_crank_1;
-                let vy_crank_1 = v[4];
+                let t26 = lit(0.1) * crank_1_omega;
                 let t27 = (-t19).mul_add(
-                    (-t26).mul_add(sin_theta_crank_1, vx_crank_1 + t14) - t12,
+                    (-t26).mul_add(sin_crank_1_angle, crank_1_vx + t14) - t12,
                     lit(-0.6427876096865393).mul_add(t11, lit(0.766044443118978) * t10) * t20,
                 );
                 let t28 = t22.mul_add(
-                    t26.mul_add(cos_theta_crank_1, vy_crank_1 - t16) - t15,
+                    t26.mul_add(cos_crank_1_angle, crank_1_vy - t16) - t15,
                     (-lit(0.766044443118978).mul_add(t11, lit(0.6427876096865393) * t10)).mul_add(t23, t27),
                 );
                 memory[22] = lit(2.5) * t28;
                 memory[23] = lit(0.0);
                 let t29 = lit(0.984807753012208)
-                    .mul_add(sin_theta_plate, lit(0.17364817766693033) * cos_theta_plate);
-                let x_crank_2 = q[6];
-                let t30 = lit(0.1).mul_add(cos_theta_crank_2, x_crank_2) - x_plate + t7;
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                let t30 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t7;
                 let t31 = t29 * t30;
                 let t32 = lit(-0.17364817766693033)
-                    .mul_add(sin_theta_plate, lit(0.984807753012208) * cos_theta_plate);
-                let y_crank_2 = q[7];
-                let t33 = lit(0.1).mul_add(sin_theta_crank_2, y_crank_2) - y_plate - t3;
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                let t33 = lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t3;
                 let t34 = t32 * t33;
                 let t35 = t31 - t34;
                 memory[24] = lit(-2.5) * t35;
-                let vx_crank_2 = v[6];
-                let omega_crank_2 = v[8];
-                let t36 = lit(0.1) * omega_crank_2;
-                let vy_crank_2 = v[7];
+                let t36 = lit(0.1) * crank_2_omega;
                 let t37 = (-t29).mul_add(
-                    (-t36).mul_add(sin_theta_crank_2, vx_crank_2 - vx_plate + t16),
+                    (-t36).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t16),
                     t30 * lit(-0.984807753012208).mul_add(t11, lit(0.17364817766693033) * t10),
                 );
                 let t38 = t32.mul_add(
-                    t36.mul_add(cos_theta_crank_2, vy_crank_2 - vy_plate + t14),
+                    t36.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t14),
                     (-t33).mul_add(lit(0.17364817766693033).mul_add(t11, lit(0.984807753012208) * t10), t37),
                 );
                 memory[25] = lit(2.5) * t38;
@@ -3525,15 +3597,15 @@ mod plm_plate_on_three_pins_ {
                 let t41 = lit(0.573576436351046) * t9;
                 let t42 = lit(0.6427876096865393).mul_add(t25, t41);
                 let j_0_across_0_0 = (-t19).mul_add(
-                    (-cos_theta_plate).mul_add(t40, sin_theta_plate * t42),
-                    t22 * -cos_theta_plate.mul_add(t42, sin_theta_plate * t40),
+                    (-cos_plate_angle).mul_add(t40, sin_plate_angle * t42),
+                    t22 * -cos_plate_angle.mul_add(t42, sin_plate_angle * t40),
                 );
                 let t43 = lit(-0.17364817766693033).mul_add(lit(0.9999999999999999).mul_add(t31, -t34), t39)
                     - lit(0.4);
                 let t44 = lit(0.984807753012208).mul_add(t35, t41) - lit(0.7);
                 let j_0_across_1_0 = (-t29).mul_add(
-                    (-cos_theta_plate).mul_add(t43, sin_theta_plate * t44),
-                    t32 * -cos_theta_plate.mul_add(t44, sin_theta_plate * t43),
+                    (-cos_plate_angle).mul_add(t43, sin_plate_angle * t44),
+                    t32 * -cos_plate_angle.mul_add(t44, sin_plate_angle * t43),
                 );
                 let j_0_determinant =
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);

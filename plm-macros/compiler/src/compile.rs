@@ -7,7 +7,7 @@ use plm_cas::{Expr, Graph, algebra};
 use crate::check;
 use crate::derive::{derive, hold};
 use crate::diag::Diagnostics;
-use crate::emit::{self, Code};
+use crate::emit::{self, Code, Place};
 use crate::fallback;
 use crate::formulate::{Program, formulate, reduce};
 use crate::front::{self, Reading};
@@ -37,17 +37,18 @@ pub struct Expansion {
 pub fn compile(sources: &mut Sources) -> Expansion {
     let mut sink = Diagnostics::new();
     let reading = front::read(sources, &mut sink);
+    let place = |span| sources.place_in_rust(span);
     let model = reading.model(&mut sink);
     let expansion = model.and_then(|model| {
         check::check_names(&model, &mut sink);
         let (model, observed) = apart(&reading, model);
-        back_end(model, observed, &mut sink)
+        back_end(model, observed, &place, &mut sink)
     });
     let mut expansion = expansion.unwrap_or_default();
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| stand_in(&reading));
+        let code = expansion.code.or_else(|| stand_in(&reading, &place));
         expansion = Expansion { code, ..Expansion::default() };
     }
     expansion.diagnostics = sink;
@@ -58,7 +59,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
-    stand_in(&reading)
+    stand_in(&reading, &|span| sources.place_in_rust(span))
 }
 
 /// What is observed, and its graph.
@@ -75,9 +76,9 @@ fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
 }
 
 /// From the model to source text, in the model's graph, which the oracle keeps.
-fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Option<Expansion> {
+fn back_end(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Option<Expansion> {
     let mut graph = std::mem::take(&mut model.graph);
-    let mut expansion = graph.enter(|| passes(model, observed, sink))?;
+    let mut expansion = graph.enter(|| passes(model, observed, place, sink))?;
     if let Some(oracle) = &mut expansion.oracle {
         oracle.graph = RefCell::new(graph);
     }
@@ -85,7 +86,7 @@ fn back_end(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Opt
 }
 
 /// The passes behind the model; nothing where there are errors that leave nothing to go on with.
-fn passes(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Option<Expansion> {
+fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Option<Expansion> {
     check::check_reach(&model, sink);
     sound(sink)?;
 
@@ -117,7 +118,7 @@ fn passes(mut model: Model, observed: Observed, sink: &mut Diagnostics) -> Optio
     let mut report = Report::new(&scene, &program);
     report.add_start(&scene, &start, program.reduced());
 
-    let code = emit::emit(&model, &equations, &program.absolute, program.reduced(), &report);
+    let code = emit::emit(&model, &equations, &program.absolute, program.reduced(), (&report, place));
     let oracle = Oracle { graph: RefCell::default(), model, equations, program };
     Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
 }
@@ -137,7 +138,7 @@ fn fetched(mut outputs: Vec<Output>, from: &Graph, held: &[(Expr, Expr)]) -> Vec
 }
 
 /// The source of a model that stands for one with errors; nothing about it is checked, and its start is not assembled.
-fn stand_in(reading: &Reading) -> Option<Code> {
+fn stand_in(reading: &Reading, place: Place) -> Option<Code> {
     let unchecked = || {
         let model = fallback::model(reading)?;
         let equations = derive(&model);
@@ -145,7 +146,7 @@ fn stand_in(reading: &Reading) -> Option<Code> {
         let reduced = reduce(&Scene::declared(&model, &equations, &absolute), None);
         let program = Program { absolute, reduced };
         let report = Report::new(&Scene::declared(&model, &equations, &program.absolute), &program);
-        Some(emit::emit(&model, &equations, &program.absolute, program.reduced(), &report))
+        Some(emit::emit(&model, &equations, &program.absolute, program.reduced(), (&report, place)))
     };
     Graph::new().enter(unchecked)
 }

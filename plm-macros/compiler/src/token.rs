@@ -197,6 +197,8 @@ impl Source {
 pub struct Sources {
     list: Vec<Source>,
     files: Files,
+    /// Where rustc has the tokens of the declaration; nothing where they are those of a text.
+    places: Vec<proc_macro2::Span>,
 }
 
 /// Files that a declaration names, by their names: what is in them, or why they cannot be read.
@@ -218,6 +220,18 @@ impl Sources {
     /// Adds tokens that were lexed elsewhere (by rustc); gives their index.
     pub fn add_tokens(&mut self, name: &str, tokens: Vec<Token>) -> u32 {
         self.add(name, tokens, None)
+    }
+
+    /// Hands over where rustc has each token of the declaration.
+    pub fn add_places(&mut self, places: Vec<proc_macro2::Span>) {
+        self.places = places;
+    }
+
+    /// Where rustc has what stands at a span; the call of the macro where it has it not.
+    pub fn place_in_rust(&self, span: Span) -> proc_macro2::Span {
+        let here = proc_macro2::Span::call_site();
+        let place = self.places.get(span.first as usize).filter(|_| span.source == 0);
+        place.map_or(here, |place| place.resolved_at(here))
     }
 
     fn add(&mut self, name: &str, tokens: Vec<Token>, text: Option<SourceText>) -> u32 {

@@ -236,9 +236,9 @@ fn the_generated_code_is_as_shown() {
     }
     let lines: Vec<&str> = text.lines().collect();
     for block in blocks(&lines).iter().filter(|block| block.words.len() == 2) {
-        let start = code.find(&format!("        fn {}(", block.words[1])).unwrap();
-        let end = start + code[start..].find("\n        }\n").unwrap() + "\n        }".len();
-        let function: Vec<&str> = code[start..end].lines().map(|line| line.get(8..).unwrap_or("")).collect();
+        let start = code.find(&format!("            fn {}(", block.words[1])).unwrap();
+        let end = start + code[start..].find("\n            }\n").unwrap() + "\n            }".len();
+        let function: Vec<&str> = code[start..end].lines().map(|line| line.get(12..).unwrap_or("")).collect();
         if std::env::var_os("PLM_BLESS").is_some() {
             let blessed = [&lines[..block.first], &function, &lines[block.end..]].concat();
             fs::write(&page, blessed.join("\n") + "\n").unwrap();

@@ -1,8 +1,9 @@
-//! What emitted code shows to people: its documentation.
+//! What emitted code shows to people: its documentation; and that it is what rustc gets.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use plm_compiler::compile;
 use plm_compiler::token::Sources;
+use plm_compiler::{Code, compile};
+use proc_macro2::{TokenStream, TokenTree};
 
 /// A crank with a loop, parameters of all kinds, and a condition.
 const CRANK: &str = "
@@ -26,13 +27,17 @@ const CRANK: &str = "
     }";
 
 fn emitted(text: &str) -> String {
+    code(text).text()
+}
+
+fn code(text: &str) -> Code {
     let mut sources = Sources::new();
     sources.add_text("declaration", text);
     let expansion = compile(&mut sources);
     let messages: Vec<String> =
         expansion.diagnostics.sorted().iter().map(|diagnostic| diagnostic.render(&sources)).collect();
     assert!(messages.is_empty(), "{}", messages.join("\n"));
-    expansion.code.unwrap().text()
+    expansion.code.unwrap()
 }
 
 #[test]
@@ -146,4 +151,62 @@ fn rates_are_written_in_the_order_of_the_state() {
         written.sort_unstable();
         assert_eq!(written, (0..length).collect::<Vec<_>>(), "{rung}");
     }
+}
+
+/// Every token, groups opened.
+fn flat(stream: TokenStream, words: &mut Vec<String>) {
+    for tree in stream {
+        match tree {
+            TokenTree::Group(group) => {
+                words.push(format!("{:?}", group.delimiter()));
+                flat(group.stream(), words);
+                words.pop_if(|last| last == ",");
+                words.push("end".to_owned());
+            }
+            // Documentation is a raw string in tokens, and a plain one that was a comment.
+            TokenTree::Literal(literal) => words.push(literal.to_string().trim_start_matches('r').to_owned()),
+            other => words.push(other.to_string()),
+        }
+    }
+}
+
+#[test]
+fn people_read_what_rustc_gets() {
+    for rung in ["loops", "absolute"] {
+        let code = code(&CRANK.replacen("param", &format!("rung: {rung}; param"), 1));
+        let [mut shown, mut given] = [Vec::new(), Vec::new()];
+        flat(code.text().parse().unwrap(), &mut shown);
+        flat(code.tokens().unwrap(), &mut given);
+        let differs = shown.iter().zip(&given).position(|(shown, given)| shown != given);
+        let around = differs.map(|at| (&shown[at.saturating_sub(9)..=at], &given[at]));
+        assert!(around.is_none() && shown.len() == given.len(), "{around:?}");
+        assert!(shown.len() > 3000, "{}", shown.len());
+    }
+}
+
+/// A mechanism may be called as anything that its code names, which then has another name for it.
+#[test]
+fn code_names_nothing_else_as_the_mechanism() {
+    let mut seen = 0;
+    for rung in ["loops", "absolute"] {
+        let text = CRANK.replacen("param", &format!("rung: {rung}; param"), 1);
+        let mut words = Vec::new();
+        flat(code(&text).tokens().unwrap(), &mut words);
+        let mut defined: Vec<&str> = words
+            .windows(2)
+            .filter(|two| ["struct", "trait", "enum"].contains(&two[0].as_str()))
+            .map(|two| two[1].as_str())
+            .collect();
+        defined.extend([
+            "Option", "Result", "Default", "Sim", "Method", "Real", "Scalar", "S", "T", "N", "K", "I", "NQ",
+            "Assembly",
+        ]);
+        for name in defined.into_iter().filter(|name| *name != "Crank") {
+            let code = emitted(&text.replace("pub Crank", &format!("pub {name}")));
+            assert!(code.contains(&format!("use super::type_::{name} as Mechanism_;")), "{name}");
+            seen += 1;
+        }
+        assert!(emitted(&text).contains("use super::type_::Crank;"));
+    }
+    assert!(seen > 30, "{seen}");
 }

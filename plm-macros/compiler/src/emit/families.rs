@@ -1,7 +1,10 @@
 //! Bodies and outputs of repetitions by their indices: `sim.bar(3)` beside `sim.bar_3()`.
 
-use super::names::Names;
-use super::{Emission, docs, push};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::names::{Names, token};
+use super::{Emission, docs, item::outputs::kind};
 use crate::model::{Model, Output};
 
 /// Names of the indices; what has more of them is read by its own name alone.
@@ -9,7 +12,7 @@ const INDICES: [&str; 6] = ["i", "j", "k", "l", "m", "n"];
 
 /// Bodies, or outputs of one shape, whose names differ in their indices alone.
 #[derive(Clone, Debug)]
-pub(crate) struct Family {
+pub(super) struct Family {
     /// Its accessor.
     name: String,
     /// The path with names of indices in it, `bar[i].angle`.
@@ -20,7 +23,7 @@ pub(crate) struct Family {
 }
 
 /// The families of a model that have a name of their own.
-pub(crate) fn find(model: &Model, accessors: &mut Names) -> Vec<Family> {
+pub(super) fn find(model: &Model, accessors: &mut Names) -> Vec<Family> {
     let bodies = model.bodies.iter().map(|body| body.name.text.as_str()).enumerate();
     let outputs = model.outputs.iter().enumerate().filter(|(_, output)| output.declared);
     let outputs = outputs.map(|(k, output)| (k, output.name.text.as_str()));
@@ -55,7 +58,7 @@ fn split(path: &str) -> Option<(String, String, Vec<usize>)> {
     named.push_str(first);
     for part in parts {
         let (index, rest) = part.split_once(']')?;
-        push(&mut named, format_args!("[{}]{rest}", INDICES.get(indices.len())?));
+        named.extend(["[", INDICES.get(indices.len())?, "]", rest]);
         name.push_str(rest);
         indices.push(index.parse().ok()?);
     }
@@ -73,89 +76,76 @@ fn is_of_one_shape(model: &Model, family: &Family) -> bool {
 }
 
 /// Their accessors.
-pub(crate) fn emit(text: &mut String, emission: &Emission) {
-    for family in &emission.fields.families {
-        if family.are_bodies {
-            bodies(text, emission, family);
-        } else {
-            outputs(text, emission, family);
+pub(super) fn accessors(emission: &Emission) -> TokenStream {
+    let families = emission.fields.families.iter();
+    families
+        .map(|family| if family.are_bodies { bodies(emission, family) } else { outputs(emission, family) })
+        .collect()
+}
+
+impl Family {
+    /// Its accessor, as a token.
+    fn accessor(&self) -> Ident {
+        token(&self.name, Span::call_site())
+    }
+
+    fn indices(&self) -> Vec<Ident> {
+        let count = self.members.first().map_or(0, |(indices, _)| indices.len());
+        INDICES.iter().take(count).map(|name| Ident::new(name, Span::call_site())).collect()
+    }
+
+    /// `match (i, j) { (0, 1) => …, _ => return None }`
+    fn chosen(&self, emission: &Emission, value: impl Fn(usize) -> String) -> TokenStream {
+        let arms = self.members.iter().map(|(indices, member)| {
+            let indices: Vec<String> = indices.iter().map(usize::to_string).collect();
+            match indices.as_slice() {
+                [index] => format!("{index} => {}", value(*member)),
+                many => format!("({}) => {}", many.join(", "), value(*member)),
+            }
+        });
+        let arms = emission.lines(arms);
+        let of = match self.indices().as_slice() {
+            [index] => quote!(#index),
+            many => quote!((#(#many),*)),
+        };
+        quote!(match #of { #arms _ => return None })
+    }
+}
+
+fn bodies(emission: &Emission, family: &Family) -> TokenStream {
+    let (name, indices) = (family.accessor(), family.indices());
+    let nq = &emission.sizes.nq;
+    let pose = if emission.is_reduced() { quote!(self.pose_()) } else { quote!(absolute::split(&self.x)) };
+    let body = family.chosen(emission, |body| body.to_string());
+    let docs = docs::docs(
+        emission,
+        &format!(
+            "Pose and velocity of G of body `{}`, m, m, rad; m/s, m/s, rad/s; none if there is no such body.",
+            family.path
+        ),
+    );
+    quote! {
+        #docs
+        pub fn #name(&self, #(#indices: usize),*) -> Option<BodyState<S>> {
+            let body = #body;
+            let (q, v): ([S; #nq], [S; #nq]) = #pose;
+            BodyState::among(&q, &v, body)
         }
     }
 }
 
-impl Family {
-    /// `i: usize, j: usize`
-    fn arguments(&self) -> String {
-        let names = self.indices().iter().map(|name| format!("{name}: usize"));
-        names.collect::<Vec<_>>().join(", ")
+fn outputs(emission: &Emission, family: &Family) -> TokenStream {
+    let first = family.members.first().and_then(|(_, member)| emission.model.outputs.get(*member));
+    let Some(first) = first else { return TokenStream::new() };
+    let (name, indices, kind) = (family.accessor(), family.indices(), kind(first));
+    let output = family.chosen(emission, |output| format!("self.{}()", emission.fields.outputs[output]));
+    let unit = docs::si(&first.unit);
+    let docs =
+        docs::docs(emission, &format!("Output `{}`, {unit}; none if there is no such output.", family.path));
+    quote! {
+        #docs
+        pub fn #name(&self, #(#indices: usize),*) -> Option<#kind> {
+            Some(#output)
+        }
     }
-
-    fn indices(&self) -> &'static [&'static str] {
-        let count = self.members.first().map_or(0, |(indices, _)| indices.len());
-        INDICES.get(..count).unwrap_or_default()
-    }
-
-    /// `match (i, j) { (0, 1) => …, _ => return None }`
-    fn chosen(&self, value: impl Fn(usize) -> String) -> String {
-        let tuple = |items: Vec<String>| match items.len() {
-            1 => items.concat(),
-            _ => format!("({})", items.join(", ")),
-        };
-        let arms = self.members.iter().map(|(indices, member)| {
-            let indices = tuple(indices.iter().map(usize::to_string).collect());
-            format!("                {indices} => {},\n", value(*member))
-        });
-        let of = tuple(self.indices().iter().map(ToString::to_string).collect());
-        format!(
-            "match {of} {{\n{}                _ => return None,\n            }}",
-            arms.collect::<String>()
-        )
-    }
-}
-
-fn bodies(text: &mut String, emission: &Emission, family: &Family) {
-    let pose = if emission.reduced.is_some() { "self.pose_()" } else { "absolute::split(&self.x)" };
-    let nq = emission.equations.q.len();
-    push(
-        text,
-        format_args!(
-            "        /// Pose and velocity of G of body `{}`, m, m, rad; m/s, m/s, rad/s; none if there is no such body.
-        pub fn {}(&self, {}) -> Option<BodyState<S>> {{
-            let body = {};
-            let (q, v): ([S; {nq}], [S; {nq}]) = {pose};
-            BodyState::among(&q, &v, body)
-        }}
-
-",
-            family.path,
-            family.name,
-            family.arguments(),
-            family.chosen(|body| body.to_string()),
-        ),
-    );
-}
-
-fn outputs(text: &mut String, emission: &Emission, family: &Family) {
-    let Some(Output { components, unit, .. }) =
-        family.members.first().and_then(|(_, member)| emission.model.outputs.get(*member))
-    else {
-        return;
-    };
-    let kind = if components.len() == 1 { "S".to_owned() } else { format!("[S; {}]", components.len()) };
-    push(
-        text,
-        format_args!(
-            "        /// Output `{}`, {}; none if there is no such output.
-        pub fn {}(&self, {}) -> Option<{kind}> {{
-            Some({})
-        }}
-
-",
-            family.path,
-            docs::si(unit),
-            family.name,
-            family.arguments(),
-            family.chosen(|output| format!("self.{}()", emission.fields.outputs[output])),
-        ),
-    );
 }

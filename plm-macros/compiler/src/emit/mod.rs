@@ -1,158 +1,77 @@
-//! Writes the Rust source of a mechanism. No algebra happens here.
+//! Writes the Rust of a mechanism. No algebra happens here.
 //!
-//! The source is text, not token trees: rustc's own lexer reads it in a fraction of the time that building token trees
-//! takes in an unoptimised macro, and it can be read as it stands (`cargo run -p plm-compiler --example dump`).
+//! One function writes each item: what users see in `item`, what the runtime asks for in `contract`, the straight-line
+//! functions in `function`, whose statements `lower` makes of tapes.
 
-mod augmented;
-mod blocks;
-mod bodies;
-mod charts;
-mod defaults;
+mod bindings;
+mod code;
+mod contract;
 mod docs;
 mod families;
-mod limits;
-mod linear;
-mod lines;
-mod mechanism;
-pub(crate) mod names;
-mod outputs;
-mod pictures;
-mod piece;
-mod reduced;
-mod sides;
-mod singular;
-mod solved;
-mod statics;
-mod system;
-mod types;
+mod fields;
+mod function;
+mod item;
+mod lower;
+mod print;
 
-use std::fmt::Write;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 
-use plm_cas::Expr;
-
+pub use self::code::Code;
+use self::code::Texts;
+use self::fields::Fields;
+pub(crate) use self::fields::METHODS;
+pub(crate) use self::lower::names;
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Function, Reduced};
+use crate::formulate::{Absolute, Chart, Function, Reduced};
 use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
 
-/// Emitted source.
-///
-/// The one name of the user's own that is a type is that of the mechanism, and it may be any: `Option`, `State`, `S`. So the
-/// type is defined in a module by itself, and the code has it under a name that nothing else in it has.
-/// The outer module has a name that no crate has, so that the `use` in front of it means the same at module level and within
-/// a function.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Code {
-    /// Items beside the outer module: the names that the user sees.
-    pub before: String,
-    /// Attributes and name of the outer module, without its braces.
-    pub module: String,
-    /// First in it: the module that the user sees, and the one that defines the mechanism's type.
-    pub face: String,
-    /// Name of the module of the code, without its braces.
-    pub inner: String,
-    /// First in that: types and signatures that users see.
-    pub public: String,
-    /// What stands behind them.
-    pub implementation: String,
-    /// Identifiers of the public part and where the user wrote them.
-    pub names: Vec<(String, Span)>,
-}
+/// Where rustc has what the user wrote.
+pub(crate) type Place<'a> = &'a dyn Fn(Span) -> proc_macro2::Span;
 
-impl Code {
-    /// The whole source as one text.
-    pub fn text(&self) -> String {
-        let Code { before, module, face, inner, public, implementation, .. } = self;
-        format!("{before}{module} {{\n{face}{inner} {{\n{public}\n{implementation}}}\n}}\n")
-    }
-}
-
-/// Everything that emission reads.
+/// Everything that emission reads, and the texts that it has written.
 pub(crate) struct Emission<'a> {
-    pub(crate) model: &'a Model,
-    pub(crate) equations: &'a Equations,
-    pub(crate) program: &'a Absolute,
-    /// The rung above 5 that was taken.
-    pub(crate) reduced: Option<&'a Reduced>,
-    pub(crate) report: &'a Report,
-    /// What stands for the name of the type until all is written.
-    pub(crate) name: String,
+    model: &'a Model,
+    equations: &'a Equations,
+    program: &'a Absolute,
+    form: Form<'a>,
+    report: &'a Report,
+    /// The name of the mechanism's type in the code.
+    name: Ident,
     /// The name of the type as users see it.
-    pub(crate) shown: String,
-    /// Fields of `params`, `inputs`, starts of bodies and states: identifiers in the order of the model.
-    pub(crate) fields: Fields,
+    shown: Ident,
+    fields: Fields,
+    sizes: Sizes,
+    texts: Texts,
 }
 
-/// Identifiers of the fields of the emitted types.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Fields {
-    pub(crate) params: Vec<String>,
-    pub(crate) inputs: Vec<String>,
-    pub(crate) bodies: Vec<String>,
-    pub(crate) states: Vec<String>,
-    /// Accessors of the outputs, beside those of the bodies.
-    pub(crate) outputs: Vec<String>,
-    /// Accessors of both by their indices.
-    pub(crate) families: Vec<families::Family>,
+/// What the numbers of the state are.
+#[derive(Clone, Copy)]
+enum Form<'a> {
+    /// Coordinates of all bodies: rung 5.
+    Absolute,
+    /// Joint coordinates of a tree.
+    Tree(&'a Chart),
+    /// Independent coordinates of loops, in charts.
+    Loops(&'a Reduced),
 }
 
-/// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
-/// every type has. What is not for users ends in `_`, as no name of theirs does.
-pub(crate) const METHODS: &[&str] = &[
-    "time",
-    "kinetic_energy",
-    "gravity_energy",
-    "load_power",
-    "outputs",
-    "undetermined",
-    "branches",
-    "starts",
-    "find",
-    "observed",
-    "step",
-    "step_to",
-    "at",
-    "reset",
-    "run",
-    "settle",
-    "drift",
-    "state",
-    "method",
-    "method_mut",
-    "stats",
-    "notice",
-    "stop_at_change_points",
-    "watch_energy",
-    "count_states",
-    "state_count",
-    "save",
-    "resume",
-    "clone",
-    "clone_from",
-    "into",
-    "try_into",
-    "to_owned",
-];
-
-impl Fields {
-    pub(crate) fn new(model: &Model) -> Fields {
-        let mut params = names::Names::with_reserved(&["start"]);
-        let mut inputs = names::Names::default();
-        let mut accessors = names::Names::with_reserved(METHODS);
-        let bodies: Vec<String> = model.bodies.iter().map(|body| accessors.unique(&body.name.text)).collect();
-        let taken: Vec<&str> = bodies.iter().map(String::as_str).collect();
-        let mut starts = names::Names::with_reserved(&taken);
-        let outputs = model.outputs.iter().map(|output| accessors.unique(&output.name.text)).collect();
-        Fields {
-            params: model.params.iter().map(|param| params.unique(&param.name.text)).collect(),
-            inputs: model.inputs.iter().map(|input| inputs.unique(&input.name.text)).collect(),
-            states: model.states.iter().map(|state| starts.unique(&state.name.text)).collect(),
-            outputs,
-            families: families::find(model, &mut accessors),
-            bodies,
-        }
-    }
+/// Lengths of the arrays in signatures.
+struct Sizes {
+    /// Coordinates of all bodies.
+    nq: Literal,
+    /// Constraint rows.
+    nc: Literal,
+    /// First-order states.
+    nx: Literal,
+    /// Numbers of the state.
+    length: Literal,
+    /// Numbers of the state that stand before the first-order ones.
+    second_order: usize,
+    /// Numbers of the state in absolute coordinates.
+    full: Literal,
 }
 
 /// Emits a mechanism on rung 5, or on the one above that is given.
@@ -161,241 +80,237 @@ pub(crate) fn emit(
     equations: &Equations,
     program: &Absolute,
     reduced: Option<&Reduced>,
-    report: &Report,
+    (report, place): (&Report, Place),
 ) -> Code {
+    let form = match reduced.and_then(|reduced| Some((reduced, reduced.first()?))) {
+        None => Form::Absolute,
+        Some((reduced, _)) if reduced.has_loops() => Form::Loops(reduced),
+        Some((_, chart)) => Form::Tree(chart),
+    };
+    let (shown, span) = (names::type_name(&model.name.text), place(model.name.span));
     let emission = Emission {
         model,
         equations,
         program,
-        reduced,
+        form,
         report,
-        name: names::STAND_IN.to_owned(),
-        shown: names::type_name(&model.name.text),
-        fields: Fields::new(model),
+        name: names::token(names::free(&shown), span),
+        shown: names::token(&shown, span),
+        fields: Fields::new(model, place),
+        sizes: Sizes::new(equations, reduced),
+        texts: Texts::default(),
     };
-    let mut public = types::emit(&emission);
-    pictures::emit(&mut public, &emission);
-    public.push_str(&outputs::emit(&emission));
-    let mut implementation = defaults::emit(&emission);
-    implementation.push_str(&system::emit(&emission));
-    implementation.push_str(&linear::emit(&emission));
-    implementation.push_str(&statics::emit(&emission));
-    implementation.push_str(&bodies::emit(&emission));
-    implementation.push_str(&reduced::emit(&emission));
-    augmented::emit(&mut implementation, &emission);
-    sides::instants(&mut implementation, &emission);
-    let known_as = names::free_in(&emission.shown, &[&public, &implementation]);
-    let import = if known_as == emission.shown {
-        known_as.to_owned()
-    } else {
-        format!("{} as {known_as}", emission.shown)
-    };
-    public.insert_str(0, &format!("    use super::type_::{import};\n"));
-    let [public, implementation] =
-        [public, implementation].map(|text| text.replace(names::STAND_IN, known_as));
-    let module = names::module_name(&model.name.text);
-    Code {
-        before: before(model, &emission.shown, &module),
-        module: format!("{} mod plm_{module}_", docs::ALLOWED),
-        face: face(&emission, &module),
-        inner: "mod code_".to_owned(),
-        public,
-        implementation,
-        names: respanned(&emission),
+    let structure = module(&emission);
+    emission.texts.with(structure)
+}
+
+/// What is emitted, item by item.
+///
+/// The one name of the user's own that is a type is that of the mechanism, and it may be any: `Option`, `State`, `S`. So the
+/// type is defined in a module by itself, and the code has it under a name that nothing else in it has. The outer module has
+/// a name that no crate has, so that the `use` in front of it means the same at module level and within a function.
+fn module(emission: &Emission) -> TokenStream {
+    let Emission { model, name, shown, .. } = emission;
+    let module = names::token(&names::module_name(&model.name.text), name.span());
+    let outer = format_ident!("plm_{module}_");
+    let [visibility, path] = [&model.visibility, &model.crate_path].map(|text| emission.text(text));
+    let allowed = emission.text(docs::ALLOWED);
+    let docs = docs::module(emission);
+    let definition = item::mechanism::definition(emission);
+    let import = if name == shown { quote!(#name) } else { quote!(#shown as #name) };
+    let items: &[fn(&Emission) -> TokenStream] = &[
+        item::start::values,
+        item::input::inputs,
+        item::input::held,
+        item::state::state,
+        item::constants::sizes,
+        item::constants::pictures,
+        item::outputs::outputs,
+        item::mechanism::constructors,
+        item::mechanism::runs,
+        item::input::declared,
+        contract::charted::charted,
+        contract::rate::rate,
+        contract::system::system,
+        contract::singular::fine,
+        item::state::pose,
+        contract::moment::moment,
+        contract::moment::mechanism,
+        item::start::assembled,
+        contract::absolute::absolute,
+        item::solved::solved,
+        contract::pack::pack,
+        contract::linear::linear,
+        contract::ports::ports,
+        contract::statics::start_values,
+        item::start::placed,
+        contract::statics::statics,
+        function::dynamics,
+        function::motion,
+        contract::linear::augmented,
+        function::instants,
+    ];
+    let items = items.iter().map(|item| item(emission));
+    quote! {
+        #[doc(inline)]
+        #[allow(unreachable_pub)]
+        #visibility use #outer::#module::#shown;
+        #[doc(inline)]
+        #[allow(unreachable_pub, unused_imports)]
+        #visibility use #outer::#module;
+
+        #allowed
+        mod #outer {
+            #docs
+            pub mod #module {
+                pub use super::code_::*;
+                // By itself it goes before one of the same kind that comes with all others.
+                pub use super::type_::#shown;
+            }
+            mod type_ {
+                #definition
+            }
+            mod code_ {
+                use super::type_::#import;
+                use #path::runtime::{
+                    BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start
+                };
+                use #path::runtime as rt;
+                use #path::runtime::absolute;
+
+                #(#items)*
+            }
+        }
     }
 }
 
-/// `pub use plm_double_pendulum_::double_pendulum::DoublePendulum;`, and the module.
-fn before(model: &Model, name: &str, module: &str) -> String {
-    let visibility = &model.visibility;
-    format!(
-        "#[doc(inline)]
-#[allow(unreachable_pub)]
-{visibility} use plm_{module}_::{module}::{name};
-#[doc(inline)]
-#[allow(unreachable_pub, unused_imports)]
-{visibility} use plm_{module}_::{module};
-"
-    )
+impl Sizes {
+    fn new(equations: &Equations, reduced: Option<&Reduced>) -> Sizes {
+        let (nq, nx) = (equations.q.len(), equations.x.len());
+        let second_order = 2 * reduced.map_or(nq, Reduced::freedom);
+        Sizes {
+            nq: number(nq),
+            nc: number(equations.phi.len()),
+            nx: number(nx),
+            length: number(second_order + nx),
+            second_order,
+            full: number(2 * nq + nx),
+        }
+    }
 }
 
-/// The module that users see, with its documentation, and the definition of the type.
-fn face(emission: &Emission, module: &str) -> String {
-    let name = &emission.shown;
-    let mut text = docs::module(emission);
-    // A name that is imported by itself goes before one of the same kind that comes with all others.
-    push(
-        &mut text,
-        format_args!(
-            "pub mod {module} {{
-    pub use super::code_::*;
-    pub use super::type_::{name};
-}}
-
-mod type_ {{
-{}}}
-
-",
-            types::mechanism(emission)
-        ),
-    );
-    text
+/// A count, without a suffix.
+fn number(value: usize) -> Literal {
+    Literal::usize_unsuffixed(value)
 }
 
-/// Names of the public part whose declarations an editor should find.
-fn respanned(emission: &Emission) -> Vec<(String, Span)> {
-    let Emission { model, fields, .. } = emission;
-    let mut names = vec![(emission.shown.clone(), model.name.span)];
-    names.extend(fields.params.iter().cloned().zip(model.params.iter().map(|param| param.name.span)));
-    names.extend(fields.inputs.iter().cloned().zip(model.inputs.iter().map(|input| input.name.span)));
-    names.extend(fields.bodies.iter().cloned().zip(model.bodies.iter().map(|body| body.name.span)));
-    names.extend(fields.states.iter().cloned().zip(model.states.iter().map(|state| state.name.span)));
-    names.retain(|(_, span)| span.source == 0);
-    names
-}
-
-/// Where the symbols of the model are found in an emitted function.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Origin {
-    /// `self` is the mechanism; time, inputs and state are arguments `t`, `u`, `x`.
-    Arguments,
-    /// `self` is the mechanism; coordinates and velocities are arguments `q`, `v`.
-    Pose,
-    /// `self` is a `State`; on a rung above 5 the pose is in the locals `q`, `v`.
-    State,
-    /// `self` is the mechanism; `x` is the state in this chart of a rung above 5, `m` what is remembered.
-    Chart(usize),
+/// Strings in a list.
+fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
+    let names: Vec<String> = names.into_iter().map(|name| format!("{:?}", name.as_ref())).collect();
+    names.join(", ")
 }
 
 impl Emission<'_> {
-    /// Numbers in the state, and how many of them stand before the first-order states.
-    pub(crate) fn state_length(&self) -> (usize, usize) {
-        let second_order = 2 * self.reduced.map_or(self.equations.q.len(), Reduced::freedom);
-        (second_order + self.equations.x.len(), second_order)
+    /// What stands for a text in the structure.
+    fn text(&self, text: impl Into<String>) -> TokenStream {
+        self.texts.add(text.into())
+    }
+
+    /// A line for each entry of a list.
+    fn lines(&self, entries: impl IntoIterator<Item = String>) -> TokenStream {
+        self.text(entries.into_iter().map(|entry| entry + ",\n").collect::<String>())
+    }
+
+    /// Entries of a list, in one line.
+    fn list(&self, entries: impl IntoIterator<Item = String>) -> TokenStream {
+        self.text(entries.into_iter().collect::<Vec<String>>().join(", "))
+    }
+
+    /// Entries of a list, a line for each, behind what it takes to read their constants.
+    fn values(&self, entries: Vec<String>) -> (Option<TokenStream>, TokenStream) {
+        let literals = entries.iter().any(|entry| entry.contains("lit("));
+        (literals.then(|| quote!(let lit = S::lit;)), self.lines(entries))
+    }
+
+    /// Is the state in other coordinates than those of all bodies?
+    fn is_reduced(&self) -> bool {
+        !matches!(self.form, Form::Absolute)
     }
 
     /// The mechanism, if its loops are solved in charts.
-    pub(crate) fn loops(&self) -> Option<&Reduced> {
-        self.reduced.filter(|reduced| reduced.has_loops())
+    fn loops(&self) -> Option<&Reduced> {
+        match self.form {
+            Form::Loops(reduced) => Some(reduced),
+            _ => None,
+        }
     }
 
     /// Accelerations and multipliers of a tree; where there are none, rung 5 gives them.
-    pub(crate) fn reactions(&self) -> Option<&Function> {
-        self.reduced?.first()?.reactions.as_ref()
+    fn reactions(&self) -> Option<&Function> {
+        match self.form {
+            Form::Tree(chart) => chart.reactions.as_ref(),
+            _ => None,
+        }
     }
 
     /// Does an output read accelerations or multipliers?
-    pub(crate) fn reads_solution(&self) -> bool {
+    fn reads_solution(&self) -> bool {
         self.program.outputs.user.iter().any(|output| output.solves)
     }
 
-    /// The inputs with the sides of conditions, where `u` is what is held over a step.
-    pub(crate) fn input(&self) -> &'static str {
-        if self.loops().is_some() { "u.input" } else { "u" }
-    }
-
     /// Are there sides of conditions beside the inputs? Users make and set values of `Input`, so that they stand apart.
-    pub(crate) fn has_sides(&self) -> bool {
+    fn has_sides(&self) -> bool {
         !self.model.sides.is_empty()
     }
 
     /// The type of the inputs with the sides of conditions, of numbers `scalar`.
-    pub(crate) fn inputs(&self, scalar: &str) -> String {
-        if self.has_sides() { format!("Held<{scalar}>") } else { format!("Input<{scalar}>") }
-    }
-
-    /// Their value, where `self` is a `State`.
-    pub(crate) fn inputs_of_state(&self) -> &'static str {
-        if self.has_sides() { "Held { input: self.input, sides: self.sides }" } else { "self.input" }
-    }
-
-    /// From them to the fields of the inputs.
-    pub(crate) fn to_fields(&self) -> &'static str {
-        if self.has_sides() { ".input" } else { "" }
+    fn inputs(&self, scalar: &TokenStream) -> TokenStream {
+        if self.has_sides() { quote!(Held<#scalar>) } else { quote!(Input<#scalar>) }
     }
 
     /// The type of what is held over a step, of numbers `scalar`.
-    pub(crate) fn held(&self, scalar: &str) -> String {
+    fn held(&self, scalar: &TokenStream) -> TokenStream {
         let inputs = self.inputs(scalar);
-        match self.loops() {
-            Some(reduced) => format!("rt::charts::Held<{inputs}, [{scalar}; {}]>", reduced.memory_length),
+        match self.loops().map(|reduced| number(reduced.memory_length)) {
+            Some(memory) => quote!(rt::charts::Held<#inputs, [#scalar; #memory]>),
             None => inputs,
         }
     }
 
-    /// The line that gives an accessor of `State` the pose, where that is not the state itself.
-    pub(crate) fn pose_line(&self) -> &'static str {
-        if self.reduced.is_some() { "            let (q, v) = self.pose_();\n" } else { "" }
+    /// Of a value `held` of that type, the inputs with the sides.
+    fn inputs_of(&self, held: &str) -> TokenStream {
+        let held = format_ident!("{held}");
+        if self.loops().is_some() { quote!(#held.input) } else { quote!(#held) }
     }
 
-    /// Source text of the parameters, where `self` is the mechanism.
-    pub(crate) fn parameters(&self) -> lines::Bindings {
-        let params = self.model.params.iter().zip(&self.fields.params);
-        params.map(|(param, field)| (param.symbol, format!("self.{field}"))).collect()
+    /// Of the same, the inputs alone.
+    fn input_of(&self, held: &str) -> TokenStream {
+        let inputs = self.inputs_of(held);
+        if self.has_sides() { quote!(#inputs.input) } else { inputs }
     }
 
-    /// Source text of every symbol.
-    pub(crate) fn bindings(&self, origin: Origin) -> lines::Bindings {
-        let mut bindings = lines::Bindings::new();
-        let Emission { model, equations, fields, .. } = self;
-        let (mechanism, held, state, time) = match origin {
-            Origin::Arguments | Origin::Pose | Origin::Chart(_) => ("self", "u", "x", "t"),
-            Origin::State => ("self.mechanism", "self", "self.x", "self.time"),
-        };
-        let input = if held == "u" { self.to_fields() } else { ".input" };
-        for (param, field) in model.params.iter().zip(&fields.params) {
-            bindings.insert(param.symbol, format!("{mechanism}.{field}"));
+    /// The inputs with the sides, where `self` is a `State`.
+    fn inputs_of_state(&self) -> TokenStream {
+        if self.has_sides() {
+            quote!(Held { input: self.input, sides: self.sides })
+        } else {
+            quote!(self.input)
         }
-        for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
-            bindings.insert(declared.symbol, format!("{held}{input}.{field}"));
-        }
-        for (k, side) in model.sides.iter().enumerate() {
-            bindings.insert(side.symbol, format!("{held}.sides[{k}]"));
-        }
-        bindings.insert(model.time, time.to_owned());
-        bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
-        bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());
-        let nq = equations.q.len();
-        let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
-            for (k, &symbol) in symbols.iter().enumerate() {
-                bindings.insert(symbol, format!("{array}[{}]", offset + k));
-            }
-        };
-        match (origin, self.reduced) {
-            (Origin::Pose, _) => {
-                bind(&equations.q, "q", 0);
-                bind(&equations.v, "v", 0);
-            }
-            (Origin::State, Some(reduced)) => {
-                bind(&equations.q, "q", 0);
-                bind(&equations.v, "v", 0);
-                bind(&equations.x, state, 2 * reduced.freedom());
-            }
-            (Origin::Chart(index), Some(reduced)) => {
-                let chart = &reduced.charts[index];
-                bind(&chart.y, state, 0);
-                bind(&chart.y_dot, state, chart.y.len());
-                bind(&equations.x, state, 2 * chart.y.len());
-                bind(&reduced.memory, "m", 0);
-                if let Some(augmented) = &chart.augmented {
-                    bind(&augmented.accelerations, "dx", chart.y.len());
-                }
-            }
-            _ => {
-                bind(&equations.q, state, 0);
-                bind(&equations.v, state, nq);
-                bind(&equations.x, state, 2 * nq);
-            }
-        }
-        bind(&equations.a, "a", 0);
-        bind(&equations.lambda, "lambda", 0);
-        bind(&self.program.weights, "w", 0);
-        bind(&self.program.residual, "r", 0);
-        bindings
     }
-}
 
-/// Appends formatted text.
-pub(crate) fn push(text: &mut String, content: std::fmt::Arguments) {
-    let _ = text.write_fmt(content);
+    /// The state in absolute coordinates of a `State` that is called so.
+    fn absolute_of(&self, state: &str) -> TokenStream {
+        let state = format_ident!("{state}");
+        if self.is_reduced() { quote!(#state.absolute_()) } else { quote!(#state.x) }
+    }
+
+    /// Pose and velocity of all bodies, where `self` is the mechanism, at time `t` and state `x`; `held` is a place.
+    fn pose_at(&self, held: &str) -> TokenStream {
+        let held = format_ident!("{held}");
+        if self.is_reduced() {
+            quote!(<State<S> as rt::Moment>::new(*self, *#held, t, *x).pose_())
+        } else {
+            quote!(absolute::split(x))
+        }
+    }
 }

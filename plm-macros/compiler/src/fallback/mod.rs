@@ -285,9 +285,9 @@ fn no_unit() -> DisplayUnit {
 
 /// A body of 1 kg that floats.
 fn body(name: Name) -> Body {
-    let symbols = |prefixes: [&str; 3]| prefixes.map(|of| Expr::symbol(format!("{of}_{}", name.text)));
+    let symbols = |members: [&str; 3]| members.map(|member| Expr::symbol(format!("{}.{member}", name.text)));
     let (q, v, a) =
-        (symbols(["x", "y", "theta"]), symbols(["vx", "vy", "omega"]), symbols(["ax", "ay", "alpha"]));
+        (symbols(["x", "y", "angle"]), symbols(["vx", "vy", "omega"]), symbols(["ax", "ay", "alpha"]));
     let (zero, one, span) = (Expr::ZERO, Expr::ONE, name.span);
     let start = Start { value: zero, locked: false, given: false, span };
     Body {

@@ -41,10 +41,10 @@ fn the_double_pendulum_is_understood() {
     assert_eq!(
         rows,
         [
-            "shoulder.x = x_arm - 0.5*cos(theta_arm)",
-            "shoulder.y = y_arm - 0.5*sin(theta_arm)",
-            "elbow.x = x_forearm - x_arm - 0.5*cos(theta_arm) - cos(theta_forearm)",
-            "elbow.y = y_forearm - y_arm - 0.5*sin(theta_arm) - sin(theta_forearm)",
+            "shoulder.x = arm.x - 0.5*cos(arm.angle)",
+            "shoulder.y = arm.y - 0.5*sin(arm.angle)",
+            "elbow.x = forearm.x - arm.x - 0.5*cos(arm.angle) - cos(forearm.angle)",
+            "elbow.y = forearm.y - arm.y - 0.5*sin(arm.angle) - sin(forearm.angle)",
         ]
     );
     let mut values = Values::of(&model);

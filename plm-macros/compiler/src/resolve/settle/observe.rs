@@ -143,7 +143,8 @@ impl<'a> Resolver<'a> {
         outputs.sort_unstable();
         for (slot, key) in outputs {
             let value = self.slot_value(slot, inside, shown.span)?;
-            shown.push(format!("{name}.{key}"), &value, self.docs_of_output(id, &key));
+            let docs = self.docs_of_output(id, &key);
+            shown.push(format!("{name}.{key}"), &value, docs);
         }
         if actions.rows[id].is_empty() && actions.applied[id].is_empty() {
             return Ok(());
@@ -172,7 +173,7 @@ impl<'a> Resolver<'a> {
         Ok(())
     }
 
-    fn name_of_port(&mut self, frame: FrameRef) -> String {
+    pub(crate) fn name_of_port(&mut self, frame: FrameRef) -> String {
         let of = frame.body.map_or("ground".to_owned(), |body| self.draft.bodies[body].name.text.clone());
         format!("{of}.{}", self.draft.port(frame).name)
     }

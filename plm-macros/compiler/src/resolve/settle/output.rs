@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::diag::Code;
 use crate::model::{Name, Output};
 use crate::resolve::Resolver;
-use crate::resolve::names::ScopeId;
+use crate::resolve::names::{ScopeId, SlotId};
 use crate::resolve::values::{Eval, Failed, Form, Nature, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName};
@@ -53,8 +53,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What the definition of a part says of an output.
-    pub(crate) fn docs_of_output(&self, part: usize, key: &str) -> String {
+    /// What the definition of a part says of an output, of the bodies that its arguments belong to.
+    pub(crate) fn docs_of_output(&mut self, part: usize, key: &str) -> String {
         let shows = |output: &ast::Output| match (&output.name, &output.value.kind) {
             (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == key,
             _ => false,
@@ -63,7 +63,36 @@ impl<'a> Resolver<'a> {
         let item = items
             .iter()
             .find(|item| matches!(&item.kind, ast::ItemKind::Output(list) if list.iter().any(shows)));
-        item.map_or_else(String::new, |item| one_line(&item.docs))
+        let docs = item.map_or_else(String::new, |item| one_line(&item.docs));
+        let (inside, span) = (self.names.instances[part].scope, self.names.instances[part].span);
+        let names = self.names.instances[part]
+            .definition
+            .arguments
+            .iter()
+            .map(|argument| argument.name.text.as_str());
+        let arguments: Vec<(&str, SlotId)> =
+            names.zip(self.names.instances[part].arguments.iter().copied()).collect();
+        let mut words = docs.split('`');
+        let mut told = words.next().unwrap_or_default().to_owned();
+        // Code and prose by turns.
+        while let Some(word) = words.next() {
+            let slot = arguments.iter().find(|(argument, _)| *argument == word).map(|(_, slot)| *slot);
+            let frame = slot.and_then(|slot| match self.slot_value(slot, inside, span) {
+                Ok(Value::Frame(frame)) => Some(self.name_of_port(frame)),
+                _ => None,
+            });
+            let of_body = told.strip_suffix("the body of ").map(str::to_owned);
+            let name = match (frame, of_body) {
+                (Some(port), Some(before)) => {
+                    told = before;
+                    port.rsplit_once('.').map_or(String::new(), |(body, _)| body.to_owned())
+                }
+                (Some(port), None) => port,
+                (None, _) => word.to_owned(),
+            };
+            told += &["`", &name, "`", words.next().unwrap_or_default()].concat();
+        }
+        told
     }
 
     fn not_a_quantity(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value) -> Failed {

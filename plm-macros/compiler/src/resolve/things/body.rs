@@ -84,8 +84,8 @@ impl<'a> Resolver<'a> {
         }
         let Ok(key) = self.key(scope, &ast.name) else { return };
         let name = format!("{}{key}", self.names.prefix(scope));
-        let symbols = |prefixes: [&str; 3]| prefixes.map(|of| Expr::symbol(format!("{of}_{name}")));
-        let q = symbols(["x", "y", "theta"]);
+        let symbols = |members: [&str; 3]| members.map(|member| Expr::symbol(format!("{name}.{member}")));
+        let q = symbols(["x", "y", "angle"]);
         let v = symbols(["vx", "vy", "omega"]);
         let a = symbols(["ax", "ay", "alpha"]);
         for i in 0..3 {
@@ -93,8 +93,8 @@ impl<'a> Resolver<'a> {
             self.calculus.changes(v[i], a[i]);
         }
         let rotation = Rotation::by(q[2]);
-        rotation.cos.hint(&format!("c_{name}"));
-        rotation.sin.hint(&format!("s_{name}"));
+        rotation.cos.hint(&format!("{name}.cos"));
+        rotation.sin.hint(&format!("{name}.sin"));
         let span = ast.name.ident.span;
         let slot = self.names.known_slot(span, Value::Body(Some(self.draft.bodies.len())));
         let ports = self.ports_of(scope, ast);

@@ -2,19 +2,19 @@
 
 /// Text of a value while it has no name.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Piece {
+pub(super) struct Piece {
     /// Rust source.
-    pub(crate) text: String,
+    pub(super) text: String,
     /// How strongly its outermost operation binds: 1 sum, 2 product, 3 negation, 4 atom.
-    pub(crate) strength: u8,
+    pub(super) strength: u8,
     /// Leaves of the expression.
-    pub(crate) terms: usize,
+    pub(super) terms: usize,
     /// Locals that it reads, by their numbers.
-    pub(crate) reads: Vec<usize>,
+    pub(super) reads: Vec<usize>,
 }
 
 /// A constant of any scalar.
-pub(crate) fn literal(value: f64) -> String {
+pub(super) fn literal(value: f64) -> String {
     if value.is_finite() {
         format!("lit({value:?})")
     } else if value.is_nan() {
@@ -25,28 +25,28 @@ pub(crate) fn literal(value: f64) -> String {
 }
 
 impl Piece {
-    pub(crate) fn atom(text: String) -> Piece {
+    pub(super) fn atom(text: String) -> Piece {
         Piece { text, strength: 4, terms: 1, reads: Vec::new() }
     }
 
     /// In brackets, unless it binds at least this strongly.
-    pub(crate) fn within(&self, strength: u8) -> String {
+    pub(super) fn within(&self, strength: u8) -> String {
         if self.strength >= strength { self.text.clone() } else { format!("({})", self.text) }
     }
 
     /// `-self`.
-    pub(crate) fn negated(&self) -> Piece {
+    pub(super) fn negated(&self) -> Piece {
         Piece { text: format!("-{}", self.within(3)), strength: 3, ..self.clone() }
     }
 
     /// `self operator right`; equal strength on the right needs brackets, or the order would change.
-    pub(crate) fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
+    pub(super) fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
         let text = format!("{}{operator}{}", self.within(strength), right.within(strength + 1));
         Piece { text, strength, terms: self.terms + right.terms, reads: merged(&[self, right]) }
     }
 
     /// `self.function(arguments)`.
-    pub(crate) fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
+    pub(super) fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
         let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
         let mut all = vec![self];
         all.extend(arguments);
@@ -59,7 +59,7 @@ impl Piece {
     }
 
     /// `function(arguments)`.
-    pub(crate) fn call(function: &str, arguments: &[&Piece]) -> Piece {
+    pub(super) fn call(function: &str, arguments: &[&Piece]) -> Piece {
         let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
         Piece {
             text: format!("{function}({})", listed.join(", ")),

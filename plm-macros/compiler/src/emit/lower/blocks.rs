@@ -3,16 +3,16 @@
 //! rustc recurses over the statements of a block and overflows its stack on some thousands with debug information. So a
 //! long function is a row of blocks, and what later blocks need leaves each as a tuple; optimised code is the same.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use super::lines::{Lines, Statement};
+use super::statement::{Lines, Statement};
 
 /// Statements in one block.
 const BLOCK: usize = 160;
 
 /// The body of a function without its braces, indented by `indent` spaces; ends with the returned value if there is one.
-pub(crate) fn body(lines: &Lines, indent: usize) -> String {
+pub(super) fn body(lines: &Lines, indent: usize) -> String {
     let count = lines.statements.len();
     let mut text = String::new();
     if count <= BLOCK + BLOCK / 2 {
@@ -32,16 +32,33 @@ pub(crate) fn body(lines: &Lines, indent: usize) -> String {
     text
 }
 
-/// [`body`], with `lit` in front if it holds constants.
-pub(crate) fn with_literals(lines: &Lines, indent: usize) -> String {
-    let body = body(lines, indent);
-    if !body.contains("lit(") {
-        return body;
+/// [`body`], with its inputs in front, and `lit` if it holds constants.
+pub(super) fn with_literals(lines: &Lines, by_reference: bool) -> String {
+    let body = body(lines, 0);
+    let mut text = String::with_capacity(body.len() + 200);
+    for (array, read) in &lines.inputs {
+        let is_field = array.contains('.');
+        let value = if by_reference && !is_field { format!("*{array}") } else { array.clone() };
+        destructure(&mut text, read, &value, array);
     }
-    let mut text = String::with_capacity(body.len() + 40);
-    line(&mut text, indent, "let lit = S::lit;");
+    if body.contains("lit(") {
+        line(&mut text, 0, "let lit = S::lit;");
+    }
     text.push_str(&body);
     text
+}
+
+/// `let [x_arm, _, arm_angle, ..] = *q;`, or a line for each where few of many are read.
+fn destructure(text: &mut String, read: &BTreeMap<usize, String>, value: &str, array: &str) {
+    let end = read.keys().last().map_or(0, |last| last + 1);
+    if end > 2 * read.len() + 2 {
+        for (element, name) in read {
+            line(text, 0, &format!("let {name} = {array}[{element}];"));
+        }
+        return;
+    }
+    let names: Vec<&str> = (0..end).map(|element| read.get(&element).map_or("_", String::as_str)).collect();
+    line(text, 0, &format!("let [{}, ..] = {value};", names.join(", ")));
 }
 
 /// `live_after[k]`: the locals that statements from `k` on (or the result) read.

@@ -7,8 +7,14 @@ use std::collections::BTreeMap;
 
 use plm_cas::{Count, Expr, Op, Ref, Tape};
 
-use super::names::Names;
-use super::piece::{Piece, literal};
+mod blocks;
+pub(crate) mod names;
+mod piece;
+mod statement;
+
+use self::names::Names;
+use self::piece::{Piece, literal};
+use self::statement::{Lines, Statement};
 use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
@@ -22,34 +28,35 @@ const WHOLE_VECTORS: [usize; 2] = [8, 4];
 const SHORT: usize = 40;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
-pub(crate) type Bindings = BTreeMap<Expr, String>;
+pub(super) type Bindings = BTreeMap<Expr, String>;
 
-/// A statement and what it needs.
-#[derive(Debug)]
-pub(crate) enum Statement {
-    /// A comment above what follows.
-    Title(String),
-    /// `let name = value;` (`name` may be a pattern).
-    Let { makes: Vec<usize>, pattern: String, value: String, reads: Vec<usize> },
-    /// `place = value;`
-    Store { place: String, value: String, reads: Vec<usize> },
+/// The statements of a function and its operations; `reserved` are the names of its arguments, arrays among which are
+/// references or values.
+pub(super) fn statements(
+    function: &Function,
+    bindings: &Bindings,
+    (reserved, by_reference): (&[&str], bool),
+) -> (String, Count) {
+    let lines = lower(function, bindings, reserved);
+    (blocks::with_literals(&lines, by_reference), lines.count)
 }
 
-/// A lowered function.
-#[derive(Debug)]
-pub(crate) struct Lines {
-    /// Statements in order.
-    pub(crate) statements: Vec<Statement>,
-    /// The value that the function returns and the locals that it reads.
-    pub(crate) value: Option<(String, Vec<usize>)>,
-    /// Names of the locals, by their numbers.
-    pub(crate) locals: Vec<String>,
-    /// Operations of one call.
-    pub(crate) count: Count,
+/// An expression as one of Rust: a block where it needs locals.
+pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
+    if let Some(number) = expr.as_number() {
+        return literal(number.to_f64());
+    }
+    let function = Function::of_results(vec![(Place::Value, expr)]);
+    let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
+    let lines = lower(&function, bindings, &reserved);
+    match (&lines.value, lines.statements.is_empty()) {
+        (Some((value, _)), true) => value.clone(),
+        _ => format!("{{\n{}}}", blocks::body(&lines, 4)),
+    }
 }
 
 /// Lowers a function; `reserved` are the names of its arguments.
-pub(crate) fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
+fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
     let tape = function.tape();
     let first_result = tape.outputs.len() - function.results.len();
     let mut lowering = Lowering::new(&tape, first_result, bindings, reserved);
@@ -98,8 +105,13 @@ impl<'a> Lowering<'a> {
         let groups = angle_groups(tape, &uses);
         let needed =
             tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
-        let lines =
-            Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
+        let lines = Lines {
+            inputs: BTreeMap::new(),
+            statements: Vec::new(),
+            value: None,
+            locals: Vec::new(),
+            count: Count::of(needed),
+        };
         let names = Names::with_reserved(reserved);
         let mut is_result = vec![false; tape.ops.len()];
         for result in &tape.outputs[first_result..] {
@@ -139,6 +151,9 @@ impl<'a> Lowering<'a> {
             return self.early.remove(&index).unwrap_or_default();
         }
         let piece = self.piece(op);
+        if matches!(op, Op::Symbol(_)) && is_name(&piece.text) {
+            return piece;
+        }
         let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
         let reads_symbol = matches!(op, Op::Symbol(_)) && !(self.uses[index] == 1 && self.is_result[index]);
         if again || reads_symbol || piece.terms > MOST_TERMS { self.bind(index, piece) } else { piece }
@@ -209,6 +224,10 @@ impl<'a> Lowering<'a> {
         };
         let local = self.named(name);
         let (pattern, makes) = (local.text.clone(), local.reads.clone());
+        if let (Op::Symbol(_), Some((array, element))) = (self.tape.ops[index].op, element(&piece.text)) {
+            self.lines.inputs.entry(array.to_owned()).or_default().insert(element, pattern);
+            return local;
+        }
         self.lines.statements.push(Statement::Let { makes, pattern, value: piece.text, reads: piece.reads });
         local
     }
@@ -298,6 +317,17 @@ impl<'a> Lowering<'a> {
     }
 }
 
+/// Is this a name by itself?
+fn is_name(text: &str) -> bool {
+    text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+}
+
+/// Array and element of `x[3]` or `self.x[3]`.
+fn element(text: &str) -> Option<(&str, usize)> {
+    let (array, element) = text.strip_suffix(']')?.split_once('[')?;
+    Some((array, element.parse().ok()?)).filter(|_| array.split('.').all(is_name))
+}
+
 /// Is this a sine that is wanted with the cosine behind it?
 fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
     let next = tape.ops.get(index + 1).map(|next| next.op);
@@ -339,24 +369,4 @@ fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
         }
     }
     uses
-}
-
-impl Statement {
-    /// Locals that the statement reads.
-    pub(crate) fn reads(&self) -> impl Iterator<Item = usize> {
-        let reads: &[usize] = match self {
-            Statement::Title(_) => &[],
-            Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
-        };
-        reads.iter().copied()
-    }
-
-    /// Locals that the statement makes.
-    pub(crate) fn makes(&self) -> impl Iterator<Item = usize> {
-        let makes: &[usize] = match self {
-            Statement::Let { makes, .. } => makes,
-            Statement::Title(_) | Statement::Store { .. } => &[],
-        };
-        makes.iter().copied()
-    }
 }

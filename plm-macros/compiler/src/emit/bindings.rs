@@ -1,0 +1,90 @@
+//! Where the symbols of the model are found in an emitted function.
+
+use plm_cas::Expr;
+
+use super::lower::Bindings;
+use super::{Emission, Form};
+use crate::formulate::Chart;
+
+/// What the arguments of a function are.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Origin<'a> {
+    /// `self` is the mechanism; time, inputs and state are arguments `t`, `u`, `x`.
+    Arguments,
+    /// `self` is the mechanism; coordinates and velocities are arguments `q`, `v`.
+    Pose,
+    /// `self` is a `State`; if it is reduced, the pose is in the locals `q`, `v`.
+    State,
+    /// `self` is the mechanism; `x` is the state in this chart, `m` what is remembered.
+    Chart(&'a Chart),
+}
+
+impl Emission<'_> {
+    /// Source text of the parameters, where `self` is the mechanism.
+    pub(super) fn parameters(&self) -> Bindings {
+        let params = self.model.params.iter().zip(&self.fields.params);
+        params.map(|(param, field)| (param.symbol, format!("self.{field}"))).collect()
+    }
+
+    /// Source text of every symbol.
+    pub(super) fn bindings(&self, origin: Origin) -> Bindings {
+        let Emission { model, equations, fields, .. } = self;
+        let of_state = matches!(origin, Origin::State);
+        let [mechanism, held, x, time] = if of_state {
+            ["self.mechanism", "self", "self.x", "self.time"]
+        } else {
+            ["self", "u", "x", "t"]
+        };
+        let input = if of_state || self.has_sides() { ".input" } else { "" };
+        let mut bindings = Bindings::new();
+        for (param, field) in model.params.iter().zip(&fields.params) {
+            bindings.insert(param.symbol, format!("{mechanism}.{field}"));
+        }
+        for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
+            bindings.insert(declared.symbol, format!("{held}{input}.{field}"));
+        }
+        for (k, side) in model.sides.iter().enumerate() {
+            bindings.insert(side.symbol, format!("{held}.sides[{k}]"));
+        }
+        bindings.insert(model.time, time.to_owned());
+        bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
+        bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());
+        let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
+            for (k, &symbol) in symbols.iter().enumerate() {
+                bindings.insert(symbol, format!("{array}[{}]", offset + k));
+            }
+        };
+        let nq = equations.q.len();
+        let [q, v] = match origin {
+            Origin::Pose => [("q", 0), ("v", 0)],
+            Origin::State if self.is_reduced() => [("q", 0), ("v", 0)],
+            _ => [(x, 0), (x, nq)],
+        };
+        match origin {
+            Origin::Pose => {}
+            Origin::State => bind(&equations.x, x, self.sizes.second_order),
+            Origin::Arguments => bind(&equations.x, x, 2 * nq),
+            Origin::Chart(chart) => {
+                let freedom = chart.y.len();
+                bind(&chart.y, x, 0);
+                bind(&chart.y_dot, x, freedom);
+                bind(&equations.x, x, 2 * freedom);
+                if let Some(augmented) = &chart.augmented {
+                    bind(&augmented.accelerations, "dx", freedom);
+                }
+                if let Form::Loops(reduced) = self.form {
+                    bind(&reduced.memory, "m", 0);
+                }
+            }
+        }
+        if !matches!(origin, Origin::Chart(_)) {
+            bind(&equations.q, q.0, q.1);
+            bind(&equations.v, v.0, v.1);
+        }
+        bind(&equations.a, "a", 0);
+        bind(&equations.lambda, "lambda", 0);
+        bind(&self.program.weights, "w", 0);
+        bind(&self.program.residual, "r", 0);
+        bindings
+    }
+}

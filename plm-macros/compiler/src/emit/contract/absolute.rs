@@ -1,0 +1,180 @@
+//! `Absolute`: the constraints, for assembly, projection and the fallback.
+
+use plm_cas::Vec2;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::super::bindings::Origin;
+use super::super::function::{body, function};
+use super::super::lower::inline;
+use super::super::{Emission, Sizes, number, quoted};
+use crate::formulate::coordinate_name;
+use crate::model::Turn;
+
+/// `Absolute`.
+pub(crate) fn absolute(emission: &Emission) -> TokenStream {
+    let Emission { name, equations, program, model, report, sizes: Sizes { nq, nc, .. }, .. } = emission;
+    let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
+    let parts = emission.text(quoted(model.rows.iter().map(|row| &model.parts[row.part].name.text)));
+    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
+    let coordinates = emission.text(quoted(coordinates));
+    let angular = emission.list(model.rows.iter().map(|row| row.is_angular().to_string()));
+    let places = equations.phi_q.iter().enumerate();
+    let places = places.flat_map(|(i, row)| row.iter().map(move |(j, _)| format!("[{i}, {j}]")));
+    let places: Vec<String> = places.collect();
+    let (entries, places) = (number(places.len()), emission.list(places));
+    let length = Literal::f64_unsuffixed(report.length);
+    let [(literals, positions), (_, velocities)] = starts(emission).map(|list| emission.values(list));
+    let bodies = number(model.bodies.len());
+    let branch = branch(emission);
+    let of_pose = |docs, arguments: &[&str], of| body(emission, docs, arguments, (of, Origin::Pose));
+    let (phi_docs, phi) = of_pose(
+        "Residuals of the constraints, m or rad; the rows stand in the table of this module.",
+        &["t", "q", "phi"],
+        &program.phi,
+    );
+    let (phi_dot_docs, phi_dot) =
+        of_pose("Their rates, `phi_q v - nu`, m/s or rad/s.", &["t", "q", "v", "phi_dot"], &program.phi_dot);
+    // By itself, since `phi_q` is compiled for each of its callers.
+    let jacobian = function(
+        emission,
+        "The Jacobian of the constraints: its entries that are not zero, row by row.",
+        &quote! {
+            #[cold]
+            fn jacobian(&self, t: S, q: &[S; #nq], phi_q: &mut [S; #entries])
+        },
+        (&program.phi_q, Origin::Pose),
+    );
+    let (min_norm_docs, min_norm) = of_pose(
+        "The shortest step in the norm of `W^-1` that closes `r`: `dq = W phi_q^T (phi_q W phi_q^T)^-1 r`.
+Returns the smallest pivot ratio of the factorisation.",
+        &["t", "q", "w", "r", "dq"],
+        &program.min_norm,
+    );
+    let (inverse_mass_docs, inverse_mass) = of_pose(
+        "Diagonal of `M^-1`: 1/kg, 1/kg, 1/(kg m^2) per body.",
+        &["inverse_mass"],
+        &program.inverse_mass,
+    );
+    // rustdoc shows a constant argument by its source, which is the whole declaration.
+    quote! {
+        impl<S: Scalar> #name<S> { #jacobian }
+
+        #[doc(hidden)]
+        impl<S: Real> absolute::Absolute<S, NQ, NC> for #name<S> {
+            const ROWS: [&'static str; #nc] = [#rows];
+            const PARTS: [&'static str; #nc] = [#parts];
+            const COORDINATES: [&'static str; #nq] = [#coordinates];
+            const ANGULAR: [bool; #nc] = [#angular];
+
+            #phi_docs
+            fn phi(&self, t: S, q: &[S; #nq]) -> [S; #nc] {
+                let mut phi = [S::lit(0.0); #nc];
+                #phi
+                phi
+            }
+
+            #phi_dot_docs
+            fn phi_dot(&self, t: S, q: &[S; #nq], v: &[S; #nq]) -> [S; #nc] {
+                let mut phi_dot = [S::lit(0.0); #nc];
+                #phi_dot
+                phi_dot
+            }
+
+            fn phi_q(&self, t: S, q: &[S; #nq], each: &mut impl FnMut(usize, usize, S)) {
+                const PLACES: &[[u32; 2]] = &[#places];
+                let mut entries = [S::lit(0.0); #entries];
+                self.jacobian(t, q, &mut entries);
+                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                    each(row as usize, column as usize, entry);
+                }
+            }
+
+            #min_norm_docs
+            fn min_norm(
+                &self, t: S, q: &[S; #nq], w: &[S; #nq], r: &[S; #nc], dq: &mut [S; #nq]
+            ) -> rt::Health<S> {
+                rt::Health({
+                    #min_norm
+                })
+            }
+
+            #inverse_mass_docs
+            fn inverse_mass(&self) -> [S; #nq] {
+                let mut inverse_mass = [S::lit(0.0); #nq];
+                #inverse_mass
+                inverse_mass
+            }
+
+            fn length(&self) -> S {
+                S::lit(#length)
+            }
+            fn start_position(&self) -> [Start<S>; #nq] {
+                #literals
+                let bodies: [[Start<S>; 3]; #bodies] = [#positions];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+            fn start_velocity(&self, q: &[S; #nq]) -> [Start<S>; #nq] {
+                #literals
+                let bodies: [[Start<S>; 3]; #bodies] = [#velocities];
+                core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+            #branch
+        }
+    }
+}
+
+/// Start positions and velocities of G from those of O.
+fn starts(emission: &Emission) -> [Vec<String>; 2] {
+    let Emission { model, fields, .. } = emission;
+    let bindings = emission.parameters();
+    let starts = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
+        let [x, y] = body.centre.components().map(|component| inline(component, &bindings));
+        (
+            format!("self.start.{field}.of_centre([{x}, {y}])"),
+            format!("self.start.{field}.velocity_of_centre([{x}, {y}], q[{}])", 3 * k + 2),
+        )
+    });
+    let (positions, velocities) = starts.unzip();
+    [positions, velocities]
+}
+
+/// The mirror images that joints ask for.
+fn branch(emission: &Emission) -> Option<TokenStream> {
+    let Emission { model, equations, .. } = emission;
+    let bindings = emission.parameters();
+    let end = |end: Vec2| {
+        let [x, y] = end.components().map(|component| inline(component, &bindings));
+        format!("[{x}, {y}]")
+    };
+    let asked =
+        equations.branches.iter().filter_map(|branch| Some((branch, model.parts[branch.part].branch?)));
+    let arms = asked.enumerate().map(|(k, (branch, (turn, _)))| {
+        let ends = branch.ends.map(|ends| format!("[{}]", ends.map(end).join(", "))).join(", ");
+        let ([first, second], part) = (branch.bodies, &model.parts[branch.part].name.text);
+        let names = quoted(branch.bodies.map(|body| &model.bodies[body].name.text));
+        let left = turn == Turn::Left;
+        format!(
+            "{k} => Some(absolute::Branch {{
+    part: {part:?},
+    bodies: [{first}, {second}],
+    names: [{names}],
+    ends: [{ends}],
+    left: {left},
+}})"
+        )
+    });
+    let arms: Vec<String> = arms.collect();
+    (!arms.is_empty()).then(|| {
+        let (literals, arms) = emission.values(arms);
+        quote! {
+            fn branch(&self, index: usize) -> Option<absolute::Branch<S>> {
+                #literals
+                match index {
+                    #arms
+                    _ => None,
+                }
+            }
+        }
+    })
+}

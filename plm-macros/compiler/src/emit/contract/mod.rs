@@ -1,0 +1,14 @@
+//! What the runtime asks for: its traits, implemented for the mechanism.
+
+pub(super) mod absolute;
+pub(super) mod charted;
+pub(super) mod limits;
+pub(super) mod linear;
+pub(super) mod moment;
+pub(super) mod pack;
+pub(super) mod ports;
+pub(super) mod rate;
+pub(super) mod singular;
+pub(super) mod statics;
+mod switches;
+pub(super) mod system;

@@ -1,0 +1,70 @@
+//! `Rate`: the right-hand side, for any scalar.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::super::{Emission, Form, Sizes, number};
+use super::charted::chosen;
+use crate::formulate::Reduced;
+
+/// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
+/// instructions.
+const SHORT: usize = 300;
+
+/// Is the rate copied into every stage?
+pub(super) fn is_short(emission: &Emission) -> bool {
+    emission.report.rate.total() <= SHORT
+}
+
+/// How it is inlined.
+pub(super) fn inlined(emission: &Emission) -> TokenStream {
+    if is_short(emission) { quote!(#[inline(always)]) } else { quote!(#[inline]) }
+}
+
+/// `Rate`.
+pub(crate) fn rate(emission: &Emission) -> TokenStream {
+    let Emission { name, sizes: Sizes { nc, length, second_order, .. }, .. } = emission;
+    let (held, inlined, freedom) = (emission.held(&quote!(S)), inlined(emission), number(second_order / 2));
+    let rate = match emission.form {
+        Form::Absolute => quote! {
+            let mut lambda = [S::lit(0.0); #nc];
+            rt::Health(self.dynamics(t, u, x, dx, &mut lambda))
+        },
+        Form::Tree(_) => quote! {
+            self.motion(t, u, x, dx);
+            rt::Health::perfect()
+        },
+        Form::Loops(reduced) => in_chart(reduced),
+    };
+    quote! {
+        impl<S: Scalar> rt::lanes::Rate for #name<S> {
+            type S = S;
+            type X = [S; #length];
+            type U = #held;
+            const NQ: usize = #freedom;
+
+            #inlined
+            fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
+                #rate
+            }
+        }
+    }
+}
+
+/// The rate in the chart that is held.
+fn in_chart(reduced: &Reduced) -> TokenStream {
+    let rate = chosen(reduced, &quote!(u.chart), |k| {
+        if k == 0 {
+            return quote!(self.motion_0(t, &u.input, &u.memory, x, dx));
+        }
+        // A copy goes through memory, so that the arrays of the first chart stay in registers.
+        let motion = format_ident!("motion_{k}");
+        quote!({
+            let (at, mut out) = (*x, *dx);
+            let measure = self.#motion(t, &u.input, &u.memory, &at, &mut out);
+            *dx = out;
+            measure
+        })
+    });
+    quote!(rt::Health(#rate))
+}

@@ -1,0 +1,114 @@
+//! `Fine`: how a mechanism goes on near singular poses, by its equations in absolute coordinates in numbers of twice the
+//! precision.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::super::{Emission, Form, Sizes};
+use crate::model::Stabilisation;
+
+/// The type that takes over from the method where no chart is regular.
+pub(super) fn rescue(emission: &Emission) -> TokenStream {
+    let Sizes { nq, nc, full, .. } = &emission.sizes;
+    if may_be_singular(emission) {
+        quote!(rt::singular::Near<Self, #nq, #nc, #full>)
+    } else {
+        quote!(rt::singular::Never<Self>)
+    }
+}
+
+/// Has it loops, or constraints whose rank may drop? Where Baumgarte's stabilisation lets states drift from them, there are no
+/// poses to come back to.
+fn may_be_singular(emission: &Emission) -> bool {
+    let projects = matches!(emission.model.stabilisation, Stabilisation::Projection);
+    match emission.form {
+        Form::Absolute => projects && !emission.equations.phi.is_empty(),
+        Form::Tree(_) => false,
+        Form::Loops(_) => true,
+    }
+}
+
+/// `Fine`, for mechanisms with singular poses.
+pub(crate) fn fine(emission: &Emission) -> TokenStream {
+    let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
+    if !may_be_singular(emission) {
+        return TokenStream::new();
+    }
+    let held = emission.inputs(&quote!(rt::Twofold<S>));
+    let is_charted = emission.loops().is_some();
+    let inputs = is_charted.then(|| quote!(.input));
+    let between = if is_charted { charted(emission) } else { alone() };
+    // rustdoc shows a constant argument by its source, which is the whole declaration.
+    quote! {
+        #[doc(hidden)]
+        impl<S: Real> rt::singular::Fine<#nq, #nc, #full> for #name<S> {
+            type Twofold = #name<rt::Twofold<S>>;
+            type Inputs = #held;
+
+            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+                use rt::lanes::Pack;
+                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
+                (self.pack([self], exact), Self::pack_held(held, [held], exact)#inputs)
+            }
+            #[cold]
+            fn accelerate(
+                fine: &Self::Twofold,
+                t: rt::Twofold<S>,
+                u: &Self::Inputs,
+                x: &[rt::Twofold<S>; #full],
+                dx: &mut [rt::Twofold<S>; #full],
+            ) {
+                let mut lambda = [rt::Twofold::<S>::lit(0.0); #nc];
+                fine.dynamics(t, u, x, dx, &mut lambda);
+            }
+            #between
+        }
+    }
+}
+
+/// What `Fine` asks of a mechanism that is in absolute coordinates anyway.
+fn alone() -> TokenStream {
+    quote! {
+        const CHARTED: bool = false;
+        fn is_sharp(&self, _t: S, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> bool {
+            false
+        }
+        fn is_near(_held: &Self::U) -> bool {
+            false
+        }
+        fn full(&self, _t: S, _held: &Self::U, x: &Self::X) -> Self::X {
+            *x
+        }
+        fn hold(&self, _held: &mut Self::U, x: &mut Self::X, full: &Self::X) {
+            *x = *full;
+        }
+        fn flat_part(&self, t: S, full: &Self::X) -> &'static str {
+            absolute::flat_part::<_, _, NQ, NC>(self, t, &absolute::split(full).0)
+        }
+    }
+}
+
+/// The same of one that has charts.
+fn charted(emission: &Emission) -> TokenStream {
+    let Sizes { nq, full, .. } = &emission.sizes;
+    quote! {
+        const CHARTED: bool = true;
+        #[inline]
+        fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
+            rt::charts::is_sharp(self, t, held, before, x)
+        }
+        fn is_near(held: &Self::U) -> bool {
+            rt::charts::is_free::<Self>(held)
+        }
+        fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; #full] {
+            rt::charts::full(self, t, held, x)
+        }
+        fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; #full]) {
+            rt::charts::hold::<Self, #full>(held, x, full);
+        }
+        fn flat_part(&self, t: S, full: &[S; #full]) -> &'static str {
+            let (q, v): ([S; #nq], [S; #nq]) = absolute::split(full);
+            rt::charts::flat_part(self, t, &q, &v)
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! `Statics`: a mechanism at rest; `StartValues`: names and values one by one, and as text.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::super::bindings::Origin;
+use super::super::function::body;
+use super::super::{Emission, Sizes, docs, quoted};
+use crate::formulate::coordinate_name;
+
+/// Statements of a block; rustc recurses over longer ones.
+const MOST_LINES: usize = 200;
+
+/// `StartValues` and `Display` of the start values.
+pub(crate) fn start_values(emission: &Emission) -> TokenStream {
+    let Emission { model, fields, .. } = emission;
+    let bodies = model.bodies.iter().zip(&fields.bodies).map(|(body, field)| {
+        let names =
+            ["x", "y", "angle", "vx", "vy", "omega"].map(|value| format!("{}.{value}", body.name.text));
+        format!("self.{field}.each({names:?}, &mut *each);\n")
+    });
+    let states = model.states.iter().zip(&fields.states);
+    let states = states.map(|(state, field)| format!("each({:?}, &mut self.{field});\n", state.name.text));
+    let lines: Vec<String> = bodies.chain(states).collect();
+    let blocks: Vec<TokenStream> =
+        lines.chunks(MOST_LINES).map(|lines| emission.text(lines.concat())).collect();
+    let lines = if let [one] = &blocks[..] { one.clone() } else { quote!(#({ #blocks })*) };
+    quote! {
+        impl<S: Scalar> rt::StartValues<S> for Starts<S> {
+            fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+                #lines
+            }
+        }
+
+        impl<S: Scalar> core::fmt::Display for Starts<S> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                rt::start::write_starts(*self, f)
+            }
+        }
+    }
+}
+
+/// `Statics`.
+pub(crate) fn statics(emission: &Emission) -> TokenStream {
+    let Emission { model, name, equations, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
+    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
+    let coordinates = emission.text(quoted(coordinates));
+    let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
+    let states = model.states.iter();
+    let states =
+        emission.list(states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit))));
+    let absolute = emission.absolute_of("state");
+    let input = emission.input_of("held");
+    let given = match (emission.has_sides(), emission.loops().is_some()) {
+        (false, false) => quote!(*held),
+        (false, true) => quote!(held.input),
+        (true, _) => quote!(Held { input: #input, ..self.declared_input() }),
+    };
+    let (held, inputs) = match emission.loops() {
+        Some(_) => (quote!(held), quote!(let u = &held.input;)),
+        None => (quote!(u), TokenStream::new()),
+    };
+    let (at_rest_docs, at_rest) = body(
+        emission,
+        "What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
+constraints, rates of the first-order states, without accelerations.",
+        &["t", "u", "x", "lambda", "force", "x_dot", "held", "each", "q", "v"],
+        (&program.at_rest, Origin::Arguments),
+    );
+    quote! {
+        impl<S: Real> rt::Statics for #name<S> {
+            type Full = [S; #full];
+            type Rows = [S; #nc];
+            type Starts = Starts<S>;
+            const COORDINATES: &'static [&'static str] = &[#coordinates];
+            const ROWS: &'static [&'static str] = &[#rows];
+            const STATES: &'static [(&'static str, &'static str)] = &[#states];
+
+            fn full(state: &State<S>) -> [S; #full] {
+                #absolute
+            }
+            #at_rest_docs
+            #[cold]
+            fn equations(
+                &self, t: S, #held: &Self::U, x: &[S; #full], lambda: &[S; #nc], each: &mut impl FnMut(S)
+            ) {
+                #inputs
+                let (mut force, mut x_dot) = ([S::lit(0.0); #nq], [S::lit(0.0); #nx]);
+                #at_rest
+                let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
+                absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force).into_iter().for_each(&mut *each);
+                absolute::residuals::<S, Self, NQ, NC, #full>(self, t, x, each);
+                x_dot.into_iter().for_each(each);
+            }
+            fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
+                self.start_holding_(t, #given)
+            }
+            fn starts_mut(&mut self) -> &mut Starts<S> {
+                &mut self.start
+            }
+            fn starts_at(&self, x: &[S; #full]) -> Starts<S> {
+                self.placed(x)
+            }
+            fn size(&self) -> S {
+                absolute::Absolute::<S, NQ, NC>::length(self)
+            }
+        }
+    }
+}

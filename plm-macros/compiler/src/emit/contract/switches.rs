@@ -1,0 +1,182 @@
+//! Methods of `System` for conditions whose sides are held over a step: guards, switches, known times, jumps of rows.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::super::bindings::Origin;
+use super::super::function::body;
+use super::super::{Emission, Sizes, number, quoted};
+use super::charted::chosen;
+
+/// What is looked at in every step, guards and kinks, at a time and over an interval.
+pub(super) fn watched(emission: &Emission) -> TokenStream {
+    let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
+    let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map(number);
+    let [here, within] = [quote!(self), quote!(mechanism)].map(|of| switching(emission, &of));
+    let is_charted = emission.loops().is_some();
+    let here = if is_charted {
+        quote! {
+            if rt::charts::is_free::<Self>(u) {
+                self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g)
+            } else {
+                #here
+            }
+        }
+    } else {
+        here
+    };
+    // Without a chart the state stands in what is held, and does not move with `x`.
+    let only = is_charted.then(|| {
+        quote! {
+            if rt::charts::is_free::<Self>(u) {
+                return false;
+            }
+        }
+    });
+    let held = emission.held(&quote!(rt::Tube<S>));
+    quote! {
+        const KINKS: usize = #kinks;
+
+        fn guards(&self, t: S, u: &Self::U, x: &[S; #length], g: &mut [S; #guards]) {
+            let mut all = [S::lit(0.0); #all];
+            let out = g;
+            let g = &mut all;
+            #here;
+            for (guard, value) in out.iter_mut().zip(all) {
+                *guard = value;
+            }
+        }
+
+        fn kinks(&self, t: S, u: &Self::U, x: &[S; #length], each: &mut impl FnMut(usize, S)) {
+            let mut all = [S::lit(0.0); #all];
+            let g = &mut all;
+            #here;
+            for (index, value) in all.into_iter().skip(#guards).enumerate() {
+                each(index, value);
+            }
+        }
+
+        fn guards_within(
+            &self,
+            t: rt::Tube<S>,
+            u: &Self::U,
+            x: &impl Fn(usize) -> rt::Tube<S>,
+            each: &mut impl FnMut(usize, rt::Tube<S>),
+        ) -> bool {
+            #only
+            use rt::lanes::Pack;
+            let constant = |[s]: [S; 1]| rt::Tube::constant(s);
+            let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
+            let mut tubes = [rt::Tube::constant(S::lit(0.0)); #all];
+            let within = |u: &#held, x: &[rt::Tube<S>; #length], g: &mut [rt::Tube<S>; #all]| #within;
+            within(&held, &core::array::from_fn(x), &mut tubes);
+            for (index, tube) in tubes.into_iter().enumerate() {
+                each(index, tube);
+            }
+            true
+        }
+    }
+}
+
+/// The call of the guards' function of a mechanism that is called so, with `g` as its last argument.
+fn switching(emission: &Emission, mechanism: &TokenStream) -> TokenStream {
+    let Some(reduced) = emission.loops() else { return quote!(#mechanism.switching(t, u, x, g)) };
+    chosen(reduced, &quote!(u.chart), |k| {
+        let switching = format_ident!("switching_{k}");
+        quote!(#mechanism.#switching(t, &u.input, &u.memory, x, g))
+    })
+}
+
+/// What happens at the sides that depend on the state. One that must hold does not change: it ends the run.
+pub(super) fn switch(emission: &Emission) -> TokenStream {
+    let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
+    let (guards, u) = (model.guards(), emission.inputs_of("u"));
+    let of_state = model.sides.iter().filter(|side| side.instant.is_none());
+    let required: Vec<_> =
+        of_state.enumerate().filter(|(_, side)| side.must_hold).map(|(index, _)| number(index)).collect();
+    let is_required = !required.is_empty();
+    let must_hold = is_required.then(|| {
+        quote! {
+            fn must_hold(&self, index: usize) -> bool {
+                matches!(index, #(#required)|*)
+            }
+        }
+    });
+    let only = is_required.then(|| {
+        quote! {
+            if self.must_hold(index) {
+                return;
+            }
+        }
+    });
+    let names = emission.text(quoted(model.sides.iter().take(guards).map(|side| &side.name)));
+    let guards = number(guards);
+    quote! {
+        #must_hold
+        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
+            #only
+            if let Some(side) = #u.sides.get_mut(index) {
+                *side = -*side;
+            }
+        }
+
+        fn guard_name(&self, index: usize) -> &'static str {
+            const NAMES: [&str; #guards] = [#names];
+            NAMES.get(index).copied().unwrap_or_default()
+        }
+    }
+}
+
+/// When conditions on the time alone change, and which sides of them apply.
+pub(super) fn known_times(emission: &Emission) -> TokenStream {
+    let guards = emission.model.guards();
+    let (count, u) = (number(emission.model.sides.len() - guards), emission.inputs_of("u"));
+    let guards = number(guards);
+    quote! {
+        fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
+            let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
+            self.instants(&#u, &mut at, &mut slope);
+            at.into_iter().filter(|at| *at > t).reduce(S::min)
+        }
+
+        fn pass(&self, t: S, u: &mut Self::U) {
+            let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
+            self.instants(&#u, &mut at, &mut slope);
+            for ((side, at), slope) in #u.sides.iter_mut().skip(#guards).zip(at).zip(slope) {
+                *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
+            }
+        }
+    }
+}
+
+/// Rows that may jump; those that are known to are errors.
+pub(super) fn jump(emission: &Emission) -> TokenStream {
+    let (jumps, Sizes { nq, length, .. }) = (&emission.model.jumps, &emission.sizes);
+    let [count, terms] = [jumps.len(), 5 * jumps.len()].map(number);
+    let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.side)));
+    let [u, after] = ["u", "after"].map(|held| emission.inputs_of(held));
+    let pose = emission.pose_at("u");
+    let (jump_docs, jump) = body(
+        emission,
+        "How rows differ on both sides of conditions: residual, rate, its rate; the distance, its rate.",
+        &["t", "u", "x", "after", "q", "v", "jump"],
+        (&emission.program.jumps, Origin::Pose),
+    );
+    quote! {
+        #jump_docs
+        #[cold]
+        fn jump(&self, t: S, u: &Self::U, x: &[S; #length], after: Option<&Self::U>) -> Option<Fault> {
+            const JUMPS: [(usize, usize); #count] = [#places];
+            let (q, v): ([S; #nq], [S; #nq]) = #pose;
+            let (q, v) = (&q, &v);
+            let mut jump = [S::lit(0.0); #terms];
+            #jump
+            let (terms, _) = jump.as_chunks::<5>();
+            let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {
+                let changes = after.is_some_and(|after| #after.sides[side] != #u.sides[side]);
+                (changes || after.is_none()).then_some(absolute::Crossing { row, terms, changes })
+            });
+            absolute::jump::<S, Self, NQ, NC>(self, t, (q, v), crossings)
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! `System`: what integrators and the event loop ask for.
+
+use plm_cas::{Expr, algebra};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::super::lower::inline;
+use super::super::{Emission, Form, Sizes, number, quoted};
+use super::{rate, switches};
+use crate::formulate::{Chart, coordinate_name};
+use crate::model::Stabilisation;
+
+/// `System`.
+pub(crate) fn system(emission: &Emission) -> TokenStream {
+    let Emission { model, name, sizes: Sizes { length, second_order, .. }, .. } = emission;
+    let (held, inlined, short) =
+        (emission.held(&quote!(S)), rate::inlined(emission), rate::is_short(emission));
+    let (freedom, guards) = (number(second_order / 2), number(model.guards()));
+    let solution = match emission.form {
+        Form::Absolute => by_rank(emission),
+        Form::Tree(_) => TokenStream::new(),
+        Form::Loops(_) => in_charts(emission),
+    };
+    let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
+    let watched = (model.watched() > 0).then(|| switches::watched(emission));
+    let switch = (model.guards() > 0).then(|| switches::switch(emission));
+    let known_times = (model.sides.len() > model.guards()).then(|| switches::known_times(emission));
+    let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
+    let energy = (!knows_time(emission)).then(|| {
+        quote! {
+            fn energy(&self, t: S, u: &Self::U, x: &[S; #length]) -> Option<rt::Energy<S>> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
+            }
+        }
+    });
+    let typical = emission.text(typical(emission));
+    let part_of_state = part_of_state(emission);
+    let names = emission.text(quoted(names_of_state(emission)));
+    quote! {
+        impl<S: Real> rt::System for #name<S> {
+            type S = S;
+            type X = [S; #length];
+            type U = #held;
+            type G = [S; #guards];
+            const NQ: usize = #freedom;
+            const SHORT: bool = #short;
+
+            #inlined
+            fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
+                rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+            #solution
+            #stabilisation
+            #watched
+            #switch
+            #known_times
+            #jump
+            #energy
+            fn typical(&self) -> [S; #length] {
+                [#typical].map(S::lit)
+            }
+
+            fn part_of_state(&self, index: usize) -> &'static str {
+                #part_of_state
+            }
+
+            fn name_of_state(&self, index: usize) -> &'static str {
+                const NAMES: &[&str] = &[#names];
+                match NAMES.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+        }
+    }
+}
+
+/// The rate of rung 5 where elimination is unhealthy.
+fn by_rank(emission: &Emission) -> TokenStream {
+    let Sizes { nq, nx, length, .. } = &emission.sizes;
+    let first_order = (!emission.equations.x.is_empty()).then(|| {
+        quote! {
+            let mut x_dot = [S::lit(0.0); #nx];
+            self.x_dot(t, u, x, &mut x_dot);
+            for (rate, value) in dx.iter_mut().skip(2 * NQ).zip(x_dot) {
+                *rate = value;
+            }
+        }
+    });
+    quote! {
+        fn rate_by_rank(
+            &self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]
+        ) -> Result<(), Fault> {
+            let solution = self.accelerate(t, u, x)?;
+            let (_, v): ([S; #nq], [S; #nq]) = absolute::split(x);
+            absolute::join(&v, &solution.a, dx);
+            #first_order
+            Ok(())
+        }
+    }
+}
+
+/// A state in a chart, between steps and where the chart is not regular.
+fn in_charts(emission: &Emission) -> TokenStream {
+    let Sizes { length, .. } = &emission.sizes;
+    quote! {
+        #[cold]
+        fn rate_by_rank(
+            &self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]
+        ) -> Result<(), Fault> {
+            if rt::System::rate(self, t, u, x, dx).is_good() {
+                Ok(())
+            } else {
+                Err(rt::charts::not_regular(self, t, u, x))
+            }
+        }
+
+        fn is_regular(&self, u: &Self::U) -> bool {
+            !rt::charts::is_free::<Self>(u)
+        }
+
+        #[inline]
+        fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Accepted, Fault> {
+            rt::charts::accept(self, t, u, x)
+        }
+    }
+}
+
+/// How the constraints of rung 5 are kept.
+fn stabilisation(emission: &Emission) -> TokenStream {
+    let Sizes { length, .. } = &emission.sizes;
+    match emission.model.stabilisation {
+        Stabilisation::Projection => quote! {
+            fn settle(&self, t: S, x: &mut [S; #length]) -> Result<(), Fault> {
+                absolute::settle_state::<S, Self, NQ, NC, #length>(self, t, x)
+            }
+
+            fn drift(&self, t: S, x: &[S; #length]) -> rt::Drift<S> {
+                absolute::drift::<S, Self, NQ, NC, #length>(self, t, x)
+            }
+        },
+        Stabilisation::Baumgarte(tau) => {
+            let tau = emission.text(inline(tau, &emission.parameters()));
+            quote! {
+                fn baumgarte_rate(&self) -> Option<f64> {
+                    let lit = S::lit;
+                    let tau: S = #tau;
+                    Some(1.0 / rt::Scalar::to_f64(tau))
+                }
+            }
+        }
+    }
+}
+
+/// Does a constraint know the time? Then it does work that the energy does not count.
+fn knows_time(emission: &Emission) -> bool {
+    let Emission { model, .. } = emission;
+    let rows = model.rows.iter().map(|row| row.phi);
+    let sides = model.jumps.iter().map(|jump| model.sides[jump.side].difference);
+    let released = model.released.iter().map(|(_, condition)| *condition);
+    let roots: Vec<Expr> = rows.chain(sides).chain(released).collect();
+    algebra::symbols(&roots).contains(&model.time)
+}
+
+/// The chart that is taken first, on a rung above 5.
+fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
+    match emission.form {
+        Form::Absolute => None,
+        Form::Tree(chart) => Some(chart),
+        Form::Loops(reduced) => reduced.first(),
+    }
+}
+
+/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
+/// rates, one of the unit that it is declared in for a state.
+fn typical(emission: &Emission) -> String {
+    let Emission { equations, model, report, .. } = emission;
+    let angles: Vec<bool> = match first(emission) {
+        Some(chart) => chart.angles.clone(),
+        None => (0..equations.q.len()).map(|k| k % 3 == 2).collect(),
+    };
+    let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });
+    let states = model.states.iter().map(|state| state.unit.factor.to_f64());
+    let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect();
+    sizes.join(", ")
+}
+
+/// Names of the parts that the numbers of the state belong to.
+fn part_of_state(emission: &Emission) -> TokenStream {
+    let model = emission.model;
+    let states = model.states.iter().map(|state| &state.name.text);
+    let named = |part| {
+        quote! {
+            match #part {
+                Some(name) => name,
+                None => "",
+            }
+        }
+    };
+    if let Some(chart) = first(emission) {
+        let parts = emission.text(quoted(chart.parts.iter().chain(&chart.parts).chain(states)));
+        let part = named(quote!(PARTS.get(index)));
+        return quote!(const PARTS: &[&str] = &[#parts]; #part);
+    }
+    let bodies = emission.text(quoted(model.bodies.iter().map(|body| &body.name.text)));
+    let (states, part) = (emission.text(quoted(states)), named(quote!(part)));
+    quote! {
+        const BODIES: &[&str] = &[#bodies];
+        const STATES: &[&str] = &[#states];
+        let part = if index < 2 * NQ {
+            BODIES.get(index % NQ.max(1) / 3)
+        } else {
+            STATES.get(index - 2 * NQ)
+        };
+        #part
+    }
+}
+
+/// Names of the numbers of the state; a coordinate has one in every chart.
+fn names_of_state(emission: &Emission) -> Vec<String> {
+    let Emission { model, equations, .. } = emission;
+    let charts: Vec<Vec<String>> = match emission.form {
+        Form::Absolute => vec![(0..equations.q.len()).map(|k| coordinate_name(model, k)).collect()],
+        Form::Tree(chart) => vec![chart.names.clone()],
+        Form::Loops(reduced) => reduced.charts.iter().map(|chart| chart.names.clone()).collect(),
+    };
+    let in_all = |k: usize, name: fn(&str) -> String| {
+        let mut known = Vec::new();
+        for name in charts.iter().filter_map(|names| names.get(k)).map(|of| name(of)) {
+            if !known.contains(&name) {
+                known.push(name);
+            }
+        }
+        known.join(" or ")
+    };
+    let count = charts.first().map_or(0, Vec::len);
+    let coordinates = (0..count).map(|k| in_all(k, str::to_owned));
+    let rates = (0..count).map(|k| in_all(k, rate_of));
+    coordinates.chain(rates).chain(model.states.iter().map(|state| state.name.text.clone())).collect()
+}
+
+/// The name of the rate of a coordinate: that of `arm.angle` is `arm.omega`.
+fn rate_of(coordinate: &str) -> String {
+    let (owner, what) = coordinate.rsplit_once('.').unwrap_or(("", coordinate));
+    let rate = match what {
+        "angle" => "omega".to_owned(),
+        "displacement" => "speed".to_owned(),
+        axis => format!("v{axis}"),
+    };
+    format!("{owner}.{rate}")
+}

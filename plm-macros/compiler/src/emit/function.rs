@@ -1,0 +1,267 @@
+//! The straight-line functions of a mechanism.
+
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+use super::bindings::Origin;
+use super::{Emission, Form, Sizes, docs, lower, number};
+use crate::formulate::{Chart, Function, Reduced};
+
+/// A straight-line function: its documentation, what stands before its body, what it computes and from what.
+pub(super) fn function(
+    emission: &Emission,
+    docs: &str,
+    signature: &TokenStream,
+    (function, origin): (&Function, Origin),
+) -> TokenStream {
+    let arguments = arguments(signature);
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (docs, body) = body(emission, docs, &arguments, (function, origin));
+    quote! {
+        #docs
+        #signature {
+            #body
+        }
+    }
+}
+
+/// The documentation of a straight-line function of these arguments, with its operations, and its body.
+pub(super) fn body(
+    emission: &Emission,
+    docs: &str,
+    arguments: &[&str],
+    (function, origin): (&Function, Origin),
+) -> (TokenStream, TokenStream) {
+    let reserved = [arguments, &["lit"]].concat();
+    let (body, count) = lower::statements(function, &emission.bindings(origin), (&reserved, true));
+    let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
+    (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))
+}
+
+/// Names of the arguments of a function.
+fn arguments(signature: &TokenStream) -> Vec<String> {
+    let is_list =
+        |tree: &TokenTree| matches!(tree, TokenTree::Group(of) if of.delimiter() == Delimiter::Parenthesis);
+    let Some(TokenTree::Group(list)) = signature.clone().into_iter().find(is_list) else { return Vec::new() };
+    let trees: Vec<TokenTree> = list.stream().into_iter().collect();
+    let named = trees.windows(2).filter_map(|two| match two {
+        [TokenTree::Ident(name), TokenTree::Punct(mark)]
+            if mark.as_char() == ':' && mark.spacing() == Spacing::Alone =>
+        {
+            Some(name.to_string())
+        }
+        _ => None,
+    });
+    named.collect()
+}
+
+/// The equations of motion of rung 5, and what the rank-revealing fallback needs.
+pub(super) fn dynamics(emission: &Emission) -> TokenStream {
+    let Emission { name, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
+    if emission.reactions().is_some() {
+        return TokenStream::new();
+    }
+    let inputs = emission.inputs(&quote!(S));
+    let state = quote!(t: S, u: &#inputs, x: &[S; #full]);
+    let dynamics = function(
+        emission,
+        "The right-hand side and the multipliers: `M a + phi_q^T lambda = Q`, `phi_q a = gamma`.
+Returns the smallest pivot ratio of the factorisation.",
+        &quote! {
+            #[inline(always)]
+            fn dynamics(&self, #state, dx: &mut [S; #full], lambda: &mut [S; #nc]) -> S
+        },
+        (&program.dynamics, Origin::Arguments),
+    );
+    let free = function(
+        emission,
+        "Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution.",
+        &quote! {
+            #[cold]
+            fn free(&self, #state, force: &mut [S; #nq], gamma: &mut [S; #nc])
+        },
+        (&program.free, Origin::Arguments),
+    );
+    let x_dot = (!emission.equations.x.is_empty()).then(|| {
+        function(
+            emission,
+            "Rates of the first-order states.",
+            &quote! {
+                #[cold]
+                fn x_dot(&self, #state, x_dot: &mut [S; #nx])
+            },
+            (&program.x_dot, Origin::Arguments),
+        )
+    });
+    let of_state = (&program.guards, Origin::Arguments);
+    let switching = (!matches!(emission.form, Form::Tree(_)))
+        .then(|| switching(emission, &quote!(switching), &state, of_state));
+    quote! {
+        impl<S: Scalar> #name<S> {
+            #dynamics
+            #free
+            #x_dot
+            #switching
+        }
+    }
+}
+
+/// How far the conditions are from switching.
+fn switching(
+    emission: &Emission,
+    name: &TokenStream,
+    state: &TokenStream,
+    guards: (&Function, Origin),
+) -> TokenStream {
+    let count = number(emission.model.watched());
+    if emission.model.watched() == 0 {
+        return TokenStream::new();
+    }
+    function(
+        emission,
+        "How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.",
+        &quote!(fn #name(&self, #state, g: &mut [S; #count])),
+        guards,
+    )
+}
+
+/// The right-hand side in joint coordinates, and the way to those of all bodies and back.
+pub(super) fn motion(emission: &Emission) -> TokenStream {
+    let name = &emission.name;
+    let functions: TokenStream = match emission.form {
+        Form::Absolute => return TokenStream::new(),
+        Form::Tree(chart) => tree(emission, chart),
+        Form::Loops(reduced) => {
+            let charts = reduced.charts.iter().enumerate();
+            charts.map(|(index, chart)| in_chart(emission, reduced, (index, chart))).collect()
+        }
+    };
+    quote!(impl<S: Scalar> #name<S> { #functions })
+}
+
+fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
+    let Sizes { nq, nc, length, .. } = &emission.sizes;
+    let inputs = emission.inputs(&quote!(S));
+    let state = quote!(t: S, u: &#inputs, x: &[S; #length]);
+    let origin = Origin::Chart(chart);
+    let motion = function(
+        emission,
+        "The right-hand side in joint coordinates.",
+        &quote! {
+            #[inline(always)]
+            fn motion(&self, #state, dx: &mut [S; #length])
+        },
+        (&chart.rate, origin),
+    );
+    let place = function(
+        emission,
+        PLACE,
+        &quote! {
+            #[inline]
+            fn place(&self, #state, q: &mut [S; #nq], v: &mut [S; #nq])
+        },
+        (&chart.pose, origin),
+    );
+    let reactions = chart.reactions.as_ref().filter(|_| emission.reads_solution()).map(|reactions| {
+        function(
+            emission,
+            "Accelerations of every body, and the multipliers: `M a + phi_q^T lambda = Q`.",
+            &quote! {
+                #[inline]
+                fn reactions(&self, #state, a: &mut [S; #nq], lambda: &mut [S; #nc])
+            },
+            (reactions, origin),
+        )
+    });
+    let project = projection(emission, &quote!(project), chart);
+    let switching = switching(emission, &quote!(switching), &state, (&chart.guards, origin));
+    quote!(#motion #place #reactions #project #switching)
+}
+
+const PLACE: &str = "Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.";
+
+/// The coordinates of a chart at a pose.
+fn projection(emission: &Emission, name: &TokenStream, chart: &Chart) -> TokenStream {
+    let Sizes { nq, length, .. } = &emission.sizes;
+    function(
+        emission,
+        "The joint coordinates and their rates at a pose that closes the joints.",
+        &quote!(fn #name(&self, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length])),
+        (&chart.project, Origin::Pose),
+    )
+}
+
+fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Chart)) -> TokenStream {
+    let Sizes { nq, length, .. } = &emission.sizes;
+    let memory = number(reduced.memory_length);
+    let inputs = emission.inputs(&quote!(S));
+    let state = quote!(t: S, u: &#inputs, m: &[S; #memory], x: &[S; #length]);
+    let origin = Origin::Chart(chart);
+    let named = |function: &str| {
+        let name = format_ident!("{function}_{index}");
+        quote!(#name)
+    };
+    // The first chart is the one that runs, the others hardly ever do.
+    let attribute = if index == 0 { quote!(#[inline(always)]) } else { quote!(#[inline(never)]) };
+    let name = named("motion");
+    let motion = function(
+        emission,
+        &format!(
+            "The right-hand side in the coordinates {}.\nReturns the smallest square of a dyad's measure.",
+            chart.names.join(", ")
+        ),
+        &quote!(#attribute fn #name(&self, #state, dx: &mut [S; #length]) -> S),
+        (&chart.rate, origin),
+    );
+    let name = named("place");
+    let place = function(
+        emission,
+        PLACE,
+        &quote!(fn #name(&self, #state, q: &mut [S; #nq], v: &mut [S; #nq]) -> S),
+        (&chart.pose, origin),
+    );
+    let switching = switching(emission, &named("switching"), &state, (&chart.guards, origin));
+    let project = projection(emission, &named("project"), chart);
+    let name = named("look");
+    let look = chart.look.as_ref().map(|look| {
+        function(
+            emission,
+            "What is to be remembered of a state, and the smallest square of a dyad's measure.",
+            &quote!(fn #name(&self, #state, memory: &mut [S; #memory]) -> S),
+            (look, origin),
+        )
+    });
+    let name = named("survey");
+    let survey = chart.survey.as_ref().map(|survey| {
+        function(
+            emission,
+            "The same of a pose and velocity.",
+            &quote! {
+                #[cold]
+                fn #name(&self, t: S, q: &[S; #nq], v: &[S; #nq], memory: &mut [S; #memory]) -> S
+            },
+            (survey, Origin::Pose),
+        )
+    });
+    quote!(#motion #place #switching #project #look #survey)
+}
+
+/// When conditions on the time alone change.
+pub(super) fn instants(emission: &Emission) -> TokenStream {
+    let Emission { model, name, program, .. } = emission;
+    let count = model.sides.len() - model.guards();
+    if count == 0 {
+        return TokenStream::new();
+    }
+    let (count, inputs) = (number(count), emission.inputs(&quote!(S)));
+    let instants = function(
+        emission,
+        "Times at which conditions change, s, and the slope of what they compare.",
+        &quote! {
+            #[cold]
+            fn instants(&self, u: &#inputs, at: &mut [S; #count], slope: &mut [S; #count])
+        },
+        (&program.instants, Origin::Arguments),
+    );
+    quote!(impl<S: Scalar> #name<S> { #instants })
+}

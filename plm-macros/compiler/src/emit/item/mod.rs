@@ -1,0 +1,9 @@
+//! What users see: the mechanism, its start values and inputs, a state that can be read.
+
+pub(super) mod constants;
+pub(super) mod input;
+pub(super) mod mechanism;
+pub(super) mod outputs;
+pub(super) mod solved;
+pub(super) mod start;
+pub(super) mod state;

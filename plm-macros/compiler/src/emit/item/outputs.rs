@@ -1,0 +1,247 @@
+//! What can be read from a state: poses, the user's outputs, energies.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::super::bindings::Origin;
+use super::super::lower::{Bindings, statements};
+use super::super::{Emission, docs, families, number};
+use crate::formulate::Function;
+use crate::model::Output;
+use crate::units::DisplayUnit;
+
+/// The accessors of `State`.
+pub(crate) fn outputs(emission: &Emission) -> TokenStream {
+    let (bindings, functions) = (emission.bindings(Origin::State), &emission.program.outputs);
+    let poses = poses(emission);
+    let user = (0..emission.model.outputs.len()).map(|index| user_output(emission, &bindings, index));
+    let [kinetic, gravity, power] =
+        [&functions.kinetic_energy, &functions.gravity_energy, &functions.load_power]
+            .map(|function| body(emission, &bindings, function));
+    let families = families::accessors(emission);
+    let branches = branches(emission, &bindings);
+    let table = table(emission);
+    let observed = emission.model.outputs.iter().any(|output| !output.declared).then(|| observed(emission));
+    quote! {
+        impl<S: Real> State<S> {
+            /// Time, s.
+            pub fn time(&self) -> S {
+                self.time
+            }
+            #poses
+            #(#user)*
+
+            /// Kinetic energy of all bodies, J.
+            pub fn kinetic_energy(&self) -> S {
+                #kinetic
+            }
+
+            /// Potential energy of gravity above the origin, J.
+            pub fn gravity_energy(&self) -> S {
+                #gravity
+            }
+
+            /// Power of all forces and torques but gravity and reactions, W.
+            pub fn load_power(&self) -> S {
+                #power
+            }
+            #families
+            #branches
+            #table
+            #observed
+        }
+    }
+}
+
+/// The pose of every body.
+fn poses(emission: &Emission) -> TokenStream {
+    let Emission { model, fields, equations, .. } = emission;
+    let nq = equations.q.len();
+    let pose = |(k, (body, field)): (usize, (&crate::model::Body, &Ident))| {
+        let docs =
+            format!("Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.", body.name.text);
+        let docs = docs::docs(emission, &docs);
+        let reduced = emission.is_reduced();
+        let (q, v, i, j) =
+            if reduced { ("q", "v", 3 * k, 3 * k) } else { ("self.x", "self.x", 3 * k, nq + 3 * k) };
+        let triple =
+            |array: &str, k: usize| format!("[{array}[{k}], {array}[{}], {array}[{}]]", k + 1, k + 2);
+        let body = format!("BodyState::of({}, {})", triple(q, i), triple(v, j));
+        let pose = arrays(&body, ["q", "v"], "self.pose_()");
+        let body = emission.text(pose + &body);
+        quote! {
+            #docs
+            pub fn #field(&self) -> BodyState<S> {
+                #body
+            }
+        }
+    };
+    model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect()
+}
+
+/// The line that gives an accessor of `State` two arrays, as far as it reads them.
+fn arrays(text: &str, [first, second]: [&str; 2], from: &str) -> String {
+    let reads = |array: &str| {
+        text.match_indices(array).any(|(at, _)| {
+            let (before, behind) = (&text[..at], &text[at + array.len()..]);
+            !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && behind.starts_with(['[', ';'])
+        })
+    };
+    match [first, second].map(|array| if reads(array) { array } else { "_" }) {
+        ["_", "_"] => String::new(),
+        [first, second] => format!("let ({first}, {second}) = {from};\n"),
+    }
+}
+
+/// The type of an output.
+pub(crate) fn kind(output: &Output) -> TokenStream {
+    match output.components.len() {
+        1 => quote!(S),
+        count => {
+            let count = number(count);
+            quote!([S; #count])
+        }
+    }
+}
+
+fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenStream {
+    let (output, laid_out) = (&emission.model.outputs[index], &emission.program.outputs.user[index]);
+    let (name, kind) = (&emission.fields.outputs[index], kind(output));
+    let what = if output.declared { "Output" } else { "Observed:" };
+    let own = if output.docs.is_empty() { String::new() } else { format!("\n\n{}", output.docs) };
+    let docs = format!("{what} `{}`, {}.{own}", output.name.text, docs::si(&output.unit));
+    let docs = docs::docs(emission, &docs);
+    let many = output.components.len() > 1;
+    let value = many.then(|| {
+        let count = number(output.components.len());
+        quote!(let mut value = [S::lit(0.0); #count];)
+    });
+    let body = body(emission, bindings, &laid_out.function);
+    let result = many.then(|| quote!(value));
+    quote! {
+        #docs
+        pub fn #name(&self) -> #kind {
+            #value
+            #body
+            #result
+        }
+    }
+}
+
+fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
+    let reserved = ["lit", "value", "a", "lambda", "q", "v"];
+    let (text, _) = statements(function, bindings, (&reserved, false));
+    let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
+    let pose = if emission.is_reduced() { arrays(&text, ["q", "v"], "self.pose_()") } else { String::new() };
+    emission.text(solved + &pose + &text)
+}
+
+/// The turns that tell the mirror images of loops apart.
+fn branches(emission: &Emission, bindings: &Bindings) -> TokenStream {
+    let Emission { model, equations, program, .. } = emission;
+    let count = number(equations.branches.len());
+    let joints = equations.branches.iter().enumerate();
+    let joints = joints.map(|(k, branch)| format!("({:?}, value[{k}])", model.parts[branch.part].name.text));
+    let joints = emission.list(joints);
+    let body = body(emission, bindings, &program.outputs.branches);
+    quote! {
+        /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
+        /// the second turns from the first, rad, positive to the left.
+        pub fn branches(&self) -> [(&'static str, S); #count] {
+            let mut value = [S::lit(0.0); #count];
+            #body
+            [#joints]
+        }
+    }
+}
+
+/// The outputs as a row of a table, with names and units.
+fn table(emission: &Emission) -> TokenStream {
+    let (names, values): (Vec<String>, Vec<String>) =
+        columns_of(emission, "self", Columns::Declared).into_iter().unzip();
+    let count = number(names.len());
+    let (names, values) = (emission.list(names), emission.list(values));
+    quote! {
+        /// Names and units of the columns of [`State::outputs`].
+        pub const OUTPUTS: [(&'static str, &'static str); #count] = [#names];
+
+        /// The declared outputs, in the units of [`State::OUTPUTS`].
+        pub fn outputs(&self) -> [S; #count] {
+            [#values]
+        }
+    }
+}
+
+/// All that can be read by name, and the reading of it by number: a match in blocks, as everything that is long.
+fn observed(emission: &Emission) -> TokenStream {
+    const BLOCK: usize = 200;
+    let (names, values): (Vec<String>, Vec<String>) =
+        columns_of(emission, "state", Columns::All).into_iter().unzip();
+    let (count, names) = (number(names.len()), emission.lines(names));
+    let blocks: Vec<Ident> =
+        (0..values.len().div_ceil(BLOCK)).map(|block| format_ident!("block_{block}")).collect();
+    let contents = values.chunks(BLOCK).enumerate().map(|(block, values)| {
+        let arms = values.iter().zip(block * BLOCK..);
+        emission.lines(arms.map(|(value, k)| format!("{k} => {value}")))
+    });
+    let (numbers, block) = ((0..blocks.len()).map(number), number(BLOCK));
+    quote! {
+        /// Names and SI units of the outputs and of all that is observed.
+        pub const OBSERVED: [(&'static str, &'static str); #count] = [#names];
+
+        /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+        pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+            rt::Observed::find(&Self::OBSERVED, names)
+        }
+
+        /// The values of these quantities, SI; each is worked out when it is asked for.
+        pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+            #(
+                fn #blocks<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        #contents
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+            )*
+            quantities.map(|quantity| match quantity.column() / #block {
+                #(#numbers => #blocks(self, quantity.column()),)*
+                _ => S::lit(f64::NAN),
+            })
+        }
+    }
+}
+
+/// Which outputs make columns, and in which units.
+#[derive(Clone, Copy, PartialEq)]
+enum Columns {
+    /// Those that are declared, in the units that they ask for.
+    Declared,
+    /// Those and what is observed, in SI.
+    All,
+}
+
+/// Name with unit, and how `state` reads it, of each number of the outputs that are asked for.
+fn columns_of(emission: &Emission, state: &str, wanted: Columns) -> Vec<(String, String)> {
+    let mut columns = Vec::new();
+    let outputs = emission.model.outputs.iter().zip(&emission.fields.outputs);
+    for (output, accessor) in outputs.filter(|(output, _)| wanted == Columns::All || output.declared) {
+        let shown = wanted == Columns::Declared;
+        let unit = if shown { output.unit.clone() } else { DisplayUnit::si(output.unit.dimension) };
+        let scale = unit.factor.to_f64();
+        let read = |value: String| if scale == 1.0 { value } else { format!("{value} / S::lit({scale:?})") };
+        if output.components.len() == 1 {
+            columns.push((column(&output.name.text, &unit.text), read(format!("{state}.{accessor}()"))));
+        } else {
+            for (axis, k) in ["x", "y"].into_iter().zip(0..) {
+                let name = column(&format!("{}.{axis}", output.name.text), &unit.text);
+                columns.push((name, read(format!("{state}.{accessor}()[{k}]"))));
+            }
+        }
+    }
+    columns
+}
+
+fn column(name: &str, unit: &str) -> String {
+    format!("({name:?}, {unit:?})")
+}

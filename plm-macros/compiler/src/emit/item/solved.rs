@@ -1,0 +1,87 @@
+//! Accelerations and multipliers at a state, for outputs that read them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::super::{Emission, Sizes};
+use crate::derive::feeds_back;
+
+/// What gives them, and which of them redundancy leaves undetermined.
+pub(crate) fn solved(emission: &Emission) -> TokenStream {
+    if emission.reactions().is_some() { of_tree(emission) } else { of_absolute(emission) }
+}
+
+/// By the backward pass of a tree, whose reactions nothing leaves undetermined.
+fn of_tree(emission: &Emission) -> TokenStream {
+    let (held, Sizes { nq, nc, .. }) = (emission.inputs_of_state(), &emission.sizes);
+    let solved = emission.reads_solution().then(|| {
+        quote! {
+            /// Accelerations and multipliers.
+            #[inline]
+            fn solved_(&self) -> ([S; #nq], [S; #nc]) {
+                let (mut a, mut lambda) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
+                self.mechanism.reactions(self.time, &#held, &self.x, &mut a, &mut lambda);
+                (a, lambda)
+            }
+        }
+    });
+    quote! {
+        impl<S: Real> State<S> {
+            #solved
+            /// Reactions that redundancy leaves undetermined, by constraint row: none.
+            pub fn undetermined(&self) -> [bool; #nc] {
+                [false; #nc]
+            }
+        }
+    }
+}
+
+/// By rung 5, and by rank where elimination is unhealthy.
+fn of_absolute(emission: &Emission) -> TokenStream {
+    let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
+    let (held, inputs) = (emission.inputs_of_state(), emission.inputs(&quote!(S)));
+    let absolute = emission.absolute_of("self");
+    // Forces that read the unknowns are known for independent constraints alone.
+    let refusal = feeds_back(emission.model)
+        .then(|| quote!(return Err(Fault::new(t.to_f64(), rt::Cause::Singular { rows: #nc }));));
+    quote! {
+        impl<S: Real> #name<S> {
+            /// Accelerations and multipliers by a rank-revealing decomposition.
+            #[cold]
+            fn accelerate(
+                &self, t: S, u: &#inputs, x: &[S; #full]
+            ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
+                #refusal
+                let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
+                let (mut force, mut gamma) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
+                self.free(t, u, x, &mut force, &mut gamma);
+                let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
+                absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| absolute::jacobian(self, t, &q, rows))
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
+            fn solved_(&self) -> ([S; #nq], [S; #nc]) {
+                let (mut dx, mut lambda) = ([S::lit(0.0); #full], [S::lit(0.0); #nc]);
+                let x = #absolute;
+                let health = self.mechanism.dynamics(self.time, &#held, &x, &mut dx, &mut lambda);
+                if !rt::Health(health).is_good() {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &#held, &x) {
+                        return (solution.a, solution.lambda);
+                    }
+                }
+                let (_, a): ([S; #nq], [S; #nq]) = absolute::split(&dx);
+                (a, lambda)
+            }
+
+            /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
+            pub fn undetermined(&self) -> [bool; #nc] {
+                match self.mechanism.accelerate(self.time, &#held, &#absolute) {
+                    Ok(solution) => solution.undetermined,
+                    Err(_) => [true; #nc],
+                }
+            }
+        }
+    }
+}

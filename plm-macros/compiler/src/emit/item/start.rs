@@ -1,0 +1,160 @@
+//! Start values: as they are declared, at a moment, and as they are assembled.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::super::contract::limits;
+use super::super::lower::{Bindings, inline};
+use super::super::{Emission, Form, Sizes, docs, number};
+use crate::model::{Body, Start};
+
+/// `Starts`, and what assembly finds for them.
+pub(crate) fn values(emission: &Emission) -> TokenStream {
+    let Emission { model, fields, .. } = emission;
+    let bodies = model.bodies.iter().zip(&fields.bodies).map(|(body, field)| {
+        let docs = docs::docs(emission, &format!("Origin of body `{}`.", body.name.text));
+        quote!(#docs pub #field: BodyStart<S>,)
+    });
+    let states = model.states.iter().zip(&fields.states).map(|(state, field)| {
+        let docs = emission.text(docs::field(&[], &format!("State `{}`", state.name.text), &state.unit, ""));
+        quote!(#docs pub #field: Start<S>,)
+    });
+    quote! {
+        /// Start values, SI units.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Starts<S = f64> {
+            #(#bodies)*
+            #(#states)*
+        }
+
+        /// What assembly found.
+        pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
+    }
+}
+
+/// The declared start of a body.
+pub(super) fn body_start(body: &Body, bindings: &Bindings) -> String {
+    let names = ["x", "y", "angle", "vx", "vy", "omega"];
+    let starts = body.start.iter().chain(&body.start_velocity);
+    let entry = |(name, start): (&str, &Start)| {
+        let kind = if start.locked { "locked" } else { "free" };
+        format!("{name}: Start::{kind}({})", inline(start.value, bindings))
+    };
+    let entries: Vec<String> = names.into_iter().zip(starts).map(entry).collect();
+    format!("BodyStart {{ {} }}", entries.join(", "))
+}
+
+/// Start values of a state in absolute coordinates, and of a moment.
+pub(crate) fn placed(emission: &Emission) -> TokenStream {
+    let Emission { model, fields, name, sizes: Sizes { full, .. }, .. } = emission;
+    let (bindings, nq) = (emission.parameters(), emission.equations.q.len());
+    let bodies = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
+        let [x, y] = body.centre.components().map(|component| inline(component, &bindings));
+        let [q, v] =
+            [3 * k, nq + 3 * k].map(|first| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2));
+        format!("{field}: self.start.{field}.with_centre_at([{x}, {y}], {q}, {v})")
+    });
+    let states = fields.states.iter().zip(2 * nq..);
+    let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
+    let (literals, starts) = emission.values(bodies.chain(states).collect());
+    let absolute = emission.absolute_of("self");
+    quote! {
+        impl<S: Real> #name<S> {
+            fn placed(&self, x: &[S; #full]) -> Starts<S> {
+                #literals
+                Starts { #starts }
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
+            /// later, `mechanism.start = sim.starts()`.
+            pub fn starts(&self) -> Starts<S> {
+                self.mechanism.placed(&#absolute)
+            }
+        }
+    }
+}
+
+/// A look at the parameters, where there are any.
+pub(super) fn check(emission: &Emission) -> Option<TokenStream> {
+    (!emission.model.params.is_empty()).then(|| quote!(rt::Mechanism::check(self, t)?;))
+}
+
+/// After assembly: bodies without mass must be carried, where parameters can make some.
+pub(super) fn carried(emission: &Emission) -> Option<TokenStream> {
+    let bodies = limits::that_may_be_carried(emission)?;
+    let count = number(bodies.len());
+    let bodies = emission.lines(bodies);
+    Some(quote! {
+        const BODIES: [[rt::Limit; 2]; #count] = [#bodies];
+        absolute::check_carried::<S, Self, NQ, NC>(self, t, &assembly.q, &BODIES)?;
+    })
+}
+
+/// The assembled state with inputs.
+pub(crate) fn assembled(emission: &Emission) -> TokenStream {
+    let Emission { fields, name, sizes: Sizes { length, second_order, .. }, .. } = emission;
+    let [inputs, held] = [emission.inputs(&quote!(S)), emission.held(&quote!(S))];
+    let (check, carried) = (check(emission), carried(emission));
+    let states = &fields.states;
+    let numbers = (*second_order..).take(states.len()).map(number);
+    let begin = begin(emission);
+    quote! {
+        impl<S: Real> #name<S> {
+            fn start_holding_(&self, t: S, input: #inputs) -> Result<(#held, [S; #length]), Fault> {
+                #check
+                let assembly = absolute::assemble(self, t)?;
+                #carried
+                let mut x = [S::lit(0.0); #length];
+                #(x[#numbers] = self.start.#states.value;)*
+                #begin
+                Ok((held, x))
+            }
+        }
+    }
+}
+
+/// From the assembled pose to the state, and the sides of conditions that apply there.
+fn begin(emission: &Emission) -> TokenStream {
+    let model = emission.model;
+    let pass = emission.has_sides().then(|| quote!(rt::System::pass(self, t, &mut held);));
+    let switch = (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &x);));
+    let held = if emission.has_sides() { quote!(let mut held = input;) } else { quote!(let held = input;) };
+    match emission.form {
+        Form::Loops(reduced) => {
+            let memory = number(reduced.memory_length);
+            // Charts count on all rows: where some repeat others they would leave out a freedom.
+            let repeats = (!reduced.is_redundant()).then(|| {
+                quote! {
+                    if assembly.redundant.contains(&true) {
+                        let joints = rt::Names::marked(
+                            &<Self as absolute::Absolute<S, NQ, NC>>::PARTS, &assembly.redundant
+                        );
+                        return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
+                    }
+                }
+            });
+            quote! {
+                let memory = [S::lit(0.0); #memory];
+                #repeats
+                let mut held = rt::charts::Held { input, chart: 0, memory };
+                rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
+                #pass
+                #switch
+            }
+        }
+        Form::Tree(_) => quote! {
+            self.project(t, &assembly.q, &assembly.v, &mut x);
+            #held
+            #pass
+            #switch
+        },
+        Form::Absolute => quote! {
+            absolute::join(&assembly.q, &assembly.v, &mut x);
+            #held
+            #pass
+            #switch
+        },
+    }
+}

@@ -1,0 +1,51 @@
+//! Statements, and what they read and make.
+
+use std::collections::BTreeMap;
+
+use plm_cas::Count;
+
+/// A statement and what it needs.
+#[derive(Debug)]
+pub(super) enum Statement {
+    /// A comment above what follows.
+    Title(String),
+    /// `let name = value;` (`name` may be a pattern).
+    Let { makes: Vec<usize>, pattern: String, value: String, reads: Vec<usize> },
+    /// `place = value;`
+    Store { place: String, value: String, reads: Vec<usize> },
+}
+
+/// A lowered function.
+#[derive(Debug)]
+pub(super) struct Lines {
+    /// What is read of each array, by the numbers of its elements: names of locals.
+    pub(super) inputs: BTreeMap<String, BTreeMap<usize, String>>,
+    /// Statements in order.
+    pub(super) statements: Vec<Statement>,
+    /// The value that the function returns and the locals that it reads.
+    pub(super) value: Option<(String, Vec<usize>)>,
+    /// Names of the locals, by their numbers.
+    pub(super) locals: Vec<String>,
+    /// Operations of one call.
+    pub(super) count: Count,
+}
+
+impl Statement {
+    /// Locals that the statement reads.
+    pub(super) fn reads(&self) -> impl Iterator<Item = usize> {
+        let reads: &[usize] = match self {
+            Statement::Title(_) => &[],
+            Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
+        };
+        reads.iter().copied()
+    }
+
+    /// Locals that the statement makes.
+    pub(super) fn makes(&self) -> impl Iterator<Item = usize> {
+        let makes: &[usize] = match self {
+            Statement::Let { makes, .. } => makes,
+            Statement::Title(_) | Statement::Store { .. } => &[],
+        };
+        makes.iter().copied()
+    }
+}
