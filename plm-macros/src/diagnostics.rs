@@ -3,81 +3,62 @@
 use plm_compiler::bug_message;
 use plm_compiler::diag::{Code, Diagnostic, Severity};
 use plm_compiler::token::Sources;
-use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Literal, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
 
 /// `compile_error!` for an error, the use of a deprecated constant for a warning.
-pub(crate) fn tokens(diagnostic: &Diagnostic, sources: &Sources, spans: &[Span]) -> TokenStream {
-    let anchor = diagnostic.anchor();
-    let at = |token: u32| spans.get(token as usize).copied().unwrap_or_else(Span::call_site);
-    let (first, last) = (at(anchor.first), at(anchor.last));
-    let place_of = |span: plm_compiler::span::Span| {
-        let place = spans.get(span.first as usize).filter(|_| span.source == 0)?;
-        let (line, column) = (place.line(), place.column());
-        Some(if place.file() == first.file() {
+pub(crate) fn tokens(diagnostic: &Diagnostic, sources: &Sources) -> TokenStream {
+    let ends = sources.ends(diagnostic.anchor()).unwrap_or([Span::call_site(); 2]);
+    let file = |span: Span| span.unwrap().file();
+    let place_of = |span| {
+        let [place, _] = sources.ends(span)?;
+        let (line, column) = (place.unwrap().line(), place.unwrap().column());
+        Some(if file(place) == file(ends[0]) {
             format!("line {line}, column {column}")
         } else {
-            format!("{}:{line}:{column}", place.file())
+            format!("{}:{line}:{column}", file(place))
         })
     };
     let text = diagnostic.message(sources, &place_of);
     match diagnostic.severity {
-        Severity::Error => compile_error(&text, first, last),
-        Severity::Warning => {
-            deprecated_use(&format!("{}_{:?}", diagnostic.code, diagnostic.code), &text, first)
-        }
+        Severity::Error => compile_error(&text, ends),
+        Severity::Warning => deprecated_use(diagnostic.code, &text, ends[0]),
     }
 }
 
 /// A bug of the compiler.
 pub(crate) fn bug(what: &str) -> TokenStream {
-    compile_error(&bug_message(what), Span::call_site(), Span::call_site())
+    compile_error(&bug_message(what), [Span::call_site(); 2])
 }
 
 /// A mistake that the compiler never sees: the form is wrong.
-pub(crate) fn error(text: &str, span: Span) -> TokenStream {
-    compile_error(&format!("[{}] {text}", Code::UnexpectedToken), span, span)
+pub(crate) fn error(error: &syn::Error) -> TokenStream {
+    compile_error(&format!("[{}] {error}", Code::UnexpectedToken), [error.span(); 2])
 }
 
-/// `::core::compile_error! { text }`; rustc underlines from the first token's span to the last's.
-fn compile_error(text: &str, first: Span, last: Span) -> TokenStream {
-    let mut literal = Literal::string(text);
-    literal.set_span(last);
-    let mut group = Group::new(Delimiter::Brace, TokenTree::Literal(literal).into());
-    group.set_span(last);
-    let mark = |character, spacing| {
-        let mut mark = Punct::new(character, spacing);
-        mark.set_span(first);
-        TokenTree::Punct(mark)
-    };
-    [
-        mark(':', Spacing::Joint),
-        mark(':', Spacing::Alone),
-        TokenTree::Ident(Ident::new("core", first)),
-        mark(':', Spacing::Joint),
-        mark(':', Spacing::Alone),
-        TokenTree::Ident(Ident::new("compile_error", first)),
-        mark('!', Spacing::Alone),
-        TokenTree::Group(group),
-    ]
-    .into_iter()
-    .collect()
+/// rustc underlines from the first token's span to the last's.
+fn compile_error(text: &str, [first, last]: [Span; 2]) -> TokenStream {
+    let mut text = Literal::string(text);
+    text.set_span(last);
+    let name = quote_spanned!(first=> ::core::compile_error!);
+    quote_spanned!(last=> #name { #text })
 }
 
 /// A warning on stable Rust: the use, at the user's span, of a constant that is deprecated with the text as note.
-fn deprecated_use(constant: &str, text: &str, at: Span) -> TokenStream {
-    let declaration = format!(
-        "#[deprecated(note = {text:?})] #[allow(non_upper_case_globals, dead_code)] const {constant}: () = ();"
-    );
-    let mut body: TokenStream = declaration.parse().unwrap_or_default();
-    body.extend("#[warn(deprecated)] let _ = ".parse::<TokenStream>().unwrap_or_default());
-    body.extend([
-        TokenTree::Ident(Ident::new(constant, at)),
-        TokenTree::Punct(Punct::new(';', Spacing::Alone)),
-    ]);
-    let mut item: TokenStream = "const _: () = ".parse().unwrap_or_default();
-    item.extend([
-        TokenTree::Group(Group::new(Delimiter::Brace, body)),
-        TokenTree::Punct(Punct::new(';', Spacing::Alone)),
-    ]);
-    item
+fn deprecated_use(code: Code, text: &str, at: Span) -> TokenStream {
+    let constant = format_ident!("{code}_{}", format!("{code:?}"));
+    let used = {
+        let mut used = constant.clone();
+        used.set_span(at);
+        used
+    };
+    quote! {
+        const _: () = {
+            #[deprecated(note = #text)]
+            #[allow(non_upper_case_globals, dead_code)]
+            const #constant: () = ();
+            #[warn(deprecated)]
+            let _ = #used;
+        };
+    }
 }

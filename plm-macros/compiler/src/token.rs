@@ -1,162 +1,98 @@
-//! Tokens: what the parser reads, whether they came from rustc or from text.
+//! Sources and their tokens: those of proc-macro2, numbered in their order.
 //!
-//! The two lexers agree with rustc's: `0..64` is a number, two points and a number; `0.5m` is one number with a
-//! suffix; a punctuation mark is one character that says whether the next one touches it.
+//! A [`Span`] is a range of these numbers. So places in the declaration, in parts and in texts outside rustc are told
+//! apart and ordered in one way: spans of proc-macro2 have no order, and inside rustc all tokens of a text share one.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::ops::Range;
+
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use syn::LitStr;
 
 use crate::span::Span;
+use crate::text::{Flaw, Mended, locate, mended};
 
-/// Kinds of brackets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Delimiter {
-    /// `( )`
-    Paren,
-    /// `[ ]`
-    Bracket,
-    /// `{ }`
-    Brace,
-    /// Brackets that nobody sees, around an expression that a `macro_rules!` has captured: it stays one operand.
-    Captured,
+/// Brackets within brackets that are read: more than the grammar ever enters.
+const DEEPEST: u32 = 128;
+
+/// The stream without what stands in more than 128 brackets. syn recurses over brackets, and a stack overflow cannot be
+/// caught; the parser says what is too deep.
+pub fn shallow(stream: TokenStream) -> TokenStream {
+    if is_shallow(stream.clone(), DEEPEST) { stream } else { cut(stream, DEEPEST) }
 }
 
-/// What a token is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TokenKind {
-    /// A name or a keyword.
-    Ident,
-    /// A number as written, with its suffix if it has one.
-    Number,
-    /// A string literal as written, with its quotes.
-    Str,
-    /// One character of punctuation; `joint` if the next character is punctuation too and touches it.
-    Punct {
-        /// Does the next mark touch this one?
-        joint: bool,
-    },
-    /// An opening bracket.
-    Open(Delimiter),
-    /// A closing bracket.
-    Close(Delimiter),
-    /// A line of documentation, the text after `///`.
-    Doc,
-    /// What no rule of the language begins with.
-    Other,
+fn is_shallow(stream: TokenStream, levels: u32) -> bool {
+    stream.into_iter().all(|tree| match tree {
+        TokenTree::Group(group) => levels > 0 && is_shallow(group.stream(), levels - 1),
+        _ => true,
+    })
 }
 
-/// A token: its kind and its text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Token {
-    /// Its kind.
-    pub kind: TokenKind,
-    /// Its text as written; a raw identifier stands without `r#`.
-    pub text: String,
+fn cut(stream: TokenStream, levels: u32) -> TokenStream {
+    let cut = |tree| match tree {
+        TokenTree::Group(group) => {
+            let inner = if levels == 0 { TokenStream::new() } else { cut(group.stream(), levels - 1) };
+            let mut short = Group::new(group.delimiter(), inner);
+            short.set_span(group.span());
+            TokenTree::Group(short)
+        }
+        leaf => leaf,
+    };
+    stream.into_iter().map(cut).collect()
 }
 
-impl Token {
-    /// A token of a kind with a text.
-    pub fn new(kind: TokenKind, text: impl Into<String>) -> Token {
-        Token { kind, text: text.into() }
-    }
+/// A leaf of the tree, or one bracket of a group.
+#[derive(Clone, Debug)]
+struct Token {
+    /// As written; a raw identifier stands without `r#`.
+    text: String,
+    span: proc_macro2::Span,
+}
 
-    /// A name, without the `r#` of a raw identifier: names of the language may be keywords of Rust.
-    pub fn ident(text: &str) -> Token {
-        Token::new(TokenKind::Ident, text.strip_prefix("r#").unwrap_or(text))
-    }
-
-    /// A mark of punctuation.
-    pub fn punct(mark: char, joint: bool) -> Token {
-        Token::new(TokenKind::Punct { joint }, mark)
-    }
-
-    /// An opening bracket.
-    pub fn open(delimiter: Delimiter) -> Token {
-        let text = match delimiter {
-            Delimiter::Paren => "(",
-            Delimiter::Bracket => "[",
-            Delimiter::Brace => "{",
-            Delimiter::Captured => "",
+/// Appends the tokens of a stream. Brackets that nobody sees, around what a `macro_rules!` has captured, are none.
+fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
+    for tree in stream {
+        let span = tree.span();
+        let text = match tree {
+            TokenTree::Group(group) => {
+                let brackets = match group.delimiter() {
+                    Delimiter::Parenthesis => Some(("(", ")")),
+                    Delimiter::Bracket => Some(("[", "]")),
+                    Delimiter::Brace => Some(("{", "}")),
+                    Delimiter::None => None,
+                };
+                let token = |text: &str, span| Token { text: text.to_owned(), span };
+                tokens.extend(brackets.map(|(open, _)| token(open, group.span_open())));
+                flatten(group.stream(), tokens);
+                tokens.extend(brackets.map(|(_, close)| token(close, group.span_close())));
+                continue;
+            }
+            TokenTree::Ident(ident) => {
+                let text = ident.to_string();
+                text.strip_prefix("r#").map(str::to_owned).unwrap_or(text)
+            }
+            TokenTree::Punct(mark) => mark.as_char().to_string(),
+            TokenTree::Literal(literal) => literal.to_string(),
         };
-        Token::new(TokenKind::Open(delimiter), text)
-    }
-
-    /// A closing bracket.
-    pub fn close(delimiter: Delimiter) -> Token {
-        let text = match delimiter {
-            Delimiter::Paren => ")",
-            Delimiter::Bracket => "]",
-            Delimiter::Brace => "}",
-            Delimiter::Captured => "",
-        };
-        Token::new(TokenKind::Close(delimiter), text)
-    }
-
-    /// A literal of rustc: a number, a string, or what the language has no use for.
-    pub fn literal(text: &str) -> Token {
-        let kind = match text.as_bytes().first() {
-            Some(b'0'..=b'9') => TokenKind::Number,
-            Some(b'"') => TokenKind::Str,
-            Some(b'r') if text.contains('"') => TokenKind::Str,
-            _ => TokenKind::Other,
-        };
-        Token::new(kind, text)
-    }
-
-    /// Is it this punctuation mark?
-    pub fn is_punct(&self, mark: char) -> bool {
-        matches!(self.kind, TokenKind::Punct { .. }) && self.text.starts_with(mark)
-    }
-
-    /// Is it this word?
-    pub fn is_word(&self, word: &str) -> bool {
-        self.kind == TokenKind::Ident && self.text == word
-    }
-
-    /// Does it open this kind of bracket?
-    pub fn is_open(&self, delimiter: Delimiter) -> bool {
-        self.kind == TokenKind::Open(delimiter)
+        tokens.push(Token { text, span });
     }
 }
 
-/// Tokens as a person would write them in one line.
-pub(crate) fn written(tokens: &[Token]) -> String {
-    let is_word = |token: &Token| matches!(token.kind, TokenKind::Ident | TokenKind::Number);
-    let ends_operand = |token: &Token| is_word(token) || matches!(token.kind, TokenKind::Close(_));
-    let mut text = String::new();
-    let mut is_joined = true;
-    for (k, token) in tokens.iter().enumerate() {
-        let previous = k.checked_sub(1).and_then(|k| tokens.get(k));
-        let is_binary = (token.is_punct('+') || token.is_punct('-')) && previous.is_some_and(ends_operand);
-        let is_apart = previous.is_some_and(|previous| {
-            previous.is_punct(',') || is_binary || (is_word(previous) && is_word(token))
-        });
-        text.push_str(if is_apart || !is_joined { " " } else { "" });
-        text.push_str(&token.text);
-        is_joined = !is_binary;
-    }
-    text
-}
-
-/// A list of tokens with a name, and its text where there is one.
+/// A stream of tokens with a name, and its text where there is one.
 #[derive(Clone, Debug)]
 pub struct Source {
     /// Its index in [`Sources`]; spans carry it.
     pub id: u32,
     /// What messages call it: `declaration`, `revolute.plm`.
     pub name: String,
-    /// Its tokens.
-    pub tokens: Vec<Token>,
-    /// The text behind the tokens; `None` if they came from rustc, which shows them by itself.
-    pub text: Option<SourceText>,
-}
-
-/// The text of a source.
-#[derive(Clone, Debug)]
-pub struct SourceText {
-    /// All of it.
-    pub text: String,
-    /// Byte range of each token.
-    pub ranges: Vec<(u32, u32)>,
+    /// Its tokens as a tree.
+    pub(crate) stream: TokenStream,
+    /// What is wrong with its text, whose tokens are those of the mended text.
+    pub(crate) flaws: Vec<Flaw>,
+    tokens: Vec<Token>,
+    text: Option<String>,
+    ranges: OnceCell<Vec<Range<usize>>>,
 }
 
 /// A place in a text, as people count: both from 1.
@@ -169,18 +105,62 @@ pub struct Place {
 }
 
 impl Source {
-    /// Byte range of a span of this source; `None` without text.
-    pub fn range(&self, span: Span) -> Option<(usize, usize)> {
+    /// The number of its tokens, brackets among them.
+    pub(crate) fn count(&self) -> usize {
+        self.tokens.len()
+    }
+
+    /// A token as written, without the `r#` of a raw identifier; `None` behind the last.
+    pub(crate) fn token(&self, at: usize) -> Option<&str> {
+        self.tokens.get(at).map(|token| token.text.as_str())
+    }
+
+    /// The tokens of a span as a person would write them in one line.
+    pub(crate) fn written(&self, span: Span) -> String {
+        let tokens = self.tokens.get(span.first as usize..=span.last as usize).unwrap_or_default();
+        let is_word = |text: &str| text.starts_with(|c: char| c == '_' || c.is_alphanumeric());
+        let ends_operand = |text: &str| is_word(text) || [")", "]", "}"].contains(&text);
+        let (mut line, mut before, mut was_binary) = (String::new(), "", false);
+        for Token { text, .. } in tokens {
+            let is_binary = ["+", "-"].contains(&text.as_str()) && ends_operand(before);
+            let is_apart = before == "," || is_binary || was_binary || (is_word(before) && is_word(text));
+            line.push_str(if is_apart { " " } else { "" });
+            line.push_str(text);
+            (before, was_binary) = (text, is_binary);
+        }
+        line
+    }
+
+    fn ranges(&self) -> Option<&[Range<usize>]> {
         let text = self.text.as_ref()?;
-        let end_of_text = (text.text.len() as u32, text.text.len() as u32);
-        let at = |token: u32| text.ranges.get(token as usize).copied().unwrap_or(end_of_text);
-        Some((at(span.first).0 as usize, at(span.last).1 as usize))
+        let tokens = || self.tokens.iter().map(|token| token.text.as_str());
+        Some(self.ranges.get_or_init(|| locate(text, tokens())))
+    }
+
+    /// The token at a byte of the text, or the one behind it.
+    pub(crate) fn token_at(&self, byte: usize) -> Span {
+        let before = self.ranges().unwrap_or_default().partition_point(|range| range.start < byte);
+        let at = before.min(self.tokens.len().saturating_sub(1)) as u32;
+        Span { source: self.id, first: at, last: at }
+    }
+
+    /// Byte range of a span of this source; `None` without text.
+    pub fn range(&self, span: Span) -> Option<Range<usize>> {
+        let end = self.text.as_ref()?.len();
+        let ranges = self.ranges()?;
+        let start = ranges.get(span.first as usize).map_or(end, |range| range.start);
+        Some(start..ranges.get(span.last as usize).map_or(end, |range| range.end))
+    }
+
+    /// The text of a span of this source; `None` without text.
+    pub fn text(&self, span: Span) -> Option<&str> {
+        self.text.as_ref()?.get(self.range(span)?)
     }
 
     /// Where a span begins, and the line that it begins in; `None` without text.
     pub fn place(&self, span: Span) -> Option<(Place, &str)> {
-        let (start, _) = self.range(span)?;
-        let text = &self.text.as_ref()?.text;
+        let start = self.range(span)?.start;
+        let text = self.text.as_ref()?;
         let before = text.get(..start)?;
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
         let line = text.get(line_start..)?.lines().next().unwrap_or("");
@@ -197,8 +177,6 @@ impl Source {
 pub struct Sources {
     list: Vec<Source>,
     files: Files,
-    /// Where rustc has the tokens of the declaration; nothing where they are those of a text.
-    places: Vec<proc_macro2::Span>,
 }
 
 /// Files that a declaration names, by their names: what is in them, or why they cannot be read.
@@ -210,48 +188,45 @@ impl Sources {
         Sources::default()
     }
 
-    /// Adds a text, lexed here; gives its index.
+    /// Adds a text; gives its index. What is no token, and brackets without partners, are errors of its parser.
     pub fn add_text(&mut self, name: &str, text: &str) -> u32 {
-        let (tokens, ranges) = crate::lex::lex(text);
-        let text = SourceText { text: text.to_string(), ranges };
-        self.add(name, tokens, Some(text))
+        if let Ok(stream) = text.parse() {
+            return self.add(name, stream, Some(text.to_owned()));
+        }
+        let Mended { shown, lexed, stream, flaws, .. } = mended(text);
+        let id = self.add(name, stream, Some(shown));
+        if let Some(source) = self.list.last_mut() {
+            source.ranges =
+                OnceCell::from(locate(&lexed, source.tokens.iter().map(|token| token.text.as_str())));
+            source.flaws = flaws;
+        }
+        id
     }
 
-    /// Adds tokens that were lexed elsewhere (by rustc); gives their index.
-    pub fn add_tokens(&mut self, name: &str, tokens: Vec<Token>) -> u32 {
-        self.add(name, tokens, None)
+    /// Adds tokens, those of rustc among them; gives their index.
+    pub fn add_tokens(&mut self, name: &str, stream: TokenStream) -> u32 {
+        self.add(name, stream, None)
     }
 
-    /// Hands over where rustc has each token of the declaration.
-    pub fn add_places(&mut self, places: Vec<proc_macro2::Span>) {
-        self.places = places;
-    }
-
-    /// Where rustc has what stands at a span; the call of the macro where it has it not.
+    /// Where rustc has the beginning of a span; the call of the macro where it has it not.
     pub fn place_in_rust(&self, span: Span) -> proc_macro2::Span {
         let here = proc_macro2::Span::call_site();
-        let place = self.places.get(span.first as usize).filter(|_| span.source == 0);
-        place.map_or(here, |place| place.resolved_at(here))
+        self.ends(span).map_or(here, |[first, _]| first.resolved_at(here))
     }
 
-    fn add(&mut self, name: &str, tokens: Vec<Token>, text: Option<SourceText>) -> u32 {
-        let id = self.list.len() as u32;
-        self.list.push(Source { id, name: name.to_string(), tokens, text });
+    fn add(&mut self, name: &str, stream: TokenStream, text: Option<String>) -> u32 {
+        let (id, stream, mut tokens) = (self.list.len() as u32, shallow(stream), Vec::new());
+        flatten(stream.clone(), &mut tokens);
+        let (name, flaws, ranges) = (name.to_owned(), Vec::new(), OnceCell::new());
+        self.list.push(Source { id, name, stream, flaws, tokens, text, ranges });
         id
     }
 
     /// The files that the declaration names, in order, for who can read them: the compiler cannot.
     pub fn named_files(&self) -> Vec<String> {
         let tokens = self.get(0).map_or(&[][..], |source| &source.tokens);
-        let names = tokens.windows(3).filter_map(|three| match three {
-            [word, colon, file]
-                if word.is_word("contour") && colon.is_punct(':') && file.kind == TokenKind::Str =>
-            {
-                Some(crate::syntax::file_name(&file.text).to_string())
-            }
-            _ => None,
-        });
-        names.collect()
+        let names = tokens.windows(3).filter(|three| three[0].text == "contour" && three[1].text == ":");
+        names.filter_map(|three| Some(syn::parse_str::<LitStr>(&three[2].text).ok()?.value())).collect()
     }
 
     /// Hands over what is in a file that the declaration names, or why it cannot be read.
@@ -267,5 +242,27 @@ impl Sources {
     /// A source by its index.
     pub fn get(&self, id: u32) -> Option<&Source> {
         self.list.get(id as usize)
+    }
+
+    /// Where the first and the last token of a span of the declaration stand for rustc; `None` for another source.
+    pub fn ends(&self, span: Span) -> Option<[proc_macro2::Span; 2]> {
+        let declaration = self.get(0).filter(|_| span.source == 0)?;
+        let at = |token: u32| declaration.tokens.get(token as usize).map(|token| token.span);
+        Some([at(span.first)?, at(span.last)?])
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::Sources;
+
+    #[test]
+    fn tokens_are_numbered_in_their_order() {
+        let mut sources = Sources::new();
+        let id = sources.add_text("text", "a(b[i-1], 0.5m) r#in");
+        let source = sources.get(id).unwrap();
+        let found: Vec<&str> = (0..source.count()).filter_map(|at| source.token(at)).collect();
+        assert_eq!(found, ["a", "(", "b", "[", "i", "-", "1", "]", ",", "0.5m", ")", "in"]);
     }
 }

@@ -176,7 +176,7 @@ fn people_read_what_rustc_gets() {
         let code = code(&CRANK.replacen("param", &format!("rung: {rung}; param"), 1));
         let [mut shown, mut given] = [Vec::new(), Vec::new()];
         flat(code.text().parse().unwrap(), &mut shown);
-        flat(code.tokens().unwrap(), &mut given);
+        flat(code.tokens(str::parse).unwrap(), &mut given);
         let differs = shown.iter().zip(&given).position(|(shown, given)| shown != given);
         let around = differs.map(|at| (&shown[at.saturating_sub(9)..=at], &given[at]));
         assert!(around.is_none() && shown.len() == given.len(), "{around:?}");
@@ -191,7 +191,7 @@ fn code_names_nothing_else_as_the_mechanism() {
     for rung in ["loops", "absolute"] {
         let text = CRANK.replacen("param", &format!("rung: {rung}; param"), 1);
         let mut words = Vec::new();
-        flat(code(&text).tokens().unwrap(), &mut words);
+        flat(code(&text).tokens(str::parse).unwrap(), &mut words);
         let mut defined: Vec<&str> = words
             .windows(2)
             .filter(|two| ["struct", "trait", "enum"].contains(&two[0].as_str()))

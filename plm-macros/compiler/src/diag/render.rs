@@ -79,14 +79,13 @@ fn place(span: Span, sources: &Sources) -> Option<String> {
 /// The place, the line and the carets.
 fn quote(span: Span, sources: &Sources) -> String {
     let Some(source) = sources.get(span.source) else { return String::new() };
-    let (Some((place, line)), Some((start, end))) = (source.place(span), source.range(span)) else {
+    let (Some((place, line)), Some(quoted)) = (source.place(span), source.text(span)) else {
         return String::new();
     };
     let number = place.line.to_string();
     let margin = " ".repeat(number.len());
     let indent = " ".repeat(place.column - 1);
     let left = line.chars().count().saturating_sub(place.column - 1);
-    let quoted = source.text.as_ref().and_then(|text| text.text.get(start..end)).unwrap_or("");
     let carets = "^".repeat(quoted.chars().count().min(left).max(1));
     format!(
         "{margin}--> {}:{}:{}\n{margin} |\n{number} | {line}\n{margin} | {indent}{carets}\n",

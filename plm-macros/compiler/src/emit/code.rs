@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use proc_macro2::{Delimiter, Group, LexError, Literal, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, TokenStream, TokenTree};
 
 use super::print;
 
@@ -46,12 +46,12 @@ pub(super) fn text_of<'a>(group: &Group, texts: &'a [String]) -> Option<&'a str>
 }
 
 impl Code {
-    /// The whole source as tokens.
+    /// The whole source as tokens, its texts by this lexer.
     ///
     /// # Errors
     /// A text is not Rust, which is a bug of the compiler.
-    pub fn tokens(&self) -> Result<TokenStream, LexError> {
-        spliced(self.structure.clone(), &self.texts)
+    pub fn tokens<E>(&self, lexed: impl Fn(&str) -> Result<TokenStream, E>) -> Result<TokenStream, E> {
+        spliced(self.structure.clone(), &self.texts, &lexed)
     }
 
     /// The whole source as one text, with the titles of sections as comments.
@@ -61,15 +61,19 @@ impl Code {
 }
 
 /// A stream with its texts lexed in their places.
-fn spliced(stream: TokenStream, texts: &[String]) -> Result<TokenStream, LexError> {
+fn spliced<E>(
+    stream: TokenStream,
+    texts: &[String],
+    lexed: &impl Fn(&str) -> Result<TokenStream, E>,
+) -> Result<TokenStream, E> {
     let mut output = TokenStream::new();
     for tree in stream {
         match tree {
             TokenTree::Group(group) => {
                 if let Some(text) = text_of(&group, texts) {
-                    output.extend(text.parse::<TokenStream>()?);
+                    output.extend(lexed(text)?);
                 } else {
-                    let mut inner = Group::new(group.delimiter(), spliced(group.stream(), texts)?);
+                    let mut inner = Group::new(group.delimiter(), spliced(group.stream(), texts, lexed)?);
                     inner.set_span(group.span());
                     output.extend([TokenTree::Group(inner)]);
                 }

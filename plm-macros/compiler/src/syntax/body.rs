@@ -1,10 +1,64 @@
 //! Bodies and the ground.
 
-use super::ast::{Body, Contour, Expr, ExprKind, Ident, IndexedName, Port, Start};
-use super::cursor::{Cursor, Parse, Reported};
+use proc_macro2::Delimiter;
+use syn::{LitStr, Token};
+
+use super::expr::{Expr, ExprKind};
+use super::input::{Input, Reported, Result};
+use super::keyword as kw;
+use super::name::{Ident, IndexedName};
 use crate::diag::{Code, nearest};
 use crate::span::Span;
-use crate::token::{Delimiter, TokenKind};
+
+/// A body.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name.
+    pub name: IndexedName,
+    /// `mass`, `inertia`, `centre`, `drawing_angle`, `depth`: one expression each.
+    pub fields: Vec<(Ident, Expr)>,
+    /// `coordinates: relative` or `absolute`.
+    pub coordinates: Option<Ident>,
+    /// Its outline for pictures.
+    pub contour: Option<Contour>,
+    /// Its ports.
+    pub ports: Vec<Port>,
+    /// Its starts.
+    pub starts: Vec<Start>,
+}
+
+/// The outline of a body.
+#[derive(Clone, Debug)]
+pub enum Contour {
+    /// `contour: (x, y), (x, y), … unit;`
+    Points(Vec<Expr>),
+    /// `contour: "file.csv";`
+    File(String, Span),
+}
+
+/// `port name: (x, y) m, angle: expr;`
+#[derive(Clone, Debug)]
+pub struct Port {
+    /// Its name; on the ground it may have indices.
+    pub name: IndexedName,
+    /// Where it is.
+    pub at: Expr,
+    /// Direction of its x axis.
+    pub angle: Option<Expr>,
+    /// Depth for pictures; on the ground alone.
+    pub depth: Option<Expr>,
+}
+
+/// `start angle: expr, locked;`
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// `x`, `y`, `angle`, `vx`, `vy`, `omega`.
+    pub coordinate: Ident,
+    /// Its value.
+    pub value: Expr,
+    /// Must the assembly leave it alone?
+    pub locked: bool,
+}
 
 /// Fields of a body that hold one expression. The second spelling is understood too.
 const FIELDS: &[&str] = &["mass", "inertia", "centre", "center", "drawing_angle", "depth"];
@@ -13,32 +67,11 @@ const FIELDS: &[&str] = &["mass", "inertia", "centre", "center", "drawing_angle"
 const WORDS: &[&str] =
     &["mass", "inertia", "centre", "coordinates", "drawing_angle", "port", "start", "depth", "contour"];
 
-impl Cursor<'_> {
-    /// `ground { ports }`
-    pub(super) fn ground(&mut self) -> Parse<Vec<Port>> {
-        self.advance();
-        self.group(Delimiter::Brace, "`{`", |cursor| {
-            let mut ports = Vec::new();
-            while cursor.peek().is_some() {
-                let start = cursor.position();
-                cursor.docs();
-                let port =
-                    if cursor.is_word("port") { cursor.port(true) } else { Err(cursor.expected("`port`")) };
-                match port {
-                    Ok(port) => ports.push(port),
-                    Err(Reported) => cursor.recover(start),
-                }
-            }
-            Ok(ports)
-        })
-    }
-
-    /// `body name { … }`
-    pub(super) fn body(&mut self) -> Parse<Body> {
-        self.advance();
-        let name = self.indexed_name("the name of the body")?;
+impl Body {
+    /// `name { … }` behind `body`.
+    pub(super) fn parse(input: Input) -> Result<Body> {
         let mut body = Body {
-            name,
+            name: IndexedName::parse(input, "the name of the body")?,
             fields: Vec::new(),
             coordinates: None,
             contour: None,
@@ -46,145 +79,94 @@ impl Cursor<'_> {
             starts: Vec::new(),
         };
         let mut unread = None;
-        self.group(Delimiter::Brace, "`{`", |cursor| {
-            while cursor.peek().is_some() {
-                let start = cursor.position();
-                cursor.docs();
-                if cursor.body_item(&mut body).is_err() {
-                    cursor.recover(start);
-                    unread = Some(cursor.span_from(start));
+        input.group(Delimiter::Brace, "`{`", |input| {
+            while !input.is_empty() {
+                let start = input.position();
+                input.docs();
+                if body.item(input).is_err() {
+                    input.recover(start);
+                    unread = Some(input.span_from(start));
                 }
-            }
-            if let Some(span) = unread {
-                may_have_been(&mut body, span);
             }
             Ok(())
         })?;
+        if let Some(span) = unread {
+            body.may_have_had(span);
+        }
         Ok(body)
     }
 
-    fn body_item(&mut self, body: &mut Body) -> Parse<()> {
-        let word = self.peek().map_or("", |token| token.text.as_str());
-        match word {
-            "port" => body.ports.push(self.port(false)?),
-            "start" => body.starts.push(self.start()?),
+    fn item(&mut self, input: Input) -> Result<()> {
+        match input.next() {
+            "port" => self.ports.push(Port::parse(input, false)?),
+            "start" => self.starts.push(Start::parse(input)?),
             "coordinates" => {
-                self.advance();
-                self.punct(':', "`:`")?;
-                body.coordinates = Some(self.ident("`relative` or `absolute`")?);
-                self.semicolon()?;
+                input.advance();
+                self.coordinates = Some(input.field_name("`relative` or `absolute`")?);
             }
-            "contour" => self.contour(body)?,
-            word if FIELDS.contains(&word) => {
-                let mut name = self.ident("a field")?;
-                if name.text == "center" {
-                    name.text = "centre".to_string();
+            "contour" => {
+                let word = input.here();
+                let contour = Contour::parse(input)?;
+                if self.contour.replace(contour).is_some() {
+                    input.error(Code::RepeatedItem, word, "the contour is given twice");
                 }
-                let start = self.position();
-                if let Err(reported) = self.colon_of(&name.text) {
-                    let span = self.span_from(start);
-                    body.fields.push((name, Expr { kind: ExprKind::Unknown, span }));
-                    return Err(reported);
-                }
-                let value = self.value_expr();
-                let end = self.end_of(&value);
-                body.fields.push((name, value));
-                end?;
             }
-            word => return Err(self.unknown_body_item(word)),
+            word if FIELDS.contains(&word) => self.field(input)?,
+            word => return Err(unknown_item(input, word)),
         }
         Ok(())
     }
 
-    fn unknown_body_item(&mut self, word: &str) -> Reported {
-        let near = nearest(word, WORDS.iter().copied());
-        let diagnostic = self.error(Code::UnknownItem, self.here(), format!("a body has no `{word}`"));
-        if let Some(near) = near {
-            diagnostic.help(format!("an item with a similar name exists: `{near}`"));
+    /// `mass: expr;`
+    fn field(&mut self, input: Input) -> Result<()> {
+        let mut name = Ident::parse(input, "a field")?;
+        if name.text == "center" {
+            name.text = "centre".to_string();
         }
-        diagnostic.note(format!("items of a body: {}", WORDS.join(", ")));
-        Reported
-    }
-
-    /// `contour: (x, y), (x, y), … unit;` or `contour: "file.csv";`
-    fn contour(&mut self, body: &mut Body) -> Parse<()> {
-        let word = self.here();
-        self.advance();
-        self.punct(':', "`:`")?;
-        let found = if let Some(token) = self.peek().filter(|token| token.kind == TokenKind::Str) {
-            let (name, span) = (file_name(&token.text).to_string(), self.here());
-            self.advance();
-            self.semicolon()?;
-            Contour::File(name, span)
-        } else {
-            let mut points = vec![self.expr()?];
-            while self.eat_punct(',') {
-                points.push(self.expr()?);
-            }
-            self.semicolon()?;
-            share_unit(&mut points);
-            Contour::Points(points)
+        let start = input.position();
+        let colon = input.colon_of(&name.text);
+        let value = match colon {
+            Ok(()) => Expr::value(input),
+            Err(Reported) => Expr { kind: ExprKind::Unknown, span: input.span_from(start) },
         };
-        if body.contour.replace(found).is_some() {
-            self.error(Code::RepeatedItem, word, "the contour is given twice");
-        }
-        Ok(())
+        self.fields.push((name, value.clone()));
+        colon?;
+        input.end_of(&value)
     }
 
-    /// `port name: expr, angle: expr;`; on the ground with a depth.
-    fn port(&mut self, on_ground: bool) -> Parse<Port> {
-        self.advance();
-        let name = if on_ground {
-            self.indexed_name("the name of the port")?
-        } else {
-            IndexedName { ident: self.ident("the name of the port")?, indices: Vec::new() }
-        };
-        self.colon_of(&format!("port {}", name.ident.text))?;
-        let at = self.value_expr();
-        let (mut angle, mut depth) = (None, None);
-        while self.eat_punct(',') {
-            let slot = if self.is_word("angle") || self.is_word("axis") {
-                &mut angle
-            } else if on_ground && self.is_word("depth") {
-                &mut depth
-            } else {
-                return Err(self.expected(if on_ground { "`angle` or `depth`" } else { "`angle`" }));
-            };
-            if slot.is_some() {
-                return Err(self.expected("`;`"));
+    /// What could not be read may have been the mass or the inertia: that they are missing would be no second mistake.
+    fn may_have_had(&mut self, span: Span) {
+        for field in ["mass", "inertia"] {
+            if !self.fields.iter().any(|(name, _)| name.text == field) {
+                let name = Ident { text: field.to_string(), span };
+                self.fields.push((name, Expr { kind: ExprKind::Unknown, span }));
             }
-            self.advance();
-            self.punct(':', "`:`")?;
-            *slot = Some(self.value_expr());
         }
-        self.end_of(depth.as_ref().or(angle.as_ref()).unwrap_or(&at))?;
-        Ok(Port { name, at, angle, depth })
-    }
-
-    /// `start coordinate: expr, locked;`
-    fn start(&mut self) -> Parse<Start> {
-        self.advance();
-        let coordinate = self.ident("a coordinate")?;
-        self.punct(':', "`:`")?;
-        if self.is_word("locked") {
-            self.error(Code::MissingValue, self.here(), "a locked start needs a value")
-                .help(format!("write `start {}: 0, locked;`", coordinate.text));
-            return Err(Reported);
-        }
-        let value = self.value_expr();
-        let locked = self.locked()?.is_some();
-        self.end_of(&value)?;
-        Ok(Start { coordinate, value, locked })
     }
 }
 
-/// What could not be read may have been the mass or the inertia: that they are missing would be no second mistake.
-fn may_have_been(body: &mut Body, span: Span) {
-    for field in ["mass", "inertia"] {
-        if !body.fields.iter().any(|(name, _)| name.text == field) {
-            let name = Ident { text: field.to_string(), span };
-            body.fields.push((name, Expr { kind: ExprKind::Unknown, span }));
+fn unknown_item(input: Input, word: &str) -> Reported {
+    let mut diagnostic = input.error(Code::UnknownItem, input.here(), format!("a body has no `{word}`"));
+    if let Some(near) = nearest(word, WORDS.iter().copied()) {
+        diagnostic.help(format!("an item with a similar name exists: `{near}`"));
+    }
+    diagnostic.note(format!("items of a body: {}", WORDS.join(", ")));
+    Reported
+}
+
+impl Contour {
+    /// `contour: (x, y), (x, y), … unit;` or `contour: "file.csv";`
+    fn parse(input: Input) -> Result<Contour> {
+        input.advance();
+        input.expect(Token![:], "`:`")?;
+        let span = input.here();
+        if let Ok(name) = input.parse::<LitStr>() {
+            input.semicolon()?;
+            return Ok(Contour::File(name.value(), span));
         }
+        let mut points = input.listed(Expr::parse)?;
+        share_unit(&mut points);
+        Ok(Contour::Points(points))
     }
 }
 
@@ -199,7 +181,62 @@ fn share_unit(points: &mut [Expr]) {
     }
 }
 
-/// What stands between the quotes of a literal.
-pub(crate) fn file_name(literal: &str) -> &str {
-    literal.trim_start_matches(['r', '#']).trim_end_matches('#').trim_matches('"')
+impl Port {
+    /// `{ ports }` behind `ground`.
+    pub(super) fn of_ground(input: Input) -> Result<Vec<Port>> {
+        let port = |input: Input| {
+            input.docs();
+            if input.peek(kw::port) { Port::parse(input, true) } else { Err(input.expected("`port`")) }
+        };
+        input.group(Delimiter::Brace, "`{`", |input| Ok(input.all(port)))
+    }
+
+    /// `port name: expr, angle: expr;`; on the ground with a depth.
+    fn parse(input: Input, on_ground: bool) -> Result<Port> {
+        input.advance();
+        let name = if on_ground {
+            IndexedName::parse(input, "the name of the port")?
+        } else {
+            IndexedName { ident: Ident::parse(input, "the name of the port")?, indices: Vec::new() }
+        };
+        input.colon_of(&format!("port {}", name.ident.text))?;
+        let at = Expr::value(input);
+        let (mut angle, mut depth) = (None, None);
+        while input.eat(Token![,]) {
+            let slot = if input.peek(kw::angle) || input.peek(kw::axis) {
+                &mut angle
+            } else if on_ground && input.peek(kw::depth) {
+                &mut depth
+            } else {
+                return Err(input.expected(if on_ground { "`angle` or `depth`" } else { "`angle`" }));
+            };
+            if slot.is_some() {
+                return Err(input.expected("`;`"));
+            }
+            input.advance();
+            input.expect(Token![:], "`:`")?;
+            *slot = Some(Expr::value(input));
+        }
+        input.end_of(depth.as_ref().or(angle.as_ref()).unwrap_or(&at))?;
+        Ok(Port { name, at, angle, depth })
+    }
+}
+
+impl Start {
+    /// `start coordinate: expr, locked;`
+    fn parse(input: Input) -> Result<Start> {
+        input.advance();
+        let coordinate = Ident::parse(input, "a coordinate")?;
+        input.expect(Token![:], "`:`")?;
+        if input.peek(kw::locked) {
+            input
+                .error(Code::MissingValue, input.here(), "a locked start needs a value")
+                .help(format!("write `start {}: 0, locked;`", coordinate.text));
+            return Err(Reported);
+        }
+        let value = Expr::value(input);
+        let locked = input.locked()?.is_some();
+        input.end_of(&value)?;
+        Ok(Start { coordinate, value, locked })
+    }
 }

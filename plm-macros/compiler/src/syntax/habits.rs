@@ -1,41 +1,48 @@
 //! What people write who know Rust, or another language: told once, with what it is here.
 
-use super::ast::{Expr, ExprKind, IndexedName, Link, Operator};
-use super::cursor::{Cursor, Parse, Reported};
+use syn::ext::IdentExt;
+use syn::{Token, token};
+
+use super::expr::{Expr, ExprKind, Link};
+use super::input::{Input, Reported, Result};
+use super::keyword as kw;
+use super::name::IndexedName;
+use super::operator::Operator;
+use super::unit::declared_unit;
 use crate::diag::Code;
 use crate::span::Span;
-use crate::token::{Delimiter, Token, TokenKind};
 
 /// Words of languages that stand before the name of a type.
 const TYPES: &[&str] =
     &["struct", "mechanism", "mod", "module", "model", "system", "class", "enum", "fn", "type"];
 
-impl Cursor<'_> {
-    /// Do two equal marks stand here, as in `&&`?
-    pub(super) fn is_double(&self, mark: char) -> bool {
-        let is_joint = self.peek().is_some_and(|token| token.kind == TokenKind::Punct { joint: true });
-        is_joint && self.is_punct(mark) && self.peek_at(1).is_some_and(|token| token.is_punct(mark))
+impl Input<'_> {
+    /// Takes an operator. `&&` and `||` are words.
+    pub(super) fn take_operator(self, operator: Operator) {
+        if self.peek(Token![||]) || self.peek(Token![&&]) {
+            self.take_double(format!("write `{}`", operator.text()));
+            return;
+        }
+        self.advance();
+        if operator.text().ends_with('=') {
+            self.advance();
+        }
     }
 
     /// Takes two marks and says what they are here.
-    fn take_double(&mut self, help: String) {
+    fn take_double(self, help: String) {
         let start = self.position();
         self.advance();
         self.advance();
         let span = self.span_from(start);
-        let marks = self.text_of(span);
-        self.error(Code::UnexpectedToken, span, format!("`{marks}` is no operator here")).help(help);
-    }
-
-    /// `&&` and `||`, which are words.
-    pub(super) fn take_marks_of(&mut self, operator: Operator) {
-        self.take_double(format!("write `{}`", operator.text()));
+        let message = format!("`{}` is no operator here", self.text_of(span));
+        self.error(Code::UnexpectedToken, span, message).help(help);
     }
 
     /// `!` before an operand.
-    pub(super) fn eat_exclamation(&mut self) -> bool {
+    pub(super) fn eat_exclamation(self) -> bool {
         let span = self.here();
-        let found = self.eat_punct('!');
+        let found = self.eat(Token![!]);
         if found {
             self.error(Code::UnexpectedToken, span, "`!` is no operator here").help("write `not`");
         }
@@ -43,27 +50,24 @@ impl Cursor<'_> {
     }
 
     /// `^`, or `**` for it; what stands before it began at `start`.
-    pub(super) fn eat_power(&mut self, start: usize) -> bool {
-        if !self.is_double('*') {
-            return self.eat_punct('^');
+    pub(super) fn eat_power(self, start: usize) -> bool {
+        if !self.peek(kw::Power) {
+            return self.eat(Token![^]);
         }
         let base = self.text_of(self.span_from(start));
-        let exponent = self.peek_at(2).map_or("2", |token| token.text.as_str());
+        let [.., exponent] = self.ahead();
+        let exponent = if exponent.is_empty() { "2" } else { exponent };
         self.take_double(format!("write `{base}^{exponent}`"));
         true
     }
 
     /// `arm.angle.sin()`: functions stand before their arguments. The receiver began at `start`, and the brackets of the
     /// call stand here.
-    pub(super) fn method_call(&mut self, start: usize, method: &IndexedName) -> Reported {
-        let name = method.ident.text.as_str();
-        let receiver = self.text_of(Span {
-            first: start as u32,
-            last: method.ident.span.first - 2,
-            ..method.ident.span
-        });
+    pub(super) fn method_call(self, start: usize, method: &IndexedName) -> Reported {
+        let (name, span) = (method.ident.text.as_str(), method.ident.span);
+        let receiver = self.text_of(Span { first: start as u32, last: span.first - 2, ..span });
         let open = self.position();
-        self.go_to(self.behind_group(open));
+        self.advance();
         let all = self.span_from(open);
         let inside = Span { first: all.first + 1, last: all.last - 1, ..all };
         let arguments = if inside.last < inside.first { String::new() } else { self.text_of(inside) };
@@ -74,16 +78,14 @@ impl Cursor<'_> {
             _ => format!("{name}({receiver}, {arguments})"),
         };
         let message = format!("`{name}` stands behind a point, and there are functions alone");
-        self.error(Code::UnexpectedToken, method.ident.span, message).help(format!("write `{call}`"));
+        self.error(Code::UnexpectedToken, span, message).help(format!("write `{call}`"));
         Reported
     }
 
     /// `std::f64::consts::PI`, behind its first word.
-    pub(super) fn path_of_rust(&mut self, start: usize) -> Reported {
-        while self.is_double(':') {
-            self.advance();
-            self.advance();
-            self.advance();
+    pub(super) fn path_of_rust(self, start: usize) -> Reported {
+        while self.peek(Token![::]) {
+            (0..3).for_each(|_| self.advance());
         }
         let span = self.span_from(start);
         let text = self.text_of(span);
@@ -96,68 +98,53 @@ impl Cursor<'_> {
     }
 
     /// `struct` and its like before the name of the mechanism.
-    pub(super) fn skip_word_of_types(&mut self, visibility: &str) {
-        let is_word = self.peek().is_some_and(|token| TYPES.contains(&token.text.as_str()));
-        let Some(name) = self.peek_at(1).filter(|next| is_word && next.kind == TokenKind::Ident) else {
+    pub(super) fn skip_word_of_types(self, visibility: &str) {
+        let [word, name, _] = self.ahead();
+        if !TYPES.contains(&word) || !self.peek2(syn::Ident::peek_any) {
             return;
-        };
-        let word = self.peek().map_or("", |token| token.text.as_str());
+        }
         let space = if visibility.is_empty() { "" } else { " " };
-        let help = format!("write `{visibility}{space}{} {{ … }}`", name.text);
+        let help = format!("write `{visibility}{space}{name} {{ … }}`");
         let message = format!("`{word}` does not stand before a mechanism");
         self.error(Code::UnexpectedToken, self.here(), message).help(help);
         self.advance();
     }
 
     /// `<T>` behind the name of the mechanism.
-    pub(super) fn skip_generics(&mut self) {
-        if !self.is_punct('<') {
+    pub(super) fn skip_generics(self) {
+        if !self.peek(Token![<]) {
             return;
         }
         let start = self.position();
-        while self.peek().is_some_and(|token| !token.is_open(Delimiter::Brace)) {
-            self.go_to(self.behind(self.position()));
-        }
+        self.advance_to(|input| input.peek(token::Brace));
         let span = self.span_from(start);
         self.error(Code::UnexpectedToken, span, "a mechanism is not generic over types")
             .help("every mechanism runs on any scalar: leave this out, and see `of` beside `new`");
     }
 
-    /// An attribute that is not documentation, if one stands here.
-    pub(super) fn eat_attribute(&mut self) -> bool {
-        let bang = usize::from(self.peek_at(1).is_some_and(|token| token.is_punct('!')));
-        if !self.is_punct('#')
-            || !self.peek_at(1 + bang).is_some_and(|token| token.is_open(Delimiter::Bracket))
-        {
-            return false;
-        }
-        let start = self.position();
-        let is_allow = self.peek_at(2 + bang).is_some_and(|token| token.is_word("allow"));
-        self.go_to(self.behind_group(start + 1 + bang));
-        let span = self.span_from(start);
-        let diagnostic = self.error(Code::UnexpectedToken, span, "attributes have no place in a declaration");
-        diagnostic.help(if is_allow {
-            "a warning is switched off by an item of the mechanism: `allow(W0001);`"
-        } else {
-            "those of an item of Rust stand before `plm::mechanism!`, in a module of its own"
-        });
-        true
+    /// An attribute that is not documentation.
+    pub(super) fn attribute_without_meaning(self, span: Span, name: &str) -> Reported {
+        self.error(Code::UnexpectedToken, span, "attributes have no place in a declaration").help(
+            if name == "allow" {
+                "a warning is switched off by an item of the mechanism: `allow(W0001);`"
+            } else {
+                "those of an item of Rust stand before `plm::mechanism!`, in a module of its own"
+            },
+        );
+        Reported
     }
 
     /// The `:` behind the name of a field, or what stands for it: `mass = 1 kg`, `mass 1 kg`.
-    pub(super) fn colon_of(&mut self, name: &str) -> Parse<()> {
-        let is_equals = self.is_punct('=') && !self.is_double('=');
-        let begins_value = self.peek().is_some_and(|token| {
-            token.kind == TokenKind::Number || token.is_punct('-') || token.is_open(Delimiter::Paren)
-        });
-        if self.eat_punct(':') {
+    pub(super) fn colon_of(self, name: &str) -> Result<()> {
+        if self.eat(Token![:]) {
             return Ok(());
         }
+        let is_equals = self.peek(Token![=]) && !self.peek(Token![==]);
+        let begins_value = self.peek_number() || self.peek(Token![-]) || self.peek(token::Paren);
         if !is_equals && !begins_value {
             return Err(self.expected("`:`"));
         }
-        let found = self.peek().map_or("", |token| token.text.as_str());
-        let message = format!("expected `:`, found `{found}`");
+        let message = format!("expected `:`, found `{}`", self.next());
         self.error(Code::UnexpectedToken, self.here(), message).help(format!("write `{name}: …;`"));
         if is_equals {
             self.advance();
@@ -166,52 +153,45 @@ impl Cursor<'_> {
     }
 
     /// `force(arm.a);`, `force hook arm.a;`: a part in use has a name, and joins what stands in brackets.
-    pub(super) fn part_without_brackets(&mut self, kind: &str) -> Reported {
-        let name = self.peek_at(1).filter(|token| token.kind == TokenKind::Ident);
-        let (message, name) = match name {
-            Some(name) => (format!("what the part `{kind}` joins stands in brackets"), name.text.as_str()),
-            None => (format!("the part `{kind}` has no name here"), "name"),
+    pub(super) fn part_without_brackets(self, kind: &str) -> Reported {
+        let [_, name, _] = self.ahead();
+        let (message, name) = if self.peek2(syn::Ident::peek_any) {
+            (format!("what the part `{kind}` joins stands in brackets"), name)
+        } else {
+            (format!("the part `{kind}` has no name here"), "name")
         };
         self.error(Code::UnknownItem, self.here(), message).help(format!("write `{kind} {name}(…);`"));
         Reported
     }
 
     /// `mut` behind `let`.
-    pub(super) fn skip_mut(&mut self) {
-        if self.is_word("mut") && self.peek_at(1).is_some_and(|token| token.kind == TokenKind::Ident) {
-            self.error(
-                Code::UnexpectedToken,
-                self.here(),
-                "`mut` has no meaning: a name stands for one expression",
-            )
-            .help("leave it out; what changes as it runs is a `state` or an `input`");
+    pub(super) fn skip_mut(self) {
+        if self.peek(Token![mut]) && self.peek2(syn::Ident::peek_any) {
+            let message = "`mut` has no meaning: a name stands for one expression";
+            self.error(Code::UnexpectedToken, self.here(), message)
+                .help("leave it out; what changes as it runs is a `state` or an `input`");
             self.advance();
         }
     }
 
     /// A unit behind the name in `let l: m = …` and in `rate p: Pa/s = …`.
-    pub(super) fn skip_unit_of(&mut self, word: &str) -> Parse<()> {
-        if !self.is_punct(':') {
+    pub(super) fn skip_unit_of(self, word: &str) -> Result<()> {
+        let start = self.position();
+        if !self.eat(Token![:]) {
             return Ok(());
         }
-        let start = self.position();
-        self.advance();
-        self.declared_unit()?;
+        declared_unit(self)?;
         let span = self.span_from(start);
-        let diagnostic = self.error(Code::UnexpectedToken, span, format!("a `{word}` takes no unit"));
-        diagnostic.help(if word == "let" {
-            "leave it out: it has that of its value; a `param` takes one"
-        } else {
-            "leave it out: it is that of the state, per second"
+        self.error(Code::UnexpectedToken, span, format!("a `{word}` takes no unit")).help(match word {
+            "let" => "leave it out: it has that of its value; a `param` takes one",
+            _ => "leave it out: it is that of the state, per second",
         });
         Ok(())
     }
 
     /// `constraint rod.x = …`: a name is missing. Shows the item with one.
-    pub(super) fn constraint_without_name(&mut self, start: usize) -> Reported {
-        while self.peek().is_some_and(|token| !token.is_punct(';')) {
-            self.go_to(self.behind(self.position()));
-        }
+    pub(super) fn constraint_without_name(self, start: usize) -> Reported {
+        self.advance_to(|input| input.peek(Token![;]));
         let span = self.span_from(start);
         let text = self.text_of(span).replace("==", "=").replacen('=', " = ", 1);
         self.error(Code::UnexpectedToken, span, "a constraint needs a name")
@@ -220,33 +200,28 @@ impl Cursor<'_> {
     }
 
     /// Takes `a == b` for the two sides of a constraint.
-    pub(super) fn sides_of_equality(&mut self, expr: Expr) -> Result<(Expr, Expr), Expr> {
-        match expr.kind {
-            ExprKind::Chain(left, mut links)
-                if matches!(links.as_slice(), [Link { operator: Operator::Equal, .. }]) =>
-            {
-                let Some(link) = links.pop() else {
-                    return Err(Expr { kind: ExprKind::Unknown, span: expr.span });
-                };
-                let help =
-                    format!("write `{} = {}`", self.text_of(left.span), self.text_of(link.operand.span));
-                self.error(Code::UnexpectedToken, expr.span, "a constraint has one `=`").help(help);
-                Ok((*left, link.operand))
+    pub(super) fn sides_of_equality(self, expr: Expr) -> std::result::Result<(Expr, Expr), Expr> {
+        let Expr { kind, span } = expr;
+        match kind {
+            ExprKind::Chain(left, links) if matches!(links[..], [Link { operator: Operator::Equal, .. }]) => {
+                let right = links.into_iter().map(|link| link.operand).next();
+                let right = right.unwrap_or(Expr { kind: ExprKind::Unknown, span });
+                let help = format!("write `{} = {}`", self.text_of(left.span), self.text_of(right.span));
+                self.error(Code::UnexpectedToken, span, "a constraint has one `=`").help(help);
+                Ok((*left, right))
             }
-            kind => Err(Expr { kind, span: expr.span }),
+            kind => Err(Expr { kind, span }),
         }
     }
 
     /// `output b.angle as tilt`: the name stands in front.
-    pub(super) fn name_behind(&mut self, value: &Expr) -> Option<IndexedName> {
-        let names =
-            self.is_word("as") && self.peek_at(1).is_some_and(|token: &Token| token.kind == TokenKind::Ident);
-        if !names {
+    pub(super) fn name_behind(self, value: &Expr) -> Option<IndexedName> {
+        if !self.peek(Token![as]) || !self.peek2(syn::Ident::peek_any) {
             return None;
         }
         let start = self.position();
         self.advance();
-        let name = self.indexed_name("a name").ok()?;
+        let name = IndexedName::parse(self, "a name").ok()?;
         let span = self.span_from(start);
         let help = format!("write `output {} = {};`", name.ident.text, self.text_of(value.span));
         self.error(Code::UnexpectedToken, span, "the name of an output stands in front of it").help(help);

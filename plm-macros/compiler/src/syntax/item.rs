@@ -1,12 +1,103 @@
 //! Items: what stands in a mechanism, in a part, or in a repetition.
 
-use super::ast::{Expr, ExprKind, Ident, IndexedName, Item, ItemKind, Output, Repeat, Value};
-use super::cursor::{Cursor, Parse, Reported};
+use proc_macro2::Delimiter;
+use syn::ext::IdentExt;
+use syn::{Token, token};
+
+use super::body::{Body, Port};
+use super::domain::{Domain, Node};
+use super::expr::{Expr, ExprKind};
 use super::habits::{behind_value, instead_of_item};
+use super::input::{Input, Reported, Result};
+use super::instance::Instance;
+use super::keyword as kw;
+use super::name::{Ident, IndexedName};
+use super::output::Output;
+use super::part::{Choice, Definition};
+use super::row::{Load, constraint};
+use super::value::{Value, named};
 use crate::diag::{Code, nearest};
 use crate::library::PARTS;
 use crate::span::Span;
-use crate::token::{Delimiter, Token, TokenKind};
+
+/// An item with its documentation.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// Documentation lines.
+    pub docs: Vec<String>,
+    /// The item.
+    pub kind: ItemKind,
+    /// All of it.
+    pub span: Span,
+}
+
+/// What may stand in a mechanism, in a part, or in both.
+#[derive(Clone, Debug)]
+pub enum ItemKind {
+    /// `gravity: expr;`
+    Gravity(Expr),
+    /// `rung: tree;`
+    Rung(Ident),
+    /// `stabilisation: projection;` or `baumgarte(expr);`
+    Stabilisation(Ident, Option<Expr>),
+    /// `allow(W0002, …);`
+    Allow(Vec<Ident>),
+    /// `param name: unit = expr;`
+    Param(Value),
+    /// `input name: unit = expr;`
+    Input(Value),
+    /// `state name: unit = expr;`
+    State(Value),
+    /// `let name = expr;`
+    Let(IndexedName, Expr),
+    /// `rate name = expr;`
+    Rate(IndexedName, Expr),
+    /// `choice name: option | option = option;`
+    Choice(Choice),
+    /// `pair: revolute;`
+    Pair(Ident),
+    /// `picture pin_diameter;`
+    Picture(Vec<IndexedName>),
+    /// `ground { … }`
+    Ground(Vec<Port>),
+    /// `body name { … }`
+    Body(Body),
+    /// `kind name(args) { fields }`
+    Instance(Instance),
+    /// `constraint name: expr = expr;`
+    Constraint(IndexedName, Expr, Expr),
+    /// `require name: condition;`
+    Require(IndexedName, Expr),
+    /// `force on b from a: expr;`, `torque on b: expr;`, `flow on b from a: expr;`
+    Load(Load),
+    /// `node name: kind = expr;`
+    Node(Node),
+    /// `output path, name = expr in unit;`
+    Output(Vec<Output>),
+    /// `observe arm, shoulder;`, `observe all;`
+    Observe(Vec<Expr>),
+    /// `repeat i in 0..n { … }`
+    Repeat(Repeat),
+    /// A part of the user's own.
+    Definition(Definition),
+    /// A domain of the user's own.
+    Domain(Domain),
+}
+
+/// `repeat i in from..to { … }`
+#[derive(Clone, Debug)]
+pub struct Repeat {
+    /// The index.
+    pub index: Ident,
+    /// Its first value.
+    pub from: Expr,
+    /// The bound.
+    pub to: Expr,
+    /// Is the bound a value of the index, `0..=n`?
+    pub inclusive: bool,
+    /// What to repeat.
+    pub items: Vec<Item>,
+}
 
 /// Where items stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,326 +106,213 @@ pub(super) enum Context {
     Part,
 }
 
-/// Words that begin an item, and where it may stand (`None`: in both).
-const WORDS: &[(&str, Option<Context>)] = &[
-    ("gravity", Some(Context::Mechanism)),
-    ("stabilisation", Some(Context::Mechanism)),
-    ("rung", Some(Context::Mechanism)),
-    ("allow", Some(Context::Mechanism)),
-    ("joint", Some(Context::Mechanism)),
-    ("part", Some(Context::Mechanism)),
-    ("domain", Some(Context::Mechanism)),
-    ("observe", Some(Context::Mechanism)),
-    ("choice", Some(Context::Part)),
-    ("pair", Some(Context::Part)),
-    ("picture", Some(Context::Part)),
-    ("param", None),
-    ("input", None),
-    ("state", None),
-    ("let", None),
-    ("rate", None),
-    ("ground", None),
-    ("body", None),
-    ("node", None),
-    ("constraint", None),
-    ("require", None),
-    ("output", None),
-    ("repeat", None),
+use Context::{Mechanism, Part};
+
+/// What is known of an item before it is read.
+struct Head {
+    context: Context,
+    docs: Vec<String>,
+}
+
+/// Reads what stands behind the word of an item.
+type Reader = fn(Input, &Head) -> Result<ItemKind>;
+
+/// Words that begin an item, where it may stand (`None`: in both), and what reads it.
+const WORDS: &[(&str, Option<Context>, Reader)] = &[
+    ("gravity", Some(Mechanism), |input, _| input.field_value("gravity").map(ItemKind::Gravity)),
+    ("stabilisation", Some(Mechanism), |input, _| stabilisation(input)),
+    ("rung", Some(Mechanism), |input, _| {
+        input.field_name("`tree`, `loops` or `absolute`").map(ItemKind::Rung)
+    }),
+    ("allow", Some(Mechanism), |input, _| allow(input)),
+    ("joint", Some(Mechanism), |input, Head { docs, .. }| {
+        Definition::parse(input, true, docs.clone()).map(ItemKind::Definition)
+    }),
+    ("part", Some(Mechanism), |input, Head { docs, .. }| {
+        Definition::parse(input, false, docs.clone()).map(ItemKind::Definition)
+    }),
+    ("domain", Some(Mechanism), |input, Head { docs, .. }| {
+        Domain::parse(input, docs.clone()).map(ItemKind::Domain)
+    }),
+    ("observe", Some(Mechanism), |input, _| input.listed(Expr::parse).map(ItemKind::Observe)),
+    ("choice", Some(Part), |input, _| Choice::parse(input).map(ItemKind::Choice)),
+    ("pair", Some(Part), |input, _| input.field_name("the name of a pair").map(ItemKind::Pair)),
+    ("picture", Some(Part), |input, _| {
+        input.listed(|input| IndexedName::parse(input, "a parameter")).map(ItemKind::Picture)
+    }),
+    ("param", None, |input, _| Value::parse(input, false).map(ItemKind::Param)),
+    ("input", None, |input, _| Value::parse(input, false).map(ItemKind::Input)),
+    ("state", None, |input, _| Value::parse(input, true).map(ItemKind::State)),
+    ("let", None, |input, _| named(input, "let").map(|(name, value)| ItemKind::Let(name, value))),
+    ("rate", None, |input, _| named(input, "rate").map(|(name, value)| ItemKind::Rate(name, value))),
+    ("ground", None, |input, _| Port::of_ground(input).map(ItemKind::Ground)),
+    ("body", None, |input, _| Body::parse(input).map(ItemKind::Body)),
+    ("node", None, |input, _| Node::parse(input).map(ItemKind::Node)),
+    ("constraint", None, |input, _| constraint(input)),
+    ("require", None, |input, _| requirement(input)),
+    ("output", None, |input, _| input.listed(Output::parse).map(ItemKind::Output)),
+    ("repeat", None, |input, Head { context, .. }| Repeat::parse(input, *context).map(ItemKind::Repeat)),
 ];
 
-impl Cursor<'_> {
+impl Item {
     /// `{ items }`
-    pub(super) fn block(&mut self, context: Context) -> Parse<Vec<Item>> {
-        self.nested(|cursor| cursor.group(Delimiter::Brace, "`{`", |cursor| Ok(cursor.items(context))))
+    pub(super) fn block(input: Input, context: Context) -> Result<Vec<Item>> {
+        let items = |input: Input| Ok(input.all(|input| Item::parse(input, context)));
+        input.nested(|input| input.group(Delimiter::Brace, "`{`", items))
     }
 
-    fn items(&mut self, context: Context) -> Vec<Item> {
-        let mut items = Vec::new();
-        while self.peek().is_some() {
-            let start = self.position();
-            let docs = self.docs();
-            let first = self.position();
-            match self.item(&docs, context) {
-                Ok(kind) => items.push(Item { docs, kind, span: self.span_from(first) }),
-                Err(Reported) => self.recover(start),
-            }
-        }
-        items
+    fn parse(input: Input, context: Context) -> Result<Item> {
+        let head = Head { context, docs: input.docs() };
+        let first = input.position();
+        let kind = ItemKind::parse(input, &head)?;
+        Ok(Item { docs: head.docs, kind, span: input.span_from(first) })
     }
+}
 
-    fn item(&mut self, docs: &[String], context: Context) -> Parse<ItemKind> {
-        if self.is_load() {
-            self.only_in(Context::Part, context, "what acts on a port")?;
-            return self.load().map(ItemKind::Load);
+impl ItemKind {
+    fn parse(input: Input, head: &Head) -> Result<ItemKind> {
+        if Load::peek(input) {
+            only_in(Part, head.context, "what acts on a port", input)?;
+            return Load::parse(input).map(ItemKind::Load);
         }
-        let word =
-            self.peek().filter(|token| token.kind == TokenKind::Ident).map(|token| token.text.as_str());
-        let Some(word) = word else { return Err(self.expected("an item")) };
-        if let Some((_, Some(place))) = WORDS.iter().find(|(name, _)| *name == word) {
-            self.only_in(*place, context, &format!("`{word}`"))?;
+        if !input.peek(syn::Ident::peek_any) {
+            return Err(input.expected("an item"));
         }
-        match word {
-            "gravity" => self.field_value().map(ItemKind::Gravity),
-            "stabilisation" => self.stabilisation(),
-            "rung" => self.rung(),
-            "allow" => self.allow(),
-            "param" => self.value().map(ItemKind::Param),
-            "input" => self.value().map(ItemKind::Input),
-            "state" => self.state().map(ItemKind::State),
-            "let" => self.definition_of_name(ItemKind::Let),
-            "rate" => self.definition_of_name(ItemKind::Rate),
-            "choice" => self.choice().map(ItemKind::Choice),
-            "pair" => self.pair().map(ItemKind::Pair),
-            "picture" => self.picture().map(ItemKind::Picture),
-            "ground" => self.ground().map(ItemKind::Ground),
-            "body" => self.body().map(ItemKind::Body),
-            "constraint" => self.constraint(),
-            "require" => self.requirement(),
-            "output" => self.outputs().map(ItemKind::Output),
-            "observe" => self.observed().map(ItemKind::Observe),
-            "repeat" => self.repeat(context).map(ItemKind::Repeat),
-            "node" => self.node().map(ItemKind::Node),
-            "joint" | "part" => self.definition(docs.to_vec()).map(ItemKind::Definition),
-            "domain" => self.domain(docs.to_vec()).map(ItemKind::Domain),
-            word => self.instance_or_unknown(word),
-        }
-    }
-
-    fn only_in(&mut self, place: Context, context: Context, what: &str) -> Parse<()> {
-        if place == context {
-            return Ok(());
-        }
-        let (here, there) = match place {
-            Context::Mechanism => ("a part", "a mechanism"),
-            Context::Part => ("a mechanism", "a part"),
+        let Some((word, place, read)) = WORDS.iter().find(|(word, ..)| *word == input.next()) else {
+            return instance_or_unknown(input);
         };
-        let message = format!("{what} has no place in {here}");
-        self.error(Code::MisplacedItem, self.here(), message).note(format!("it stands in {there}"));
-        Err(Reported)
+        if let Some(place) = place {
+            only_in(*place, head.context, &format!("`{word}`"), input)?;
+        }
+        input.advance();
+        read(input, head)
     }
+}
 
-    fn instance_or_unknown(&mut self, word: &str) -> Parse<ItemKind> {
-        let is_word = |token: &Token| token.kind == TokenKind::Ident;
-        let behind_name =
-            self.peek_at(2).is_some_and(|t| t.is_open(Delimiter::Paren) || t.is_open(Delimiter::Bracket));
-        if self.peek_at(1).is_some_and(is_word) && behind_name {
-            return self.instance().map(ItemKind::Instance);
-        }
-        let words = WORDS.iter().map(|(word, _)| *word);
-        let near = nearest(word, words);
-        if PARTS.iter().any(|(part, _)| *part == word) {
-            return Err(self.part_without_brackets(word));
-        }
-        let diagnostic = self.error(Code::UnknownItem, self.here(), format!("`{word}` begins no item"));
-        if let Some(help) = instead_of_item(word) {
-            diagnostic.help(help);
-            return Err(Reported);
-        }
-        match near {
-            Some(near) => diagnostic.help(format!("an item with a similar name exists: `{near}`")),
-            None => diagnostic.help("a part is used as `revolute name(a, b);`"),
-        };
-        Err(Reported)
+fn only_in(place: Context, context: Context, what: &str, input: Input) -> Result<()> {
+    if place == context {
+        return Ok(());
     }
+    let (here, there) = match place {
+        Mechanism => ("a part", "a mechanism"),
+        Part => ("a mechanism", "a part"),
+    };
+    let message = format!("{what} has no place in {here}");
+    input.error(Code::MisplacedItem, input.here(), message).note(format!("it stands in {there}"));
+    Err(Reported)
+}
 
+fn instance_or_unknown(input: Input) -> Result<ItemKind> {
+    let is_used = input.peek3(token::Paren) || input.peek3(token::Bracket);
+    if input.peek2(syn::Ident::peek_any) && is_used {
+        return Instance::parse(input).map(ItemKind::Instance);
+    }
+    let word = input.next();
+    if PARTS.iter().any(|(part, _)| *part == word) {
+        return Err(input.part_without_brackets(word));
+    }
+    let near = nearest(word, WORDS.iter().map(|(word, ..)| *word));
+    let mut diagnostic = input.error(Code::UnknownItem, input.here(), format!("`{word}` begins no item"));
+    match (instead_of_item(word), near) {
+        (Some(help), _) => diagnostic.help(help),
+        (None, Some(near)) => diagnostic.help(format!("an item with a similar name exists: `{near}`")),
+        (None, None) => diagnostic.help("a part is used as `revolute name(a, b);`"),
+    };
+    Err(Reported)
+}
+
+/// What many items have in common.
+impl Input<'_> {
     /// The end of an item. If it is missing but the next item begins here, that is said and nothing is skipped.
-    pub(super) fn semicolon(&mut self) -> Parse<()> {
-        if self.eat_punct(';') {
+    pub(super) fn semicolon(self) -> Result<()> {
+        if self.eat(Token![;]) {
             return Ok(());
         }
-        let reported = match self.peek().and_then(|token| behind_value(&token.text)) {
+        let begins_item = self.is_empty() || WORDS.iter().any(|(word, ..)| *word == self.next());
+        let begins_field = self.peek2(Token![:]) || self.peek(kw::port) || self.peek(kw::start);
+        let reported = match behind_value(self.next()) {
             Some(help) => self.expected_but("`;`", help),
             None => self.expected("`;`"),
         };
-        let begins_field = self.peek_at(1).is_some_and(|next| next.is_punct(':'));
-        let begins_item = self.peek().is_none_or(|token| WORDS.iter().any(|(word, _)| token.is_word(word)));
-        let begins_part = ["port", "start"].iter().any(|word| self.is_word(word));
-        if begins_field || begins_item || begins_part { Ok(()) } else { Err(reported) }
+        if begins_field || begins_item { Ok(()) } else { Err(reported) }
     }
 
     /// The end of an item behind its value; what stands behind an unreadable one, or is missing, is no second mistake.
-    pub(super) fn end_of(&mut self, value: &Expr) -> Parse<()> {
+    pub(super) fn end_of(self, value: &Expr) -> Result<()> {
         if !matches!(value.kind, ExprKind::Unknown) {
             return self.semicolon();
         }
-        while self.peek().is_some() && !self.is_punct(';') {
-            self.go_to(self.behind(self.position()));
-        }
-        self.eat_punct(';');
+        self.advance_to(|input| input.peek(Token![;]));
+        self.eat(Token![;]);
         Ok(())
     }
 
-    /// `word: expr;`, the word being known.
-    pub(super) fn field_value(&mut self) -> Parse<Expr> {
-        let word = self.peek().map_or("", |token| token.text.as_str());
-        self.advance();
+    /// `: expr;` behind a word.
+    pub(super) fn field_value(self, word: &str) -> Result<Expr> {
         self.colon_of(word)?;
-        let value = self.value_expr();
+        self.last_value()
+    }
+
+    /// `expr;`
+    pub(super) fn last_value(self) -> Result<Expr> {
+        let value = Expr::value(self);
         self.end_of(&value)?;
         Ok(value)
     }
 
-    fn stabilisation(&mut self) -> Parse<ItemKind> {
-        self.advance();
-        self.punct(':', "`:`")?;
-        let method = self.ident("`projection` or `baumgarte`")?;
-        let time = if self.is_open(Delimiter::Paren) {
-            Some(self.group(Delimiter::Paren, "`(`", Cursor::expr)?)
-        } else {
-            None
-        };
+    /// `: name;` behind a word.
+    pub(super) fn field_name(self, what: &str) -> Result<Ident> {
+        self.expect(Token![:], "`:`")?;
+        let name = Ident::parse(self, what)?;
         self.semicolon()?;
-        Ok(ItemKind::Stabilisation(method, time))
+        Ok(name)
     }
 
-    fn rung(&mut self) -> Parse<ItemKind> {
-        self.advance();
-        self.punct(':', "`:`")?;
-        let rung = self.ident("`tree`, `loops` or `absolute`")?;
+    /// What a rule reads, between commas, and a semicolon.
+    pub(super) fn listed<T>(self, rule: impl Fn(Self) -> Result<T>) -> Result<Vec<T>> {
+        let list = self.list(rule)?;
         self.semicolon()?;
-        Ok(ItemKind::Rung(rung))
+        Ok(list)
     }
+}
 
-    fn allow(&mut self) -> Parse<ItemKind> {
-        self.advance();
-        let codes = self.group(Delimiter::Paren, "`(`", |cursor| {
-            let mut codes = Vec::new();
-            while cursor.peek().is_some() {
-                codes.push(cursor.ident("a code")?);
-                if !cursor.eat_punct(',') {
-                    break;
-                }
-            }
-            Ok(codes)
-        })?;
-        self.semicolon()?;
-        Ok(ItemKind::Allow(codes))
+fn stabilisation(input: Input) -> Result<ItemKind> {
+    input.expect(Token![:], "`:`")?;
+    let method = Ident::parse(input, "`projection` or `baumgarte`")?;
+    let mut time = None;
+    if input.peek(token::Paren) {
+        time = Some(input.group(Delimiter::Parenthesis, "`(`", Expr::parse)?);
     }
+    input.semicolon()?;
+    Ok(ItemKind::Stabilisation(method, time))
+}
 
-    /// `param name: unit = expr;`
-    fn value(&mut self) -> Parse<Value> {
-        self.value_with(|_| Ok(false))
-    }
+fn allow(input: Input) -> Result<ItemKind> {
+    let codes = input.group(Delimiter::Parenthesis, "`(`", |input| {
+        input.terminated(|input| Ident::parse(input, "a code"))
+    })?;
+    input.semicolon()?;
+    Ok(ItemKind::Allow(codes))
+}
 
-    /// `state name: unit = expr, locked;`
-    fn state(&mut self) -> Parse<Value> {
-        self.value_with(|cursor| cursor.locked().map(|locked| locked.is_some()))
-    }
+/// `name: condition;`
+fn requirement(input: Input) -> Result<ItemKind> {
+    let name = IndexedName::parse(input, "the name of the requirement")?;
+    input.expect(Token![:], "`:`")?;
+    Ok(ItemKind::Require(name, input.last_value()?))
+}
 
-    /// `, locked`, if it stands here.
-    pub(super) fn locked(&mut self) -> Parse<Option<Span>> {
-        if !self.eat_punct(',') {
-            return Ok(None);
-        }
-        let span = self.here();
-        self.word("locked")?;
-        Ok(Some(span))
-    }
-
-    fn value_with(&mut self, locked: impl FnOnce(&mut Self) -> Parse<bool>) -> Parse<Value> {
-        self.advance();
-        let name = self.indexed_name("a name")?;
-        let start = self.position();
-        let mut unit = None;
-        if self.eat_punct(':') {
-            let Ok(found) = self.declared_unit() else {
-                let value = self.unknown_expr(start);
-                self.end_of(&value)?;
-                return Ok(Value { name, unit, value: Some(value), locked: false });
-            };
-            unit = Some(found);
-        }
-        let value = self.eat_punct('=').then(|| self.value_expr());
-        let locked = locked(self)?;
-        match &value {
-            Some(value) => self.end_of(value)?,
-            None => self.semicolon()?,
-        }
-        Ok(Value { name, unit, value, locked })
-    }
-
-    fn definition_of_name(&mut self, make: impl FnOnce(IndexedName, Expr) -> ItemKind) -> Parse<ItemKind> {
-        let word = self.peek().map_or("", |token| token.text.as_str());
-        self.advance();
-        self.skip_mut();
-        let name = self.indexed_name("a name")?;
-        self.skip_unit_of(word)?;
-        self.punct('=', "`=`")?;
-        let value = self.value_expr();
-        self.end_of(&value)?;
-        Ok(make(name, value))
-    }
-
-    fn outputs(&mut self) -> Parse<Vec<Output>> {
-        self.advance();
-        let mut outputs = vec![self.output()?];
-        while self.eat_punct(',') {
-            outputs.push(self.output()?);
-        }
-        self.semicolon()?;
-        Ok(outputs)
-    }
-
-    fn picture(&mut self) -> Parse<Vec<IndexedName>> {
-        self.advance();
-        let mut names = vec![self.indexed_name("a parameter")?];
-        while self.eat_punct(',') {
-            names.push(self.indexed_name("a parameter")?);
-        }
-        self.semicolon()?;
-        Ok(names)
-    }
-
-    fn observed(&mut self) -> Parse<Vec<Expr>> {
-        self.advance();
-        let mut observed = vec![self.expr()?];
-        while self.eat_punct(',') {
-            observed.push(self.expr()?);
-        }
-        self.semicolon()?;
-        Ok(observed)
-    }
-
-    fn output(&mut self) -> Parse<Output> {
-        let name = if self.names_output() {
-            let name = self.indexed_name("a name")?;
-            self.punct('=', "`=`")?;
-            Some(name)
-        } else {
-            None
-        };
-        let value = self.expr()?;
-        let name = name.or_else(|| self.name_behind(&value));
-        let unit = if self.eat_word("in") {
-            let start = self.position();
-            let unit = self.unit()?;
-            Some((unit, self.span_from(start)))
-        } else {
-            None
-        };
-        Ok(Output { name, value, unit })
-    }
-
-    /// Does `name =` or `name[i] =` stand here?
-    fn names_output(&self) -> bool {
-        let mut at = 1;
-        while self.peek_at(at).is_some_and(|token| token.is_open(Delimiter::Bracket)) {
-            at = self.behind_group(self.position() + at) - self.position();
-        }
-        self.peek_at(at).is_some_and(|token| token.is_punct('='))
-            && !self.peek_at(at + 1).is_some_and(|token| token.is_punct('='))
-    }
-
-    fn repeat(&mut self, context: Context) -> Parse<Repeat> {
-        self.advance();
-        let index: Ident = self.ident("the name of an index")?;
-        self.word("in")?;
-        let from = self.expr()?;
-        self.punct('.', "`..`")?;
-        self.punct('.', "`..`")?;
-        let inclusive = self.eat_punct('=');
-        let to = self.expr()?;
-        let items = self.block(context)?;
+impl Repeat {
+    /// `name in expr..expr { items }`
+    fn parse(input: Input, context: Context) -> Result<Repeat> {
+        let index = Ident::parse(input, "the name of an index")?;
+        input.expect(Token![in], "`in`")?;
+        let from = Expr::parse(input)?;
+        input.expect(Token![.], "`..`")?;
+        input.expect(Token![.], "`..`")?;
+        let inclusive = input.eat(Token![=]);
+        let to = Expr::parse(input)?;
+        let items = Item::block(input, context)?;
         Ok(Repeat { index, from, to, inclusive, items })
     }
 }

@@ -35,36 +35,59 @@
 //! ```
 //! (expressions: `expr.rs`; units: `unit.rs`)
 //!
+//! Each construct has a file, with its type and its parser. The parsers read a stream of syn (`input.rs`), and the parser
+//! of a construct that begins with a word of its own, `body`, `port`, stands behind that word or takes it, as it says.
+//!
 //! The parser goes on at the next item after a mistake, so that three mistakes give three errors. Its recursion is
 //! bounded: a stack overflow cannot be caught.
 
-pub mod ast;
 mod body;
-mod cursor;
+mod declaration;
+mod domain;
 mod expr;
 mod habits;
-mod header;
+mod input;
+mod instance;
 mod item;
+mod keyword;
+mod name;
+mod operator;
+mod output;
 mod part;
+mod quantity;
+mod row;
 mod unit;
+mod value;
 
-pub(crate) use body::file_name;
+/// The tree of a declaration, as written: names are not bound, but units are known (their table is closed).
+pub mod ast {
+    pub use super::body::{Body, Contour, Port, Start};
+    pub use super::declaration::{Declaration, Mechanism, Shared};
+    pub use super::domain::{Domain, Node, Quantity};
+    pub use super::expr::{Expr, ExprKind, Link};
+    pub use super::instance::{Field, Instance};
+    pub use super::item::{Item, ItemKind, Repeat};
+    pub use super::name::{Ident, IndexedName};
+    pub use super::operator::Operator;
+    pub use super::output::Output;
+    pub use super::part::{Argument, Choice, Definition};
+    pub use super::row::Load;
+    pub use super::value::Value;
+}
+
 pub(crate) use habits::CONSTANTS;
 pub(crate) use unit::unit_help;
 
 use crate::diag::Diagnostics;
 use crate::token::Source;
 use ast::{Declaration, Shared};
-use cursor::Cursor;
 
 /// Reads a declaration. Mistakes go to the sink; what could be read comes back.
 pub fn parse(source: &Source, sink: &mut Diagnostics) -> Declaration {
-    Cursor::new(source, sink).declaration()
+    input::read(source, sink, Declaration::parse)
 }
 
 /// Reads a file of the parts library: definitions and nothing else.
 pub fn parse_parts(source: &Source, sink: &mut Diagnostics) -> Shared {
-    let mut shared = Shared::default();
-    Cursor::new(source, sink).definitions(&mut shared);
-    shared
+    input::read(source, sink, Shared::parse)
 }

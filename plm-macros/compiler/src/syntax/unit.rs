@@ -7,10 +7,15 @@
 //! After `*` or `/` the unit goes on only if the next token is the name of a unit that is not followed by `(`, `.` or
 //! `[`, or a group that is wholly a unit: `10 N/area`, `2 m*min(a, b)` and `1 N/bar[1].x` come out right.
 
-use super::cursor::{Cursor, Parse, Reported};
+use proc_macro2::Delimiter;
+use syn::buffer::Cursor;
+use syn::ext::IdentExt;
+use syn::{Token, token};
+
+use super::input::{Input, Reported, Result};
+use super::name::Ident;
 use crate::diag::{Code, nearest};
-use crate::token::{Delimiter, TokenKind};
-use crate::units::{DisplayUnit, UnitFactor, is_unit, names, unit};
+use crate::units::{self, DisplayUnit, UnitFactor, is_unit, names};
 
 /// Words that may follow a number without being a unit.
 const WORDS: &[&str] = &["then", "else", "and", "or", "in"];
@@ -18,139 +23,152 @@ const WORDS: &[&str] = &["then", "else", "and", "or", "in"];
 /// Largest exponent of a unit.
 const MAX_EXPONENT: i32 = 9;
 
-impl Cursor<'_> {
-    /// The unit after a number or a pair, if there is one.
-    pub(super) fn unit_after_number(&mut self) -> Parse<Option<DisplayUnit>> {
-        let Some(token) = self.peek() else { return Ok(None) };
-        let is_word = token.kind == TokenKind::Ident && !WORDS.contains(&token.text.as_str());
-        // `mass: 10 inertia: 1` lacks a semicolon, not a unit.
-        let is_next_field = self.peek_at(1).is_some_and(|next| next.is_punct(':'));
-        if (is_word && !is_next_field) || self.is_unit_group(0) { self.unit().map(Some) } else { Ok(None) }
+/// The unit after a number or a pair, if there is one.
+pub(super) fn unit_after_number(input: Input) -> Result<Option<DisplayUnit>> {
+    let is_word = input.peek(syn::Ident::peek_any) && !WORDS.contains(&input.next());
+    // `mass: 10 inertia: 1` lacks a semicolon, not a unit.
+    let is_next_field = input.peek2(Token![:]);
+    if (is_word && !is_next_field) || is_unit_group(input.cursor()) {
+        unit(input).map(Some)
+    } else {
+        Ok(None)
+    }
+}
+
+/// A unit where a value is declared: also `1` for a bare number, and `1/s`.
+pub(super) fn declared_unit(input: Input) -> Result<DisplayUnit> {
+    let mut unit = UnitText::default();
+    if input.next() == "1" {
+        input.advance();
+        unit.further_factors(input, 1)?;
+        unit.text = if unit.text.is_empty() { String::new() } else { format!("1{}", unit.text) };
+    } else {
+        unit.factors(input, 1)?;
+    }
+    if input.eat(Token![*]) || input.eat(Token![/]) {
+        // No expression can go on here: it is a unit, and none that is known.
+        unit.atom(input, 1)?;
+    }
+    Ok(DisplayUnit::product(unit.text, &unit.factors))
+}
+
+/// A unit.
+pub(super) fn unit(input: Input) -> Result<DisplayUnit> {
+    let mut unit = UnitText::default();
+    unit.factors(input, 1)?;
+    Ok(DisplayUnit::product(unit.text, &unit.factors))
+}
+
+/// What was read of a unit.
+#[derive(Default)]
+struct UnitText {
+    text: String,
+    factors: Vec<UnitFactor>,
+}
+
+impl UnitText {
+    fn factors(&mut self, input: Input, sign: i32) -> Result<()> {
+        self.atom(input, sign)?;
+        self.further_factors(input, sign)
     }
 
-    /// A unit where a value is declared: also `1` for a bare number, and `1/s`.
-    pub(super) fn declared_unit(&mut self) -> Parse<DisplayUnit> {
-        let is_one = self.peek().is_some_and(|token| token.kind == TokenKind::Number && token.text == "1");
-        let mut unit = UnitText { text: String::new(), factors: Vec::new() };
-        if is_one {
-            self.advance();
-            self.further_factors(&mut unit, 1)?;
-            unit.text = if unit.text.is_empty() { String::new() } else { format!("1{}", unit.text) };
-        } else {
-            self.unit_factors(&mut unit, 1)?;
-        }
-        if self.is_punct('*') || self.is_punct('/') {
-            // No expression can go on here: it is a unit, and none that is known.
-            self.advance();
-            self.unit_atom(&mut unit, 1)?;
-        }
-        Ok(DisplayUnit::product(unit.text, &unit.factors))
-    }
-
-    /// A unit.
-    pub(super) fn unit(&mut self) -> Parse<DisplayUnit> {
-        let mut unit = UnitText { text: String::new(), factors: Vec::new() };
-        self.unit_factors(&mut unit, 1)?;
-        Ok(DisplayUnit::product(unit.text, &unit.factors))
-    }
-
-    fn unit_factors(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
-        self.unit_atom(unit, sign)?;
-        self.further_factors(unit, sign)
-    }
-
-    fn further_factors(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
-        while self.unit_goes_on() {
-            let below = self.is_punct('/');
-            self.advance();
-            unit.text.push(if below { '/' } else { '*' });
-            self.unit_atom(unit, if below { -sign } else { sign })?;
+    fn further_factors(&mut self, input: Input, sign: i32) -> Result<()> {
+        while goes_on(input) {
+            let below = input.peek(Token![/]);
+            input.advance();
+            self.text.push(if below { '/' } else { '*' });
+            self.atom(input, if below { -sign } else { sign })?;
         }
         Ok(())
     }
 
-    fn unit_goes_on(&self) -> bool {
-        (self.is_punct('*') || self.is_punct('/')) && (self.is_unit_name(1) || self.is_unit_group(1))
-    }
-
-    fn unit_atom(&mut self, unit: &mut UnitText, sign: i32) -> Parse<()> {
-        if self.is_open(Delimiter::Paren) {
-            unit.text.push('(');
-            self.nested(|cursor| {
-                cursor.group(Delimiter::Paren, "a unit", |cursor| cursor.unit_factors(unit, sign))
+    fn atom(&mut self, input: Input, sign: i32) -> Result<()> {
+        if input.peek(token::Paren) {
+            self.text.push('(');
+            input.nested(|input| {
+                input.group(Delimiter::Parenthesis, "a unit", |input| self.factors(input, sign))
             })?;
-            unit.text.push(')');
+            self.text.push(')');
             return Ok(());
         }
-        let start = self.position();
-        let name = self.ident("a unit")?;
-        let Some(found) = self::unit(&name.text) else {
-            return Err(self.unknown_unit(&name.text, name.span));
-        };
-        unit.text.push_str(found.name);
-        let exponent = if self.eat_power(start) { self.unit_exponent(unit)? } else { 1 };
-        unit.factors.push(UnitFactor { unit: found, exponent: sign * exponent });
+        let start = input.position();
+        let name = Ident::parse(input, "a unit")?;
+        let Some(found) = units::unit(&name.text) else { return Err(unknown_unit(input, &name)) };
+        self.text.push_str(found.name);
+        let exponent = if input.eat_power(start) { self.exponent(input)? } else { 1 };
+        self.factors.push(UnitFactor { unit: found, exponent: sign * exponent });
         Ok(())
     }
 
-    fn unit_exponent(&mut self, unit: &mut UnitText) -> Parse<i32> {
-        let negative = self.eat_punct('-');
-        let number = self.peek().filter(|token| token.kind == TokenKind::Number);
-        let value =
-            number.and_then(|token| token.text.parse::<i32>().ok()).filter(|value| *value <= MAX_EXPONENT);
-        let Some(value) = value else {
+    fn exponent(&mut self, input: Input) -> Result<i32> {
+        let sign = if input.eat(Token![-]) { -1 } else { 1 };
+        let number: Option<i32> = input.next().parse().ok().filter(|number| *number <= MAX_EXPONENT);
+        let Some(number) = number else {
             let message = format!("the exponent of a unit is a whole number up to {MAX_EXPONENT}");
-            self.error(Code::BadUnit, self.here(), message);
+            input.error(Code::BadUnit, input.here(), message);
             return Err(Reported);
         };
-        self.advance();
-        unit.text.push('^');
-        unit.text.push_str(if negative { "-" } else { "" });
-        unit.text.push_str(&value.to_string());
-        Ok(if negative { -value } else { value })
+        input.advance();
+        let exponent = sign * number;
+        self.text.push('^');
+        self.text.push_str(&exponent.to_string());
+        Ok(exponent)
     }
+}
 
-    fn unknown_unit(&mut self, name: &str, span: crate::span::Span) -> Reported {
-        // Units of two letters are all alike: what differs in one is another.
-        let near = nearest(name, names()).filter(|near| name.len() > 2 || near.eq_ignore_ascii_case(name));
-        let help = unit_help(name).or_else(|| Some(format!("write `{}`", near?)));
-        let diagnostic = self.error(Code::UnknownUnit, span, format!("unknown unit `{name}`"));
-        match help {
-            Some(help) => diagnostic.help(help),
-            None => diagnostic.note(format!("units: {}", names().collect::<Vec<_>>().join(", "))),
+fn unknown_unit(input: Input, name: &Ident) -> Reported {
+    let Ident { text, span } = name;
+    // Units of two letters are all alike: what differs in one is another.
+    let near = nearest(text, names()).filter(|near| text.len() > 2 || near.eq_ignore_ascii_case(text));
+    let help = unit_help(text).or_else(|| Some(format!("write `{}`", near?)));
+    let mut diagnostic = input.error(Code::UnknownUnit, *span, format!("unknown unit `{text}`"));
+    match help {
+        Some(help) => diagnostic.help(help),
+        None => diagnostic.note(format!("units: {}", names().collect::<Vec<_>>().join(", "))),
+    };
+    Reported
+}
+
+/// Does the unit go on behind a `*` or `/` that stands here?
+fn goes_on(input: Input) -> bool {
+    let factor = input.cursor().punct().filter(|(mark, _)| ['*', '/'].contains(&mark.as_char()));
+    factor.is_some_and(|(_, behind)| behind_unit_name(behind).is_some() || is_unit_group(behind))
+}
+
+/// What stands behind the name of a unit, if that is not the name of a function, of a body or of an array.
+fn behind_unit_name(cursor: Cursor) -> Option<Cursor> {
+    let (name, behind) = cursor.ident()?;
+    let holds_on = behind.group(Delimiter::Parenthesis).is_some()
+        || behind.group(Delimiter::Bracket).is_some()
+        || behind.punct().is_some_and(|(mark, _)| mark.as_char() == '.');
+    (is_unit(&name.unraw().to_string()) && !holds_on).then_some(behind)
+}
+
+/// Does a group open here that is wholly a unit?
+fn is_unit_group(cursor: Cursor) -> bool {
+    let group = cursor.group(Delimiter::Parenthesis);
+    group.is_some_and(|(inside, ..)| units_in(inside).is_some_and(|count| count > 0))
+}
+
+/// The number of units in brackets that hold nothing else.
+fn units_in(mut cursor: Cursor) -> Option<usize> {
+    let (mut count, mut is_exponent) = (0, false);
+    while !cursor.eof() {
+        let mark = cursor.punct();
+        cursor = if let Some(behind) = behind_unit_name(cursor) {
+            count += 1;
+            behind
+        } else if let Some((inside, _, behind)) = cursor.group(Delimiter::Parenthesis) {
+            count += units_in(inside)?;
+            behind
+        } else if let Some((mark, behind)) = &mark {
+            "*/^-".contains(mark.as_char()).then_some(*behind)?
+        } else {
+            cursor.literal().filter(|_| is_exponent)?.1
         };
-        Reported
+        is_exponent = mark.is_some_and(|(mark, _)| "^-".contains(mark.as_char()));
     }
-
-    /// Is the token some places ahead a unit, not a function, a body or an array of the same name?
-    fn is_unit_name(&self, ahead: usize) -> bool {
-        let is_name = self.peek_at(ahead).is_some_and(|t| t.kind == TokenKind::Ident && is_unit(&t.text));
-        is_name && !self.peek_at(ahead + 1).is_some_and(holds_on_name)
-    }
-
-    /// Does a group open some places ahead that is wholly a unit?
-    fn is_unit_group(&self, ahead: usize) -> bool {
-        if !self.peek_at(ahead).is_some_and(|token| token.is_open(Delimiter::Paren)) {
-            return false;
-        }
-        let length = self.behind_group(self.position() + ahead) - self.position();
-        let mut names = 0;
-        for at in ahead + 1..length.saturating_sub(1) {
-            let Some(token) = self.peek_at(at) else { return false };
-            let fits = match token.kind {
-                TokenKind::Ident => self.is_unit_name(at),
-                TokenKind::Number => self.peek_at(at - 1).is_some_and(|before| "^-".contains(&before.text)),
-                TokenKind::Punct { .. } => "*/^-".contains(&token.text),
-                TokenKind::Open(Delimiter::Paren) | TokenKind::Close(Delimiter::Paren) => true,
-                _ => false,
-            };
-            if !fits {
-                return false;
-            }
-            names += usize::from(token.kind == TokenKind::Ident);
-        }
-        names > 0
-    }
+    Some(count)
 }
 
 /// What is written for a unit that goes by another name elsewhere.
@@ -183,14 +201,4 @@ pub(crate) fn unit_help(name: &str) -> Option<String> {
         }
     };
     Some(format!("write `{known}`"))
-}
-
-struct UnitText {
-    text: String,
-    factors: Vec<UnitFactor>,
-}
-
-/// Does this token make a name of what stands before it: a call, a member, an index?
-fn holds_on_name(next: &crate::token::Token) -> bool {
-    next.is_open(Delimiter::Paren) || next.is_open(Delimiter::Bracket) || next.is_punct('.')
 }

@@ -3,7 +3,7 @@
 use plm_compiler::diag::Diagnostics;
 use plm_compiler::front::parse_and_resolve;
 use plm_compiler::model::{FrameRef, Stabilisation};
-use plm_compiler::token::{Delimiter, Sources, Token};
+use plm_compiler::token::Sources;
 
 use crate::support::{Values, assert_near, output, resolve};
 
@@ -267,23 +267,9 @@ fn headers_are_read() {
 /// What rustc makes of `/// One.`, and of a name that is a keyword of Rust.
 #[test]
 fn tokens_of_rustc_are_understood() {
-    let mut tokens = vec![Token::punct('#', false), Token::open(Delimiter::Bracket), Token::ident("doc")];
-    tokens.extend([Token::punct('=', false), Token::literal("r\" One.\""), Token::close(Delimiter::Bracket)]);
-    tokens.extend([
-        Token::ident("P"),
-        Token::open(Delimiter::Brace),
-        Token::ident("param"),
-        Token::ident("r#type"),
-    ]);
-    tokens.extend([
-        Token::punct('=', false),
-        Token::literal("2.5"),
-        Token::ident("kN"),
-        Token::punct(';', false),
-    ]);
-    tokens.push(Token::close(Delimiter::Brace));
+    let stream = "#[doc = r\" One.\"] P { param r#type = 2.5 kN; }".parse().unwrap();
     let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
-    sources.add_tokens("declaration", tokens);
+    sources.add_tokens("declaration", stream);
     let model = parse_and_resolve(&mut sources, &mut sink).unwrap();
     assert_eq!(model.docs, ["One."]);
     assert_eq!(model.params[0].name.text, "type");

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use plm_compiler::diag::Diagnostics;
 use plm_compiler::front::parse_and_resolve;
-use plm_compiler::lex::lex;
-use plm_compiler::token::{Delimiter, Sources, Token};
+use plm_compiler::token::Sources;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use crate::support::{Values, assert_near, evaluate, output, resolve};
 
@@ -220,17 +220,27 @@ fn rates_are_total_derivatives() {
     assert_near(second[1], a[1] + a[2] * arm[0] - v[2] * v[2] * arm[1], "y");
 }
 
-/// An expression of the length 3 and of what a `macro_rules!` would have captured, which stands between `«` and `»`.
-fn captured(expr: &str) -> Result<f64, String> {
-    let text = format!("pub P {{ param a: m = 3 m; output value = {expr}; output other = a; }}");
-    let (tokens, _) = lex(&text);
-    let bracket = |token: Token| match token.text.as_str() {
-        "«" => Token::open(Delimiter::Captured),
-        "»" => Token::close(Delimiter::Captured),
-        _ => token,
+/// Tokens with brackets that nobody sees in the place of braces.
+fn hidden(stream: TokenStream) -> TokenStream {
+    let hide = |tree| match tree {
+        TokenTree::Group(group) => {
+            let seen =
+                if group.delimiter() == Delimiter::Brace { Delimiter::None } else { group.delimiter() };
+            TokenTree::Group(Group::new(seen, hidden(group.stream())))
+        }
+        leaf => leaf,
     };
+    stream.into_iter().map(hide).collect()
+}
+
+/// An expression of the length 3 and of what a `macro_rules!` would have captured, which stands in braces.
+fn captured(expr: &str) -> Result<f64, String> {
+    let items = format!("param a: m = 3 m; output value = {expr}; output other = a;");
+    let mut stream: TokenStream = "pub P".parse().unwrap();
+    let items = Group::new(Delimiter::Brace, hidden(items.parse().unwrap()));
+    stream.extend([TokenTree::Group(items)]);
     let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
-    sources.add_tokens("declaration", tokens.into_iter().map(bracket).collect());
+    sources.add_tokens("declaration", stream);
     let model = parse_and_resolve(&mut sources, &mut sink);
     if let Some(diagnostic) = sink.sorted().first() {
         return Err(diagnostic.message.clone());
@@ -242,15 +252,17 @@ fn captured(expr: &str) -> Result<f64, String> {
 #[test]
 fn what_a_macro_captures_is_one_operand() {
     for (text, expected) in [
-        ("2*« 1 + 2 »", 6.0),
-        ("1 - « 1 - 2 »", 2.0),
-        ("« -3 »^2", 9.0),
-        ("« 1 + 1 » m/a", 2.0 / 3.0),
-        ("« -2 » m + a", 1.0),
-        ("« « 1 + 2 » * 2 »", 6.0),
-        ("(« 1/2 », « 2/4 »).x", 0.5),
+        ("2*{ 1 + 2 }", 6.0),
+        ("2*{ { 3 } }^2", 18.0),
+        ("{ 2 } m/{ a }", 2.0 / 3.0),
+        ("1 - { 1 - 2 }", 2.0),
+        ("{ -3 }^2", 9.0),
+        ("{ 1 + 1 } m/a", 2.0 / 3.0),
+        ("{ -2 } m + a", 1.0),
+        ("{ { 1 + 2 } * 2 }", 6.0),
+        ("({ 1/2 }, { 2/4 }).x", 0.5),
     ] {
         assert_near(captured(text).unwrap(), expected, text);
     }
-    assert_eq!(captured("« a + a » m"), Err("a unit behind a length (m)".to_string()));
+    assert_eq!(captured("{ a + a } m"), Err("a unit behind a length (m)".to_string()));
 }

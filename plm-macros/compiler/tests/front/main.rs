@@ -9,6 +9,7 @@ mod nodes;
 mod observe;
 mod parts;
 mod pictures;
+mod pieces;
 #[path = "../../../../tests/support/random.rs"]
 mod random;
 mod requirements;

@@ -1,58 +1,8 @@
-//! Expressions, as written.
+//! Binary operators.
 
-use plm_cas::Number;
+use proc_macro2::Spacing;
 
-use super::{Ident, IndexedName};
-use crate::span::Span;
-use crate::units::DisplayUnit;
-
-/// An expression.
-#[derive(Clone, Debug)]
-pub struct Expr {
-    /// What it is.
-    pub kind: ExprKind,
-    /// Its place.
-    pub span: Span,
-}
-
-/// Forms of expressions.
-#[derive(Clone, Debug)]
-pub enum ExprKind {
-    /// What could not be read. The mistake is reported; the item keeps its name, so that its uses are no mistakes.
-    Unknown,
-    /// A bare number.
-    Number(Number),
-    /// A number or a pair with a unit.
-    Quantity(Box<Expr>, DisplayUnit),
-    /// `(x, y)`
-    Pair(Box<Expr>, Box<Expr>),
-    /// `name`, `name[i]`
-    Name(IndexedName),
-    /// `expr.name.name[i]`
-    Path(Box<Expr>, Vec<IndexedName>),
-    /// `f(args)`
-    Call(Ident, Vec<Expr>),
-    /// `-expr`
-    Neg(Box<Expr>),
-    /// `not expr`
-    Not(Box<Expr>),
-    /// `base ^ exponent`
-    Power(Box<Expr>, Box<Expr>),
-    /// `expr op expr op expr …`, operators of one precedence, from left to right. A list and not a tree, so that a
-    /// long sum is not deep.
-    Chain(Box<Expr>, Vec<Link>),
-    /// `if expr then expr else expr`
-    If(Box<Expr>, Box<Expr>, Box<Expr>),
-}
-
-/// An operator with its right operand.
-#[derive(Clone, Debug)]
-pub struct Link {
-    /// The operator.
-    pub operator: Operator,
-    /// Its right operand.
-    pub operand: Expr,
-}
+use super::input::Input;
 
 /// Binary operators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +34,34 @@ pub enum Operator {
 }
 
 impl Operator {
+    /// The operator that stands here. `||` and `&&` are none of the language, and understood.
+    pub(super) fn peek(input: Input) -> Option<Operator> {
+        if let Some((word, _)) = input.cursor().ident() {
+            return match word.to_string().as_str() {
+                "or" => Some(Operator::Or),
+                "and" => Some(Operator::And),
+                _ => None,
+            };
+        }
+        let (mark, behind) = input.cursor().punct()?;
+        let next = behind.punct().filter(|_| mark.spacing() == Spacing::Joint);
+        Some(match (mark.as_char(), next.map(|(next, _)| next.as_char())) {
+            ('|', Some('|')) => Operator::Or,
+            ('&', Some('&')) => Operator::And,
+            ('<', Some('=')) => Operator::LessEqual,
+            ('>', Some('=')) => Operator::GreaterEqual,
+            ('=', Some('=')) => Operator::Equal,
+            ('!', Some('=')) => Operator::NotEqual,
+            ('<', _) => Operator::Less,
+            ('>', _) => Operator::Greater,
+            ('+', _) => Operator::Add,
+            ('-', _) => Operator::Sub,
+            ('*', _) => Operator::Mul,
+            ('/', _) => Operator::Div,
+            _ => return None,
+        })
+    }
+
     /// How tightly it binds, from 0.
     pub fn precedence(self) -> u8 {
         match self {

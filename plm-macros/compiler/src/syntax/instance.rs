@@ -1,0 +1,76 @@
+//! Uses of parts.
+
+use proc_macro2::Delimiter;
+use syn::{Token, token};
+
+use super::expr::{Expr, ExprKind};
+use super::input::{Input, Reported, Result};
+use super::name::{Ident, IndexedName};
+use crate::span::Span;
+
+/// The use of a part.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// Name of the definition.
+    pub kind: Ident,
+    /// Its own name.
+    pub name: IndexedName,
+    /// What it is connected to.
+    pub arguments: Vec<Expr>,
+    /// Its parameters, and starts of its states.
+    pub fields: Vec<Field>,
+}
+
+/// `name: expr, locked;` in the use of a part; `part.name: expr;` reaches into the parts that it contains.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// What is set, segment by segment.
+    pub path: Vec<IndexedName>,
+    /// To what.
+    pub value: Expr,
+    /// Is it the start of a state that is locked?
+    pub locked: Option<Span>,
+}
+
+impl Instance {
+    /// `kind name(args);` or `kind name(args) { fields }`
+    pub(super) fn parse(input: Input) -> Result<Instance> {
+        let kind = Ident::parse(input, "the name of a part")?;
+        let name = IndexedName::parse(input, "a name")?;
+        let start = input.position();
+        let arguments = Expr::arguments(input)
+            .unwrap_or_else(|Reported| vec![Expr { kind: ExprKind::Unknown, span: input.span_from(start) }]);
+        let mut fields = Vec::new();
+        if input.peek(token::Brace) {
+            fields = input.group(Delimiter::Brace, "`{`", |input| Ok(input.all(Field::parse)))?;
+            input.eat(Token![;]);
+        } else {
+            input.semicolon()?;
+        }
+        Ok(Instance { kind, name, arguments, fields })
+    }
+}
+
+impl Field {
+    /// `name.name: expr, locked;`
+    fn parse(input: Input) -> Result<Field> {
+        input.docs();
+        let start = input.position();
+        let mut path = vec![IndexedName::parse(input, "the name of a parameter")?];
+        while input.eat(Token![.]) {
+            path.push(IndexedName::parse(input, "the name of a parameter")?);
+        }
+        input.colon_of(&input.text_of(input.span_from(start)))?;
+        let value = Expr::value(input);
+        let locked = input.locked()?;
+        input.end_of(&value)?;
+        Ok(Field { path, value, locked })
+    }
+
+    /// All of its path.
+    pub fn span(&self) -> Span {
+        let first = self.path.first().map(|name| name.ident.span);
+        let last = self.path.last().map(|name| name.ident.span);
+        first.zip(last).map_or(self.value.span, |(first, last)| first.to(last))
+    }
+}

@@ -1,0 +1,10 @@
+//! Words of the language that stand inside of items. Those that are Rust's too, `if` and `in`, are `Token![…]`.
+
+macro_rules! words {
+    ($($word:ident)*) => { $(syn::custom_keyword!($word);)* };
+}
+
+words! { across and angle axis depth domain from joint locked not on or part parts port start then through }
+
+// `**`, which other languages have.
+syn::custom_punctuation!(Power, **);
