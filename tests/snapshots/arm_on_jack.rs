@@ -1218,27 +1218,36 @@ mod plm_arm_on_jack_ {
                 g[16] = -lit(-1.0).max(t14);
             }
         }
+
         impl<S: Scalar> ArmOnJack<S> {
             /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
             ///
             /// 81 add, 204 mul, 25 div, 4 neg, 9 sqrt, 1 sin_cos, 44 select.
             fn linearised(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 26]) {
+                let [
+                    arm_angle,
+                    arm_omega,
+                    press_chamber1_pressure,
+                    press_chamber2_pressure,
+                    line1_flow,
+                    line1_inlet_pressure,
+                    line2_flow,
+                    line2_inlet_pressure,
+                    valve_servo_value,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
                 // Derivatives of M a - Q and of the rates of the states
                 let g = self.g;
-                let theta_arm = x[0];
-                let (sin_theta_arm, cos_theta_arm) = theta_arm.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_theta_arm, lit(0.5) * cos_theta_arm);
-                let t2 = lit(-0.8).mul_add(sin_theta_arm, lit(0.5) * sin_theta_arm) - lit(0.25);
+                let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
+                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1);
                 let t4 = t3.sqrt();
                 let t5 = lit(1.0) / t4;
-                let press_chamber1_pressure = x[2];
-                let press_chamber2_pressure = x[3];
-                let omega_arm = x[1];
-                let t6 = omega_arm * sin_theta_arm;
+                let t6 = arm_omega * sin_arm_angle;
                 let t7 = lit(-0.8).mul_add(t6, lit(0.5) * t6);
-                let t8 = omega_arm * cos_theta_arm;
+                let t8 = arm_omega * cos_arm_angle;
                 let t9 = lit(-0.8).mul_add(t8, lit(0.5) * t8);
                 let t10 = (-t2).mul_add(t9, t1 * t7);
                 let t11 = t10 * t5;
@@ -1260,15 +1269,15 @@ mod plm_arm_on_jack_ {
                     ),
                 ) - lit(0.0).max(t16)
                     + lit(0.0).max(t21);
-                let t23 = (-sin_theta_arm).mul_add(t1, cos_theta_arm * t2);
+                let t23 = (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2);
                 let t24 = t23 / t3;
-                let t25 = (-cos_theta_arm).mul_add(
+                let t25 = (-cos_arm_angle).mul_add(
                     lit(-0.3).mul_add(t1, lit(0.09) * t2 * t24),
-                    sin_theta_arm * (lit(0.09) * t1).mul_add(t24, lit(0.3) * t2),
+                    sin_arm_angle * (lit(0.09) * t1).mul_add(t24, lit(0.3) * t2),
                 );
-                let t26 = (-omega_arm).mul_add(
-                    sin_theta_arm.mul_add(t2, cos_theta_arm * t1),
-                    cos_theta_arm.mul_add(t9, sin_theta_arm * t7),
+                let t26 = (-arm_omega).mul_add(
+                    sin_arm_angle.mul_add(t2, cos_arm_angle * t1),
+                    cos_arm_angle.mul_add(t9, sin_arm_angle * t7),
                 );
                 let t27 = t5 * t10.mul_add(t24, t26);
                 let t28 = t16.lt(lit(0.0));
@@ -1296,7 +1305,7 @@ mod plm_arm_on_jack_ {
                     t37 + S::select(t33, lit(0.0), t5.mul_add(t35.mul_add(t26, t36), lit(100000000.0) * t34));
                 let t39 = (-t5).mul_add(
                     (-(lit(0.3) * t23)).mul_add(t38, t22 * (t25 + lit(0.09))),
-                    lit(-80.0) * g * sin_theta_arm,
+                    lit(-80.0) * g * sin_arm_angle,
                 );
                 let t40 = lit(300.0).mul_add(t29, -S::select(t28, lit(0.0), lit(-300.0) * t15 * t29))
                     + S::select(t33, lit(0.0), t35 * t29);
@@ -1309,7 +1318,6 @@ mod plm_arm_on_jack_ {
                 let t46 = lit(-5.88235294117647e-10) * t44;
                 let t47 = lit(1.0) / (-(lit(101325.0) * t42)).mul_add(t43, t46);
                 let t48 = lit(1.0) / lit(0.001963495408493621).mul_add(t4, lit(-0.00038196898986859654));
-                let line1_flow = x[4];
                 let t49 = lit(0.001963495408493621).mul_add(t11, line1_flow);
                 let t50 = t29 * t48;
                 let t51 = t45 * t47;
@@ -1322,14 +1330,12 @@ mod plm_arm_on_jack_ {
                 let t56 = lit(-101325.0).mul_add(t55, -t44);
                 let t57 = lit(1.0) / (-(lit(101325.0) * t54)).mul_add(t55, t46);
                 let t58 = lit(1.0) / lit(0.0012566370614359172).mul_add(t4, lit(-0.0007662831250184729));
-                let line2_flow = x[6];
                 let t59 = lit(-0.0012566370614359172).mul_add(t11, line2_flow);
                 let t60 = t29 * t58;
                 let t61 = t56 * t57;
                 let t62 = t59
                     * (S::select(t53.lt(lit(1.0)), lit(0.0), lit(1.0))
                         * (-(lit(202650.0) * t54)).mul_add(t61, lit(101325.0)));
-                let line1_inlet_pressure = x[5];
                 let t63 = line1_inlet_pressure + lit(101325.0);
                 let t64 = lit(1.0) / lit(1.0).max(t63);
                 let t65 = gas * t64;
@@ -1342,7 +1348,6 @@ mod plm_arm_on_jack_ {
                 let t71 = t70 * t69;
                 let t72 = lit(25000000.0) * (t69 * t69);
                 let t73 = t71.mul_add(t71, t72);
-                let valve_servo_value = x[8];
                 let t74 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t75 = lit(0.0).max(t74);
                 let t76 = lit(1.0) / t73.sqrt().sqrt();
@@ -1372,7 +1377,6 @@ mod plm_arm_on_jack_ {
                 let t91 = S::select(valve_servo_value.lt(lit(0.0)), lit(0.0), t90);
                 let t92 = S::select(t82.lt(lit(0.0)), lit(0.0), -t90);
                 let t93 = lit(0.6790610905254201) * t68 * (t69 * (t79 * t92).mul_add(t84, t70 * t91 * t76));
-                let line2_inlet_pressure = x[7];
                 let t94 = line2_inlet_pressure + lit(101325.0);
                 let t95 = lit(1.0) / lit(1.0).max(t94);
                 let t96 = gas * t95;
@@ -1443,9 +1447,11 @@ mod plm_arm_on_jack_ {
                 const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
                     Term { coefficient, row, column, entry, part }
                 }
+
                 const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
                     Pivot { row, entry, below, right, targets }
                 }
+
                 const fn b(row: u32, entry: u32, across: u32) -> Below {
                     Below { row, entry, across }
                 }

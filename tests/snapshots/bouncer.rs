@@ -853,14 +853,14 @@ mod plm_bouncer_ {
                 g[2] = s_other - lit(100.0);
             }
         }
+
         impl<S: Scalar> Bouncer<S> {
             /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
             ///
             /// 1 neg, 2 select.
             fn linearised(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 3]) {
+                let [_, s_other, ..] = *x;
                 let lit = S::lit;
-                // Derivatives of M a - Q and of the rates of the states
-                let s_other = x[1];
                 // Results
                 c[0] = lit(2.0);
                 c[1] = -S::select(s_other.lt(lit(100.0)), lit(0.0), lit(-10.0));
@@ -881,9 +881,11 @@ mod plm_bouncer_ {
                 const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
                     Term { coefficient, row, column, entry, part }
                 }
+
                 const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
                     Pivot { row, entry, below, right, targets }
                 }
+
                 const fn b(row: u32, entry: u32, across: u32) -> Below {
                     Below { row, entry, across }
                 }

@@ -1552,93 +1552,105 @@ mod plm_chain_ {
                 x[9] = v[14];
             }
         }
+
         impl<S: Scalar> Chain<S> {
             /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
             ///
             /// 60 add, 163 mul, 4 neg, 5 sin_cos.
             fn linearised(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 61]) {
+                let [
+                    _,
+                    _,
+                    _,
+                    _,
+                    _,
+                    acceleration_5,
+                    acceleration,
+                    acceleration_2,
+                    acceleration_3,
+                    acceleration_4,
+                    ..,
+                ] = *dx;
+                let [
+                    bar_0_angle,
+                    bar_1_angle,
+                    bar_2_angle,
+                    bar_3_angle,
+                    bar_4_angle,
+                    bar_0_omega,
+                    bar_1_omega,
+                    bar_2_omega,
+                    bar_3_omega,
+                    bar_4_omega,
+                    ..,
+                ] = *x;
                 let lit = S::lit;
                 // Derivatives of M a - Q and of the rates of the states
-                let theta_bar_0 = x[0];
-                let theta_bar_1 = x[1];
-                let theta_bar_2 = x[2];
-                let theta_bar_3 = x[3];
                 let (
-                    [sin_theta_bar_0, sin_theta_bar_1, sin_theta_bar_2, sin_theta_bar_3],
-                    [cos_theta_bar_0, cos_theta_bar_1, cos_theta_bar_2, cos_theta_bar_3],
-                ) = S::sin_cos_all([theta_bar_0, theta_bar_1, theta_bar_2, theta_bar_3]);
-                let t1 = (-cos_theta_bar_0).mul_add(sin_theta_bar_1, sin_theta_bar_0 * cos_theta_bar_1);
-                let acceleration = dx[6];
-                let omega_bar_1 = x[6];
-                let t2 = omega_bar_1 * omega_bar_1;
-                let t3 = sin_theta_bar_0.mul_add(sin_theta_bar_1, cos_theta_bar_0 * cos_theta_bar_1);
+                    [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
+                    [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
+                ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                let t1 = (-cos_bar_0_angle).mul_add(sin_bar_1_angle, sin_bar_0_angle * cos_bar_1_angle);
+                let t2 = bar_1_omega * bar_1_omega;
+                let t3 = sin_bar_0_angle.mul_add(sin_bar_1_angle, cos_bar_0_angle * cos_bar_1_angle);
                 let t4 = (-t1).mul_add(acceleration, t2 * t3);
-                let t5 = (-cos_theta_bar_0).mul_add(sin_theta_bar_2, sin_theta_bar_0 * cos_theta_bar_2);
-                let acceleration_2 = dx[7];
-                let omega_bar_2 = x[7];
-                let t6 = omega_bar_2 * omega_bar_2;
-                let t7 = sin_theta_bar_0.mul_add(sin_theta_bar_2, cos_theta_bar_0 * cos_theta_bar_2);
+                let t5 = (-cos_bar_0_angle).mul_add(sin_bar_2_angle, sin_bar_0_angle * cos_bar_2_angle);
+                let t6 = bar_2_omega * bar_2_omega;
+                let t7 = sin_bar_0_angle.mul_add(sin_bar_2_angle, cos_bar_0_angle * cos_bar_2_angle);
                 let t8 = (-t5).mul_add(acceleration_2, t6 * t7);
-                let t9 = (-cos_theta_bar_0).mul_add(sin_theta_bar_3, sin_theta_bar_0 * cos_theta_bar_3);
-                let acceleration_3 = dx[8];
-                let omega_bar_3 = x[8];
-                let t10 = omega_bar_3 * omega_bar_3;
-                let t11 = sin_theta_bar_0.mul_add(sin_theta_bar_3, cos_theta_bar_0 * cos_theta_bar_3);
+                let t9 = (-cos_bar_0_angle).mul_add(sin_bar_3_angle, sin_bar_0_angle * cos_bar_3_angle);
+                let t10 = bar_3_omega * bar_3_omega;
+                let t11 = sin_bar_0_angle.mul_add(sin_bar_3_angle, cos_bar_0_angle * cos_bar_3_angle);
                 let t12 = (-t9).mul_add(acceleration_3, t10 * t11);
-                let theta_bar_4 = x[4];
-                let (sin_theta_bar_4, cos_theta_bar_4) = theta_bar_4.sin_cos();
-                let t13 = (-cos_theta_bar_0).mul_add(sin_theta_bar_4, sin_theta_bar_0 * cos_theta_bar_4);
-                let acceleration_4 = dx[9];
-                let omega_bar_4 = x[9];
-                let t14 = omega_bar_4 * omega_bar_4;
-                let t15 = sin_theta_bar_0.mul_add(sin_theta_bar_4, cos_theta_bar_0 * cos_theta_bar_4);
+                let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                let t13 = (-cos_bar_0_angle).mul_add(sin_bar_4_angle, sin_bar_0_angle * cos_bar_4_angle);
+                let t14 = bar_4_omega * bar_4_omega;
+                let t15 = sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
                 let t16 = (-t13).mul_add(acceleration_4, t14 * t15);
                 let t17 = lit(0.5).mul_add(
                     t16,
                     lit(1.5).mul_add(
                         t12,
-                        lit(2.5).mul_add(t8, lit(-44.145).mul_add(sin_theta_bar_0, lit(3.5) * t4)),
+                        lit(2.5).mul_add(t8, lit(-44.145).mul_add(sin_bar_0_angle, lit(3.5) * t4)),
                     ),
                 );
-                let t18 = lit(5.0) * omega_bar_2;
-                let t19 = lit(3.0) * omega_bar_3;
-                let acceleration_5 = dx[5];
-                let omega_bar_0 = x[5];
-                let t20 = omega_bar_0 * omega_bar_0;
+                let t18 = lit(5.0) * bar_2_omega;
+                let t19 = lit(3.0) * bar_3_omega;
+                let t20 = bar_0_omega * bar_0_omega;
                 let t21 = t20.mul_add(t3, t1 * acceleration_5);
-                let t22 = (-cos_theta_bar_1).mul_add(sin_theta_bar_2, sin_theta_bar_1 * cos_theta_bar_2);
-                let t23 = sin_theta_bar_1.mul_add(sin_theta_bar_2, cos_theta_bar_1 * cos_theta_bar_2);
+                let t22 = (-cos_bar_1_angle).mul_add(sin_bar_2_angle, sin_bar_1_angle * cos_bar_2_angle);
+                let t23 = sin_bar_1_angle.mul_add(sin_bar_2_angle, cos_bar_1_angle * cos_bar_2_angle);
                 let t24 = (-t22).mul_add(acceleration_2, t6 * t23);
-                let t25 = (-cos_theta_bar_1).mul_add(sin_theta_bar_3, sin_theta_bar_1 * cos_theta_bar_3);
-                let t26 = sin_theta_bar_1.mul_add(sin_theta_bar_3, cos_theta_bar_1 * cos_theta_bar_3);
+                let t25 = (-cos_bar_1_angle).mul_add(sin_bar_3_angle, sin_bar_1_angle * cos_bar_3_angle);
+                let t26 = sin_bar_1_angle.mul_add(sin_bar_3_angle, cos_bar_1_angle * cos_bar_3_angle);
                 let t27 = (-t25).mul_add(acceleration_3, t10 * t26);
-                let t28 = (-cos_theta_bar_1).mul_add(sin_theta_bar_4, sin_theta_bar_1 * cos_theta_bar_4);
-                let t29 = sin_theta_bar_1.mul_add(sin_theta_bar_4, cos_theta_bar_1 * cos_theta_bar_4);
+                let t28 = (-cos_bar_1_angle).mul_add(sin_bar_4_angle, sin_bar_1_angle * cos_bar_4_angle);
+                let t29 = sin_bar_1_angle.mul_add(sin_bar_4_angle, cos_bar_1_angle * cos_bar_4_angle);
                 let t30 = (-t28).mul_add(acceleration_4, t14 * t29);
                 let t31 = lit(0.5).mul_add(
                     t30,
                     lit(1.5).mul_add(
                         t27,
-                        lit(2.5).mul_add(t24, lit(-34.335).mul_add(sin_theta_bar_1, lit(3.5) * t21)),
+                        lit(2.5).mul_add(t24, lit(-34.335).mul_add(sin_bar_1_angle, lit(3.5) * t21)),
                     ),
                 );
                 let t32 = t20.mul_add(t7, t5 * acceleration_5);
                 let t33 = t2.mul_add(t23, t22 * acceleration);
-                let t34 = (-cos_theta_bar_2).mul_add(sin_theta_bar_3, sin_theta_bar_2 * cos_theta_bar_3);
-                let t35 = sin_theta_bar_2.mul_add(sin_theta_bar_3, cos_theta_bar_2 * cos_theta_bar_3);
+                let t34 = (-cos_bar_2_angle).mul_add(sin_bar_3_angle, sin_bar_2_angle * cos_bar_3_angle);
+                let t35 = sin_bar_2_angle.mul_add(sin_bar_3_angle, cos_bar_2_angle * cos_bar_3_angle);
                 let t36 = (-t34).mul_add(acceleration_3, t10 * t35);
-                let t37 = (-cos_theta_bar_2).mul_add(sin_theta_bar_4, sin_theta_bar_2 * cos_theta_bar_4);
-                let t38 = sin_theta_bar_2.mul_add(sin_theta_bar_4, cos_theta_bar_2 * cos_theta_bar_4);
+                let t37 = (-cos_bar_2_angle).mul_add(sin_bar_4_angle, sin_bar_2_angle * cos_bar_4_angle);
+                let t38 = sin_bar_2_angle.mul_add(sin_bar_4_angle, cos_bar_2_angle * cos_bar_4_angle);
                 let t39 = (-t37).mul_add(acceleration_4, t14 * t38);
                 let t40 = lit(2.5).mul_add(
                     t32 + t33,
-                    lit(0.5).mul_add(t39, lit(-24.525).mul_add(sin_theta_bar_2, lit(1.5) * t36)),
+                    lit(0.5).mul_add(t39, lit(-24.525).mul_add(sin_bar_2_angle, lit(1.5) * t36)),
                 );
                 let t41 = t20.mul_add(t11, t9 * acceleration_5);
                 let t42 = t2.mul_add(t26, t25 * acceleration);
                 let t43 = t6.mul_add(t35, t34 * acceleration_2);
-                let t44 = (-cos_theta_bar_3).mul_add(sin_theta_bar_4, sin_theta_bar_3 * cos_theta_bar_4);
-                let t45 = sin_theta_bar_3.mul_add(sin_theta_bar_4, cos_theta_bar_3 * cos_theta_bar_4);
+                let t44 = (-cos_bar_3_angle).mul_add(sin_bar_4_angle, sin_bar_3_angle * cos_bar_4_angle);
+                let t45 = sin_bar_3_angle.mul_add(sin_bar_4_angle, cos_bar_3_angle * cos_bar_4_angle);
                 let t46 = (-t44).mul_add(acceleration_4, t14 * t45);
                 let t47 = t20.mul_add(t15, t13 * acceleration_5);
                 let t48 = t2.mul_add(t29, t28 * acceleration);
@@ -1649,7 +1661,7 @@ mod plm_chain_ {
                 c[1] = lit(0.1);
                 c[2] = lit(4.333333333333333);
                 c[3] = lit(-3.5) * t4;
-                c[4] = lit(7.0) * omega_bar_1 * t1;
+                c[4] = lit(7.0) * bar_1_omega * t1;
                 c[5] = lit(3.5) * t3;
                 c[6] = lit(-2.5) * t8;
                 c[7] = t18 * t5;
@@ -1658,10 +1670,10 @@ mod plm_chain_ {
                 c[10] = t19 * t9;
                 c[11] = lit(1.5) * t11;
                 c[12] = lit(-0.5) * t16;
-                c[13] = omega_bar_4 * t13;
+                c[13] = bar_4_omega * t13;
                 c[14] = lit(0.5) * t15;
                 c[15] = lit(-3.5) * t21;
-                c[16] = lit(-7.0) * omega_bar_0 * t1;
+                c[16] = lit(-7.0) * bar_0_omega * t1;
                 c[17] = t31;
                 c[18] = lit(3.3333333333333335);
                 c[19] = lit(-2.5) * t24;
@@ -1671,41 +1683,41 @@ mod plm_chain_ {
                 c[23] = t19 * t25;
                 c[24] = lit(1.5) * t26;
                 c[25] = lit(-0.5) * t30;
-                c[26] = omega_bar_4 * t28;
+                c[26] = bar_4_omega * t28;
                 c[27] = lit(0.5) * t29;
                 c[28] = lit(-2.5) * t32;
-                c[29] = lit(-5.0) * omega_bar_0 * t5;
+                c[29] = lit(-5.0) * bar_0_omega * t5;
                 c[30] = lit(-2.5) * t33;
-                c[31] = lit(-5.0) * omega_bar_1 * t22;
+                c[31] = lit(-5.0) * bar_1_omega * t22;
                 c[32] = t40;
                 c[33] = lit(2.3333333333333335);
                 c[34] = lit(-1.5) * t36;
                 c[35] = t19 * t34;
                 c[36] = lit(1.5) * t35;
                 c[37] = lit(-0.5) * t39;
-                c[38] = omega_bar_4 * t37;
+                c[38] = bar_4_omega * t37;
                 c[39] = lit(0.5) * t38;
                 c[40] = lit(-1.5) * t41;
-                c[41] = lit(-3.0) * omega_bar_0 * t9;
+                c[41] = lit(-3.0) * bar_0_omega * t9;
                 c[42] = lit(-1.5) * t42;
-                c[43] = lit(-3.0) * omega_bar_1 * t25;
+                c[43] = lit(-3.0) * bar_1_omega * t25;
                 c[44] = lit(-1.5) * t43;
-                c[45] = lit(-3.0) * omega_bar_2 * t34;
+                c[45] = lit(-3.0) * bar_2_omega * t34;
                 c[46] =
-                    lit(1.5).mul_add(t41 + t42 + t43, lit(-14.715).mul_add(sin_theta_bar_3, lit(0.5) * t46));
+                    lit(1.5).mul_add(t41 + t42 + t43, lit(-14.715).mul_add(sin_bar_3_angle, lit(0.5) * t46));
                 c[47] = lit(1.3333333333333333);
                 c[48] = lit(-0.5) * t46;
-                c[49] = omega_bar_4 * t44;
+                c[49] = bar_4_omega * t44;
                 c[50] = lit(0.5) * t45;
                 c[51] = lit(-0.5) * t47;
-                c[52] = -(omega_bar_0 * t13);
+                c[52] = -(bar_0_omega * t13);
                 c[53] = lit(-0.5) * t48;
-                c[54] = -(omega_bar_1 * t28);
+                c[54] = -(bar_1_omega * t28);
                 c[55] = lit(-0.5) * t49;
-                c[56] = -(omega_bar_2 * t37);
+                c[56] = -(bar_2_omega * t37);
                 c[57] = lit(-0.5) * t50;
-                c[58] = -(omega_bar_3 * t44);
-                c[59] = lit(-4.905).mul_add(sin_theta_bar_4, lit(0.5) * (t47 + t48 + t49 + t50));
+                c[58] = -(bar_3_omega * t44);
+                c[59] = lit(-4.905).mul_add(sin_bar_4_angle, lit(0.5) * (t47 + t48 + t49 + t50));
                 c[60] = lit(0.3333333333333333);
             }
         }
@@ -1723,9 +1735,11 @@ mod plm_chain_ {
                 const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
                     Term { coefficient, row, column, entry, part }
                 }
+
                 const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
                     Pivot { row, entry, below, right, targets }
                 }
+
                 const fn b(row: u32, entry: u32, across: u32) -> Below {
                     Below { row, entry, across }
                 }

@@ -929,35 +929,32 @@ mod plm_double_pendulum_ {
                 x[3] = v[5];
             }
         }
+
         impl<S: Scalar> DoublePendulum<S> {
             /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
             ///
             /// 8 add, 21 mul, 2 sin_cos.
             fn linearised(&self, t: S, u: &Input<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 11]) {
+                let [_, _, acceleration_2, acceleration, ..] = *dx;
+                let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Derivatives of M a - Q and of the rates of the states
-                let theta_arm = x[0];
-                let theta_forearm = x[1];
-                let ([sin_theta_arm, sin_theta_forearm], [cos_theta_arm, cos_theta_forearm]) =
-                    S::sin_cos_all([theta_arm, theta_forearm]);
-                let omega_forearm = x[3];
-                let t1 = sin_theta_arm.mul_add(sin_theta_forearm, cos_theta_arm * cos_theta_forearm);
-                let t2 = (-cos_theta_arm).mul_add(sin_theta_forearm, sin_theta_arm * cos_theta_forearm);
-                let acceleration = dx[3];
-                let t3 = (-t2).mul_add(acceleration, omega_forearm * omega_forearm * t1);
-                let omega_arm = x[2];
-                let acceleration_2 = dx[2];
-                let t4 = t2.mul_add(acceleration_2, omega_arm * omega_arm * t1);
+                let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
+                    S::sin_cos_all([arm_angle, forearm_angle]);
+                let t1 = sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                let t2 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
+                let t3 = (-t2).mul_add(acceleration, forearm_omega * forearm_omega * t1);
+                let t4 = t2.mul_add(acceleration_2, arm_omega * arm_omega * t1);
                 // Results
-                c[0] = lit(-147.15).mul_add(sin_theta_arm, lit(10.0) * t3);
+                c[0] = lit(-147.15).mul_add(sin_arm_angle, lit(10.0) * t3);
                 c[1] = lit(19.09859317102744);
                 c[2] = lit(12.51);
                 c[3] = lit(-10.0) * t3;
-                c[4] = (lit(20.0) * omega_forearm).mul_add(t2, lit(-9.54929658551372));
+                c[4] = (lit(20.0) * forearm_omega).mul_add(t2, lit(-9.54929658551372));
                 c[5] = lit(10.0) * t1;
                 c[6] = lit(-10.0) * t4;
-                c[7] = (-(lit(20.0) * omega_arm)).mul_add(t2, lit(-9.54929658551372));
-                c[8] = lit(-98.1).mul_add(sin_theta_forearm, lit(10.0) * t4);
+                c[7] = (-(lit(20.0) * arm_omega)).mul_add(t2, lit(-9.54929658551372));
+                c[8] = lit(-98.1).mul_add(sin_forearm_angle, lit(10.0) * t4);
                 c[9] = lit(9.54929658551372);
                 c[10] = lit(10.01);
             }
@@ -976,9 +973,11 @@ mod plm_double_pendulum_ {
                 const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
                     Term { coefficient, row, column, entry, part }
                 }
+
                 const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
                     Pivot { row, entry, below, right, targets }
                 }
+
                 const fn b(row: u32, entry: u32, across: u32) -> Below {
                     Below { row, entry, across }
                 }

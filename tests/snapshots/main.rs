@@ -111,6 +111,7 @@ fn bits<M: Mechanism<S = f64>, O: IntoIterator<Item = f64>>(
 }
 
 #[test]
+#[allow(clippy::redundant_closure_for_method_calls, reason = "the method's own path is longer than the call")]
 fn first_steps_have_the_bits_that_they_had() {
     let found = [
         bits("arm_on_jack", arm_on_jack::ArmOnJack::new(), |state| state.outputs()),
