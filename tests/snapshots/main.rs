@@ -50,9 +50,9 @@ fn emitted(name: &str) -> String {
     let declaration = fs::read_to_string(folder().join(name).with_extension("plm")).unwrap();
     sources.add_text(name, &declaration);
     let expansion = compile(&mut sources);
-    for diagnostic in expansion.diagnostics.sorted() {
-        panic!("{}", diagnostic.render(&sources));
-    }
+    let messages: Vec<String> =
+        expansion.diagnostics.sorted().iter().map(|diagnostic| diagnostic.render(&sources)).collect();
+    assert!(messages.is_empty(), "{}", messages.join("\n"));
     formatted(&expansion.code.unwrap().text())
 }
 
