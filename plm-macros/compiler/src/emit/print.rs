@@ -78,8 +78,8 @@ impl Printer<'_> {
                 (TokenTree::Punct(mark), next) => {
                     self.mark(mark.as_char(), mark.spacing());
                     if is_block && matches!(mark.as_char(), ';' | ',') && self.angles == 0 {
-                        let is_constant =
-                            self.text.lines().last().is_some_and(|line| line.contains("const "));
+                        let line = self.text.rsplit('\n').next();
+                        let is_constant = line.is_some_and(|line| line.contains("const "));
                         self.line();
                         let begins = next.is_some_and(begins_function);
                         if mark.as_char() == ';' && begins && !is_constant {

@@ -10,7 +10,7 @@ fn is_among(words: &str, word: &str) -> bool {
 /// Words that cannot be identifiers in Rust 2024 without `r#`.
 const KEYWORDS: &str = "abstract as async await become box break const continue do dyn else enum extern false final fn for \
     gen if impl in let loop macro match mod move mut override priv pub ref return static struct trait \
-    true try type typeof unsafe unsized use virtual where while yield";
+    true try type typeof unsized use virtual where while yield unsafe";
 /// Words that not even `r#` makes an identifier.
 const PATHS: &str = "crate self super Self _";
 
