@@ -118,7 +118,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let mut report = Report::new(&scene, &program);
     report.add_start(&scene, &start, program.reduced());
 
-    let code = emit::emit(&model, &equations, &program.absolute, program.reduced(), (&report, place));
+    let code = emit::emit(&model, &equations, &program, &report, place);
     let oracle = Oracle { graph: RefCell::default(), model, equations, program };
     Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
 }
@@ -146,7 +146,7 @@ fn stand_in(reading: &Reading, place: Place) -> Option<Code> {
         let reduced = reduce(&Scene::declared(&model, &equations, &absolute), None);
         let program = Program { absolute, reduced };
         let report = Report::new(&Scene::declared(&model, &equations, &program.absolute), &program);
-        Some(emit::emit(&model, &equations, &program.absolute, program.reduced(), (&report, place)))
+        Some(emit::emit(&model, &equations, &program, &report, place))
     };
     Graph::new().enter(unchecked)
 }

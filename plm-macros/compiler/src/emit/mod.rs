@@ -23,7 +23,7 @@ use self::fields::Fields;
 pub(crate) use self::fields::METHODS;
 pub(crate) use self::lower::names;
 use crate::derive::Equations;
-use crate::formulate::{Absolute, Chart, Function, Reduced};
+use crate::formulate::{Absolute, Chart, Function, Program, Reduced};
 use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
@@ -74,14 +74,15 @@ struct Sizes {
     full: Literal,
 }
 
-/// Emits a mechanism on rung 5, or on the one above that is given.
+/// Emits a mechanism; `place` tells where rustc has the names of the declaration.
 pub(crate) fn emit(
     model: &Model,
     equations: &Equations,
-    program: &Absolute,
-    reduced: Option<&Reduced>,
-    (report, place): (&Report, Place),
+    program: &Program,
+    report: &Report,
+    place: Place,
 ) -> Code {
+    let reduced = program.reduced();
     let form = match reduced.and_then(|reduced| Some((reduced, reduced.first()?))) {
         None => Form::Absolute,
         Some((reduced, _)) if reduced.has_loops() => Form::Loops(reduced),
@@ -91,7 +92,7 @@ pub(crate) fn emit(
     let emission = Emission {
         model,
         equations,
-        program,
+        program: &program.absolute,
         form,
         report,
         name: names::token(names::free(&shown), span),

@@ -57,7 +57,7 @@ pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced,
         let start = start.filter(|start| start.is_closed())?;
         let mut values = scene.moving(&start.q, &start.v);
         add_sides(model, &mut values);
-        Some(Assembled { freedom: freedom(scene, start), values })
+        Some(Assembled { length, freedom: freedom(scene, start), values })
     };
     // With other values of the parameters, dimensions do not make rows say what others say.
     let freedom_elsewhere = || {

@@ -162,7 +162,7 @@ fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    Known { length, assembled, freedom_elsewhere }: Known,
+    Known { assembled, freedom_elsewhere, .. }: Known,
 ) -> Result<Vec<Scheme>, String> {
     let counted = charts::schemes(model, coordinates);
     if coordinates.is_tree() {
@@ -192,7 +192,7 @@ fn schemes(
     {
         return Ok(counted);
     }
-    charts::redundant::schemes(model, equations, coordinates, (length, assembled)).ok_or(reason)
+    charts::redundant::schemes(model, equations, coordinates, assembled).ok_or(reason)
 }
 
 /// The body or part of a coordinate's name.

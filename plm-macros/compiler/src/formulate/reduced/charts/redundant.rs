@@ -27,6 +27,8 @@ const LEAST: f64 = 1e-12;
 /// The start with the defaults of the parameters, where structure alone cannot decide.
 #[derive(Debug)]
 pub(crate) struct Assembled {
+    /// The size of the scene, m.
+    pub(crate) length: f64,
     /// Coordinates less the rank of `phi_q` at regular poses next to the start.
     pub(crate) freedom: usize,
     /// Values of all symbols, pose and velocity included.
@@ -49,7 +51,7 @@ pub(crate) fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    (length, assembled): (f64, &Assembled),
+    assembled: &Assembled,
 ) -> Option<Vec<Scheme>> {
     let all = charts::equations(coordinates);
     let rows: usize = all.iter().map(|equation| equation.rows).sum();
@@ -72,7 +74,7 @@ pub(crate) fn schemes(
         let mut closing: Vec<Scheme> = Vec::new();
         let mut measure: f64 = 0.0;
         for scheme in schemes {
-            if let Some(own) = closes(model, equations, coordinates, &scheme, (length, assembled)) {
+            if let Some(own) = closes(model, equations, coordinates, &scheme, assembled) {
                 closing.push(scheme);
                 measure = measure.max(own);
             }
@@ -91,8 +93,9 @@ fn closes(
     equations: &Equations,
     coordinates: &Coordinates,
     scheme: &Scheme,
-    (length, assembled): (f64, &Assembled),
+    assembled: &Assembled,
 ) -> Option<f64> {
+    let Assembled { length, .. } = *assembled;
     let iterated: Vec<usize> = scheme.iterated().collect();
     let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated);
     let size = Expr::from(plm_cas::Number::from_f64(length));
