@@ -1435,6 +1435,7 @@ mod plm_arm_on_jack_ {
         }
 
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented;
 

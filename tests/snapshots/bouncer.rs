@@ -869,6 +869,7 @@ mod plm_bouncer_ {
         }
 
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented;
 

@@ -1723,6 +1723,7 @@ mod plm_chain_ {
         }
 
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented;
 

@@ -961,6 +961,7 @@ mod plm_double_pendulum_ {
         }
 
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented;
 

@@ -96,6 +96,7 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
         impl<S: Scalar> #name<S> { #linearised }
 
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented;
 
