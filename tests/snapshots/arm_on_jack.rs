@@ -868,31 +868,21 @@ mod plm_arm_on_jack_ {
             #[cold]
             fn equations(&self, t: S, u: &Self::U, x: &[S; 14], lambda: &[S; 2], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
-                let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
-                let [
-                    arm_x,
-                    arm_y,
-                    arm_angle,
-                    arm_vx,
-                    arm_vy,
-                    arm_omega,
-                    press_chamber1_pressure,
-                    press_chamber2_pressure,
-                    line1_flow,
-                    line1_inlet_pressure,
-                    line2_flow,
-                    line2_inlet_pressure,
-                    valve_servo_value,
-                    valve_servo_swing,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
+                let arm_x = x[0];
+                let arm_angle = x[2];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                 let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let arm_y = x[1];
                 let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
+                let press_chamber1_pressure = x[6];
+                let press_chamber2_pressure = x[7];
+                let arm_vx = x[3];
+                let arm_omega = x[5];
                 let t5 = lit(0.5) * arm_omega;
+                let arm_vy = x[4];
                 let t6 = t2
                     .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
                     * t4;
@@ -922,6 +912,7 @@ mod plm_arm_on_jack_ {
                 let t13 = gas * t12;
                 let t14 = lit(1.0) - gas;
                 let t15 = lit(-5.88235294117647e-10) * t14;
+                let line1_flow = x[8];
                 let t16 = lit(-101325.0).mul_add(t13, -t14)
                     * lit(-0.001963495408493621).mul_add(t6, line1_flow)
                     / (lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
@@ -929,17 +920,20 @@ mod plm_arm_on_jack_ {
                 x_dot[0] = t16;
                 let t17 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t18 = gas * t17;
+                let line2_flow = x[10];
                 let t19 = lit(-101325.0).mul_add(t18, -t14)
                     * lit(0.0012566370614359172).mul_add(t6, line2_flow)
                     / (lit(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
                         * (-(lit(101325.0) * t17)).mul_add(t18, t15));
                 x_dot[1] = t19;
+                let line1_inlet_pressure = x[9];
                 x_dot[2] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
                 let t20 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t21 = gas * t20;
                 let rated_drop = self.rated_drop;
+                let valve_servo_value = x[12];
                 let t22 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t23 = lit(0.0).max(t22);
                 let t24 = line1_inlet_pressure - lit(3000000.0);
@@ -956,6 +950,7 @@ mod plm_arm_on_jack_ {
                     * (line1_flow + lit(0.0003333333333333333) * t31 / rated_drop)
                     / (-(lit(101325.0) * t20)).mul_add(t21, t15);
                 x_dot[3] = t32;
+                let line2_inlet_pressure = x[11];
                 x_dot[4] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
@@ -972,7 +967,12 @@ mod plm_arm_on_jack_ {
                     * (line2_flow + lit(0.0003333333333333333) * t39 / rated_drop)
                     / (-(lit(101325.0) * t33)).mul_add(t34, t15);
                 x_dot[5] = t40;
+                let valve_servo_swing = x[13];
                 x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
+                let side_7 = u.sides[7];
+                let side_6 = u.sides[6];
+                let side_5 = u.sides[5];
+                let side_4 = u.sides[4];
                 let t41 = S::select(
                     side_6.lt(lit(0.0)),
                     lit(2.0).mul_add(t, lit(-1.0)),
@@ -1019,27 +1019,17 @@ mod plm_arm_on_jack_ {
             /// 54 add, 89 mul, 16 div, 1 neg, 9 sqrt, 1 sin_cos, 22 select.
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
-                let [_, _, _, _, side_4, side_5, side_6, side_7, ..] = u.sides;
-                let [
-                    arm_angle,
-                    arm_omega,
-                    press_chamber1_pressure,
-                    press_chamber2_pressure,
-                    line1_flow,
-                    line1_inlet_pressure,
-                    line2_flow,
-                    line2_inlet_pressure,
-                    valve_servo_value,
-                    valve_servo_swing,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
+                let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                 let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
                 let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = lit(1.0) / t3;
+                let press_chamber1_pressure = x[2];
+                let press_chamber2_pressure = x[3];
+                let arm_omega = x[1];
                 let t5 = arm_omega * sin_arm_angle;
                 let t6 = arm_omega * cos_arm_angle;
                 let t7 = (-t2)
@@ -1075,6 +1065,7 @@ mod plm_arm_on_jack_ {
                 let t15 = gas * t14;
                 let t16 = lit(1.0) - gas;
                 let t17 = lit(-5.88235294117647e-10) * t16;
+                let line1_flow = x[4];
                 let t18 = lit(-101325.0).mul_add(t15, -t16)
                     * lit(0.001963495408493621).mul_add(t8, line1_flow)
                     / ((-(lit(101325.0) * t14)).mul_add(t15, t17)
@@ -1082,17 +1073,20 @@ mod plm_arm_on_jack_ {
                 dx[2] = t18;
                 let t19 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t20 = gas * t19;
+                let line2_flow = x[6];
                 let t21 = lit(101325.0).mul_add(t20, t16)
                     * lit(-0.0012566370614359172).mul_add(t8, line2_flow)
                     / ((-(lit(101325.0) * t19)).mul_add(t20, t17)
                         * lit(0.0012566370614359172).mul_add(t3, lit(-0.0007662831250184729)));
                 dx[3] = t21;
+                let line1_inlet_pressure = x[5];
                 dx[4] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
                 let t22 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t23 = gas * t22;
                 let rated_drop = self.rated_drop;
+                let valve_servo_value = x[8];
                 let t24 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t25 = lit(0.0).max(t24);
                 let t26 = line1_inlet_pressure - lit(3000000.0);
@@ -1109,6 +1103,7 @@ mod plm_arm_on_jack_ {
                     * (line1_flow + lit(0.0003333333333333333) * t33 / rated_drop)
                     / (-(lit(101325.0) * t22)).mul_add(t23, t17);
                 dx[5] = t34;
+                let line2_inlet_pressure = x[7];
                 dx[6] = lit(-5.774986495569473e-7)
                     * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
@@ -1125,7 +1120,12 @@ mod plm_arm_on_jack_ {
                     * (line2_flow + lit(0.0003333333333333333) * t41 / rated_drop)
                     / (-(lit(101325.0) * t35)).mul_add(t36, t17);
                 dx[7] = t42;
+                let valve_servo_swing = x[9];
                 dx[8] = lit(125.66370614359172) * valve_servo_swing;
+                let side_7 = u.sides[7];
+                let side_6 = u.sides[6];
+                let side_5 = u.sides[5];
+                let side_4 = u.sides[4];
                 let t43 = S::select(
                     side_6.lt(lit(0.0)),
                     lit(2.0).mul_add(t, lit(-1.0)),
@@ -1169,26 +1169,22 @@ mod plm_arm_on_jack_ {
             ///
             /// 23 add, 25 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
-                let [side_0, side_1, side_2, side_3, ..] = u.sides;
-                let [
-                    arm_angle,
-                    arm_omega,
-                    press_chamber1_pressure,
-                    press_chamber2_pressure,
-                    _,
-                    line1_inlet_pressure,
-                    _,
-                    line2_inlet_pressure,
-                    valve_servo_value,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
+                let press_chamber1_pressure = x[2];
+                let side_0 = u.sides[0];
                 g[0] = (press_chamber1_pressure + lit(101325.0)) * side_0;
+                let press_chamber2_pressure = x[3];
+                let side_1 = u.sides[1];
                 g[1] = (press_chamber2_pressure + lit(101325.0)) * side_1;
+                let line1_inlet_pressure = x[5];
+                let side_2 = u.sides[2];
                 g[2] = (line1_inlet_pressure + lit(101325.0)) * side_2;
+                let line2_inlet_pressure = x[7];
+                let side_3 = u.sides[3];
                 g[3] = (line2_inlet_pressure + lit(101325.0)) * side_3;
                 g[4] = lit(-101324.0) - press_chamber1_pressure;
                 g[5] = lit(-101324.0) - press_chamber2_pressure;
+                let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                 let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
                 let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
@@ -1200,6 +1196,7 @@ mod plm_arm_on_jack_ {
                 let t6 = lit(0.0).max(t4);
                 let t7 = lit(1000000.0) * t6;
                 g[8] = lit(1.0) - t7;
+                let arm_omega = x[1];
                 let t8 = arm_omega * sin_arm_angle;
                 let t9 = arm_omega * cos_arm_angle;
                 let t10 = (-t2)
@@ -1212,6 +1209,7 @@ mod plm_arm_on_jack_ {
                 g[11] = (-t11).mul_add(lit(1.0).min(t13), lit(-100000000.0) * t12);
                 g[12] = lit(-101324.0) - line1_inlet_pressure;
                 g[13] = lit(-101324.0) - line2_inlet_pressure;
+                let valve_servo_value = x[8];
                 g[14] = lit(1.0) - valve_servo_value;
                 let t14 = lit(1.0).min(valve_servo_value);
                 g[15] = lit(-1.0) - t14;
@@ -1224,27 +1222,19 @@ mod plm_arm_on_jack_ {
             ///
             /// 81 add, 204 mul, 25 div, 4 neg, 9 sqrt, 1 sin_cos, 44 select.
             fn linearised(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 26]) {
-                let [
-                    arm_angle,
-                    arm_omega,
-                    press_chamber1_pressure,
-                    press_chamber2_pressure,
-                    line1_flow,
-                    line1_inlet_pressure,
-                    line2_flow,
-                    line2_inlet_pressure,
-                    valve_servo_value,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
                 // Derivatives of M a - Q and of the rates of the states
                 let g = self.g;
+                let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                 let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
                 let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1);
                 let t4 = t3.sqrt();
                 let t5 = lit(1.0) / t4;
+                let press_chamber1_pressure = x[2];
+                let press_chamber2_pressure = x[3];
+                let arm_omega = x[1];
                 let t6 = arm_omega * sin_arm_angle;
                 let t7 = lit(-0.8).mul_add(t6, lit(0.5) * t6);
                 let t8 = arm_omega * cos_arm_angle;
@@ -1318,6 +1308,7 @@ mod plm_arm_on_jack_ {
                 let t46 = lit(-5.88235294117647e-10) * t44;
                 let t47 = lit(1.0) / (-(lit(101325.0) * t42)).mul_add(t43, t46);
                 let t48 = lit(1.0) / lit(0.001963495408493621).mul_add(t4, lit(-0.00038196898986859654));
+                let line1_flow = x[4];
                 let t49 = lit(0.001963495408493621).mul_add(t11, line1_flow);
                 let t50 = t29 * t48;
                 let t51 = t45 * t47;
@@ -1330,12 +1321,14 @@ mod plm_arm_on_jack_ {
                 let t56 = lit(-101325.0).mul_add(t55, -t44);
                 let t57 = lit(1.0) / (-(lit(101325.0) * t54)).mul_add(t55, t46);
                 let t58 = lit(1.0) / lit(0.0012566370614359172).mul_add(t4, lit(-0.0007662831250184729));
+                let line2_flow = x[6];
                 let t59 = lit(-0.0012566370614359172).mul_add(t11, line2_flow);
                 let t60 = t29 * t58;
                 let t61 = t56 * t57;
                 let t62 = t59
                     * (S::select(t53.lt(lit(1.0)), lit(0.0), lit(1.0))
                         * (-(lit(202650.0) * t54)).mul_add(t61, lit(101325.0)));
+                let line1_inlet_pressure = x[5];
                 let t63 = line1_inlet_pressure + lit(101325.0);
                 let t64 = lit(1.0) / lit(1.0).max(t63);
                 let t65 = gas * t64;
@@ -1348,6 +1341,7 @@ mod plm_arm_on_jack_ {
                 let t71 = t70 * t69;
                 let t72 = lit(25000000.0) * (t69 * t69);
                 let t73 = t71.mul_add(t71, t72);
+                let valve_servo_value = x[8];
                 let t74 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t75 = lit(0.0).max(t74);
                 let t76 = lit(1.0) / t73.sqrt().sqrt();
@@ -1377,6 +1371,7 @@ mod plm_arm_on_jack_ {
                 let t91 = S::select(valve_servo_value.lt(lit(0.0)), lit(0.0), t90);
                 let t92 = S::select(t82.lt(lit(0.0)), lit(0.0), -t90);
                 let t93 = lit(0.6790610905254201) * t68 * (t69 * (t79 * t92).mul_add(t84, t70 * t91 * t76));
+                let line2_inlet_pressure = x[7];
                 let t94 = line2_inlet_pressure + lit(101325.0);
                 let t95 = lit(1.0) / lit(1.0).max(t94);
                 let t96 = gas * t95;

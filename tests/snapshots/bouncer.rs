@@ -548,6 +548,8 @@ mod plm_bouncer_ {
                     let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
                     let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
                     let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    // (phi_q W phi_q^T) mu = r
                     // Results
                     dq[0] = lit(0.0);
                     dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
@@ -861,6 +863,7 @@ mod plm_bouncer_ {
             fn linearised(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 3]) {
                 let [_, s_other, ..] = *x;
                 let lit = S::lit;
+                // Derivatives of M a - Q and of the rates of the states
                 // Results
                 c[0] = lit(2.0);
                 c[1] = -S::select(s_other.lt(lit(100.0)), lit(0.0), lit(-10.0));

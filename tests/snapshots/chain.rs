@@ -543,13 +543,12 @@ mod plm_chain_ {
             /// 10 mul, 5 sin_cos.
             #[cold]
             fn jacobian(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
+                let lit = S::lit;
+                phi_q[0] = lit(1.0);
                 let bar_0_angle = q[2];
                 let bar_1_angle = q[5];
                 let bar_2_angle = q[8];
                 let bar_3_angle = q[11];
-                let bar_4_angle = q[14];
-                let lit = S::lit;
-                phi_q[0] = lit(1.0);
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
@@ -592,6 +591,7 @@ mod plm_chain_ {
                 phi_q[28] = lit(-1.0);
                 phi_q[29] = t7;
                 phi_q[30] = lit(1.0);
+                let bar_4_angle = q[14];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                 phi_q[31] = lit(0.5) * sin_bar_4_angle;
                 phi_q[32] = lit(-1.0);
@@ -786,32 +786,18 @@ mod plm_chain_ {
                 dq: &mut [S; 15],
             ) -> rt::Health<S> {
                 rt::Health({
+                    let lit = S::lit;
+                    // phi_q W phi_q^T = L D L^T
+                    let w_0 = w[0];
                     let bar_0_angle = q[2];
                     let bar_1_angle = q[5];
                     let bar_2_angle = q[8];
                     let bar_3_angle = q[11];
-                    let bar_4_angle = q[14];
-                    let [
-                        residual_0,
-                        residual_1,
-                        residual_2,
-                        residual_3,
-                        residual_4,
-                        residual_5,
-                        residual_6,
-                        residual_7,
-                        residual_8,
-                        residual_9,
-                        ..,
-                    ] = *r;
-                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, w_12, w_13, w_14, ..] =
-                        *w;
-                    let lit = S::lit;
-                    // phi_q W phi_q^T = L D L^T
                     let (
                         [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                         [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                     ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
+                    let w_2 = w[2];
                     let y_0_2 = lit(0.5) * sin_bar_0_angle * w_2;
                     let t1 = lit(0.5) * (sin_bar_0_angle * y_0_2);
                     let d_0 = w_0 + t1;
@@ -823,6 +809,7 @@ mod plm_chain_ {
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
+                    let w_1 = w[1];
                     let t4 = cos_bar_0_angle * y_1_2;
                     let t5 = lit(-0.5).mul_add(t4, w_1);
                     let t6 = g_1_0 * l_1_0;
@@ -836,6 +823,8 @@ mod plm_chain_ {
                     let l_2_1 = g_2_1 * kept_1;
                     let g_3_1 = lit(-0.5).mul_add(t4, -w_1) - t6;
                     let l_3_1 = g_3_1 * kept_1;
+                    let w_3 = w[3];
+                    let w_5 = w[5];
                     let y_2_5 = lit(0.5) * sin_bar_1_angle * w_5;
                     let t8 = lit(0.5) * (sin_bar_1_angle * y_2_5);
                     let t9 = w_3 + t8;
@@ -853,6 +842,7 @@ mod plm_chain_ {
                     let l_4_2 = g_4_2 * kept_2;
                     let g_5_2 = lit(0.5) * t13;
                     let l_5_2 = g_5_2 * kept_2;
+                    let w_4 = w[4];
                     let t14 = cos_bar_1_angle * y_3_5;
                     let t15 = lit(-0.5).mul_add(t14, w_4);
                     let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
@@ -863,6 +853,8 @@ mod plm_chain_ {
                     let l_4_3 = kept_3 * g_4_3;
                     let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.5).mul_add(t14, -w_4));
                     let l_5_3 = kept_3 * g_5_3;
+                    let w_6 = w[6];
+                    let w_8 = w[8];
                     let y_4_8 = lit(0.5) * sin_bar_2_angle * w_8;
                     let t17 = lit(0.5) * (sin_bar_2_angle * y_4_8);
                     let t18 = w_6 + t17;
@@ -880,6 +872,7 @@ mod plm_chain_ {
                     let l_6_4 = g_6_4 * kept_4;
                     let g_7_4 = lit(0.5) * t22;
                     let l_7_4 = g_7_4 * kept_4;
+                    let w_7 = w[7];
                     let t23 = cos_bar_2_angle * y_5_8;
                     let t24 = lit(-0.5).mul_add(t23, w_7);
                     let t25 = t15 + t24;
@@ -892,6 +885,8 @@ mod plm_chain_ {
                     let l_6_5 = kept_5 * g_6_5;
                     let g_7_5 = (-g_5_4).mul_add(l_7_4, lit(-0.5).mul_add(t23, -w_7));
                     let l_7_5 = kept_5 * g_7_5;
+                    let w_9 = w[9];
+                    let w_11 = w[11];
                     let y_6_11 = lit(0.5) * sin_bar_3_angle * w_11;
                     let t27 = lit(0.5) * (sin_bar_3_angle * y_6_11);
                     let t28 = w_9 + t27;
@@ -909,6 +904,7 @@ mod plm_chain_ {
                     let l_8_6 = g_8_6 * kept_6;
                     let g_9_6 = lit(0.5) * t32;
                     let l_9_6 = g_9_6 * kept_6;
+                    let w_10 = w[10];
                     let t33 = cos_bar_3_angle * y_7_11;
                     let t34 = lit(-0.5).mul_add(t33, w_10);
                     let t35 = t24 + t34;
@@ -921,7 +917,10 @@ mod plm_chain_ {
                     let l_8_7 = kept_7 * g_8_7;
                     let g_9_7 = (-g_7_6).mul_add(l_9_6, lit(-0.5).mul_add(t33, -w_10));
                     let l_9_7 = kept_7 * g_9_7;
+                    let w_12 = w[12];
+                    let bar_4_angle = q[14];
                     let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
+                    let w_14 = w[14];
                     let t37 = lit(0.5) * sin_bar_4_angle;
                     let y_8_14 = t37 * w_14;
                     let t38 = t37.mul_add(y_8_14, w_12) + t28;
@@ -935,21 +934,32 @@ mod plm_chain_ {
                         (-g_8_6).mul_add(l_9_6, lit(0.5) * sin_bar_4_angle.mul_add(y_9_14, t32)),
                     );
                     let l_9_8 = kept_8 * g_9_8;
+                    let w_13 = w[13];
                     let t40 = (-(lit(0.5) * cos_bar_4_angle)).mul_add(y_9_14, w_13) + t34;
                     let r_9 = lit(1.0)
                         / (-g_9_8).mul_add(l_9_8, (-g_9_7).mul_add(l_9_7, (-g_9_6).mul_add(l_9_6, t40)));
                     let growth_9 = (t40 * r_9).abs();
                     let t41 = most_growth.lt(growth_9);
                     // (phi_q W phi_q^T) mu = r
+                    let residual_0 = r[0];
+                    let residual_1 = r[1];
                     let t42 = residual_0 * l_1_0;
                     let b_1 = residual_1 - t42;
+                    let residual_2 = r[2];
                     let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let residual_3 = r[3];
                     let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t42));
+                    let residual_4 = r[4];
                     let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let residual_5 = r[5];
                     let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
+                    let residual_6 = r[6];
                     let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
+                    let residual_7 = r[7];
                     let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
+                    let residual_8 = r[8];
                     let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, residual_8));
+                    let residual_9 = r[9];
                     let mu_9 = S::select(t41, lit(0.0), r_9)
                         * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, residual_9)));
                     let mu_8 = (-l_9_8).mul_add(mu_9, kept_8 * b_8);
@@ -1291,21 +1301,12 @@ mod plm_chain_ {
             /// 81 add, 144 mul, 4 div, 5 sin_cos.
             #[inline(always)]
             fn motion(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &mut [S; 10]) {
-                let [
-                    bar_0_angle,
-                    bar_1_angle,
-                    bar_2_angle,
-                    bar_3_angle,
-                    bar_4_angle,
-                    bar_0_omega,
-                    bar_1_omega,
-                    bar_2_omega,
-                    bar_3_omega,
-                    bar_4_omega,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
+                let bar_0_angle = x[0];
+                let bar_1_angle = x[1];
+                let bar_2_angle = x[2];
+                let bar_3_angle = x[3];
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
@@ -1316,15 +1317,21 @@ mod plm_chain_ {
                     lit(2.5) * sin_bar_0_angle.mul_add(sin_bar_2_angle, cos_bar_0_angle * cos_bar_2_angle);
                 let m_3_0 =
                     lit(1.5) * sin_bar_0_angle.mul_add(sin_bar_3_angle, cos_bar_0_angle * cos_bar_3_angle);
+                let bar_4_angle = x[4];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                 let m_4_0 =
                     lit(0.5) * sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
+                let bar_0_omega = x[5];
+                let bar_1_omega = x[6];
                 let t1 = bar_1_omega * bar_1_omega;
                 let t2 = (-cos_bar_0_angle).mul_add(sin_bar_1_angle, sin_bar_0_angle * cos_bar_1_angle);
+                let bar_2_omega = x[7];
                 let t3 = bar_2_omega * bar_2_omega;
                 let t4 = (-cos_bar_0_angle).mul_add(sin_bar_2_angle, sin_bar_0_angle * cos_bar_2_angle);
+                let bar_3_omega = x[8];
                 let t5 = bar_3_omega * bar_3_omega;
                 let t6 = (-cos_bar_0_angle).mul_add(sin_bar_3_angle, sin_bar_0_angle * cos_bar_3_angle);
+                let bar_4_omega = x[9];
                 let t7 = (-cos_bar_0_angle).mul_add(sin_bar_4_angle, sin_bar_0_angle * cos_bar_4_angle);
                 let t8 = lit(2.5) * t3;
                 let t9 = (-t8).mul_add(
@@ -1463,20 +1470,11 @@ mod plm_chain_ {
             /// 32 add, 30 mul, 5 sin_cos.
             #[inline]
             fn place(&self, t: S, u: &Input<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
-                let [
-                    bar_0_angle,
-                    bar_1_angle,
-                    bar_2_angle,
-                    bar_3_angle,
-                    bar_4_angle,
-                    bar_0_omega,
-                    bar_1_omega,
-                    bar_2_omega,
-                    bar_3_omega,
-                    bar_4_omega,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
+                let bar_0_angle = x[0];
+                let bar_1_angle = x[1];
+                let bar_2_angle = x[2];
+                let bar_3_angle = x[3];
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
@@ -1501,10 +1499,12 @@ mod plm_chain_ {
                 let bar_3_y = lit(0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_2_y);
                 q[10] = bar_3_y;
                 q[11] = bar_3_angle;
+                let bar_4_angle = x[4];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                 q[12] = lit(0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_3_x);
                 q[13] = lit(0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_3_y);
                 q[14] = bar_4_angle;
+                let bar_0_omega = x[5];
                 let t1 = bar_0_omega * sin_bar_0_angle;
                 let bar_0_vx = lit(-0.5) * t1;
                 v[0] = bar_0_vx;
@@ -1512,6 +1512,7 @@ mod plm_chain_ {
                 let bar_0_vy = lit(0.5) * t2;
                 v[1] = bar_0_vy;
                 v[2] = bar_0_omega;
+                let bar_1_omega = x[6];
                 let t3 = bar_1_omega * sin_bar_1_angle;
                 let bar_1_vx = lit(-0.5).mul_add(t1 + t3, bar_0_vx);
                 v[3] = bar_1_vx;
@@ -1519,6 +1520,7 @@ mod plm_chain_ {
                 let bar_1_vy = lit(0.5).mul_add(t2 + t4, bar_0_vy);
                 v[4] = bar_1_vy;
                 v[5] = bar_1_omega;
+                let bar_2_omega = x[7];
                 let t5 = bar_2_omega * sin_bar_2_angle;
                 let bar_2_vx = lit(-0.5).mul_add(t3 + t5, bar_1_vx);
                 v[6] = bar_2_vx;
@@ -1526,6 +1528,7 @@ mod plm_chain_ {
                 let bar_2_vy = lit(0.5).mul_add(t4 + t6, bar_1_vy);
                 v[7] = bar_2_vy;
                 v[8] = bar_2_omega;
+                let bar_3_omega = x[8];
                 let t7 = bar_3_omega * sin_bar_3_angle;
                 let bar_3_vx = lit(-0.5).mul_add(t5 + t7, bar_2_vx);
                 v[9] = bar_3_vx;
@@ -1533,6 +1536,7 @@ mod plm_chain_ {
                 let bar_3_vy = lit(0.5).mul_add(t6 + t8, bar_2_vy);
                 v[10] = bar_3_vy;
                 v[11] = bar_3_omega;
+                let bar_4_omega = x[9];
                 v[12] = lit(-0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_3_vx);
                 v[13] = lit(0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_3_vy);
                 v[14] = bar_4_omega;
@@ -1558,52 +1562,39 @@ mod plm_chain_ {
             ///
             /// 60 add, 163 mul, 4 neg, 5 sin_cos.
             fn linearised(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 61]) {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    acceleration_5,
-                    acceleration,
-                    acceleration_2,
-                    acceleration_3,
-                    acceleration_4,
-                    ..,
-                ] = *dx;
-                let [
-                    bar_0_angle,
-                    bar_1_angle,
-                    bar_2_angle,
-                    bar_3_angle,
-                    bar_4_angle,
-                    bar_0_omega,
-                    bar_1_omega,
-                    bar_2_omega,
-                    bar_3_omega,
-                    bar_4_omega,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
                 // Derivatives of M a - Q and of the rates of the states
+                let bar_0_angle = x[0];
+                let bar_1_angle = x[1];
+                let bar_2_angle = x[2];
+                let bar_3_angle = x[3];
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
                 let t1 = (-cos_bar_0_angle).mul_add(sin_bar_1_angle, sin_bar_0_angle * cos_bar_1_angle);
+                let acceleration = dx[6];
+                let bar_1_omega = x[6];
                 let t2 = bar_1_omega * bar_1_omega;
                 let t3 = sin_bar_0_angle.mul_add(sin_bar_1_angle, cos_bar_0_angle * cos_bar_1_angle);
                 let t4 = (-t1).mul_add(acceleration, t2 * t3);
                 let t5 = (-cos_bar_0_angle).mul_add(sin_bar_2_angle, sin_bar_0_angle * cos_bar_2_angle);
+                let acceleration_2 = dx[7];
+                let bar_2_omega = x[7];
                 let t6 = bar_2_omega * bar_2_omega;
                 let t7 = sin_bar_0_angle.mul_add(sin_bar_2_angle, cos_bar_0_angle * cos_bar_2_angle);
                 let t8 = (-t5).mul_add(acceleration_2, t6 * t7);
                 let t9 = (-cos_bar_0_angle).mul_add(sin_bar_3_angle, sin_bar_0_angle * cos_bar_3_angle);
+                let acceleration_3 = dx[8];
+                let bar_3_omega = x[8];
                 let t10 = bar_3_omega * bar_3_omega;
                 let t11 = sin_bar_0_angle.mul_add(sin_bar_3_angle, cos_bar_0_angle * cos_bar_3_angle);
                 let t12 = (-t9).mul_add(acceleration_3, t10 * t11);
+                let bar_4_angle = x[4];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                 let t13 = (-cos_bar_0_angle).mul_add(sin_bar_4_angle, sin_bar_0_angle * cos_bar_4_angle);
+                let acceleration_4 = dx[9];
+                let bar_4_omega = x[9];
                 let t14 = bar_4_omega * bar_4_omega;
                 let t15 = sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
                 let t16 = (-t13).mul_add(acceleration_4, t14 * t15);
@@ -1616,6 +1607,8 @@ mod plm_chain_ {
                 );
                 let t18 = lit(5.0) * bar_2_omega;
                 let t19 = lit(3.0) * bar_3_omega;
+                let acceleration_5 = dx[5];
+                let bar_0_omega = x[5];
                 let t20 = bar_0_omega * bar_0_omega;
                 let t21 = t20.mul_add(t3, t1 * acceleration_5);
                 let t22 = (-cos_bar_1_angle).mul_add(sin_bar_2_angle, sin_bar_1_angle * cos_bar_2_angle);

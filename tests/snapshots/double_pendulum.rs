@@ -509,12 +509,12 @@ mod plm_double_pendulum_ {
             /// 36 add, 55 mul, 5 div, 1 neg, 2 sin_cos, 14 select.
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
                 rt::Health({
-                    let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
-                    let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
-                    let [w_0, w_1, w_2, w_3, w_4, w_5, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
+                    let w_0 = w[0];
+                    let arm_angle = q[2];
                     let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
+                    let w_2 = w[2];
                     let y_0_2 = lit(0.5) * sin_arm_angle * w_2;
                     let t1 = lit(0.5) * (sin_arm_angle * y_0_2);
                     let d_0 = w_0 + t1;
@@ -525,6 +525,7 @@ mod plm_double_pendulum_ {
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
+                    let w_1 = w[1];
                     let t3 = cos_arm_angle * y_1_2;
                     let t4 = lit(-0.5).mul_add(t3, w_1);
                     let t5 = g_1_0 * l_1_0;
@@ -538,7 +539,10 @@ mod plm_double_pendulum_ {
                     let l_2_1 = g_2_1 * kept_1;
                     let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
                     let l_3_1 = g_3_1 * kept_1;
+                    let w_3 = w[3];
+                    let forearm_angle = q[5];
                     let (sin_forearm_angle, cos_forearm_angle) = forearm_angle.sin_cos();
+                    let w_5 = w[5];
                     let y_2_5 = sin_forearm_angle * w_5;
                     let t7 = sin_forearm_angle.mul_add(y_2_5, w_3) + d_0;
                     let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
@@ -549,14 +553,19 @@ mod plm_double_pendulum_ {
                     let g_3_2 = (-g_2_1)
                         .mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, sin_forearm_angle.mul_add(y_3_5, g_1_0)));
                     let l_3_2 = kept_2 * g_3_2;
+                    let w_4 = w[4];
                     let t9 = (-cos_forearm_angle).mul_add(y_3_5, w_4);
                     let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
                     let growth_3 = (r_3 * (t4 + t9)).abs();
                     let t10 = most_growth.lt(growth_3);
                     // (phi_q W phi_q^T) mu = r
+                    let residual_0 = r[0];
+                    let residual_1 = r[1];
                     let t11 = residual_0 * l_1_0;
                     let b_1 = residual_1 - t11;
+                    let residual_2 = r[2];
                     let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let residual_3 = r[3];
                     let mu_3 = S::select(t10, lit(0.0), r_3)
                         * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
                     let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);

@@ -737,25 +737,17 @@ mod plm_driven_crank_ {
             /// 85 add, 124 mul, 10 div, 4 neg, 2 sin_cos, 24 select.
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 9], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health({
-                    let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
-                    let [
-                        residual_0,
-                        residual_1,
-                        residual_2,
-                        residual_3,
-                        residual_4,
-                        residual_5,
-                        residual_6,
-                        residual_7,
-                        residual_8,
-                        ..,
-                    ] = *r;
-                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
+                    let w_8 = w[8];
+                    let w_7 = w[7];
                     let r_6 = lit(1.0) / w_7;
                     let l_5_6 = -(w_7 * r_6);
+                    let w_6 = w[6];
+                    let w_3 = w[3];
+                    let rod_angle = q[5];
                     let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
+                    let w_5 = w[5];
                     let y_2_5 = lit(0.3) * sin_rod_angle * w_5;
                     let t1 = lit(0.3) * (sin_rod_angle * y_2_5);
                     let t2 = w_3 + t1;
@@ -768,6 +760,7 @@ mod plm_driven_crank_ {
                     let y_3_5 = t3 * w_5;
                     let g_5_4 = lit(0.3) * (sin_rod_angle * y_3_5);
                     let l_5_4 = g_5_4 * r_4;
+                    let w_4 = w[4];
                     let t4 = cos_rod_angle * y_3_5;
                     let t5 = lit(-0.3).mul_add(t4, w_4);
                     let t6 = w_7 + t5;
@@ -780,7 +773,10 @@ mod plm_driven_crank_ {
                     let l_2_5 = kept_5 * g_2_5;
                     let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-0.3).mul_add(t4, -w_4));
                     let l_3_5 = kept_5 * g_3_5;
+                    let w_0 = w[0];
+                    let crank_angle = q[2];
                     let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                    let w_2 = w[2];
                     let y_0_2 = lit(0.1) * (sin_crank_angle * w_2);
                     let t8 = lit(0.1) * (sin_crank_angle * y_0_2);
                     let d_0 = w_0 + t8;
@@ -792,6 +788,7 @@ mod plm_driven_crank_ {
                     let g_2_0 = t8 - w_0;
                     let l_2_0 = r_0 * g_2_0;
                     let l_8_0 = y_0_2 * r_0;
+                    let w_1 = w[1];
                     let t10 = cos_crank_angle * y_1_2;
                     let t11 = lit(-0.1).mul_add(t10, w_1);
                     let t12 = g_1_0 * l_1_0;
@@ -842,9 +839,16 @@ mod plm_driven_crank_ {
                     let growth_8 = (w_2 * r_8).abs();
                     let t18 = most_growth.lt(growth_8);
                     // (phi_q W phi_q^T) mu = r
+                    let residual_7 = r[7];
+                    let residual_6 = r[6];
+                    let residual_4 = r[4];
+                    let residual_5 = r[5];
                     let b_5 = (-residual_4).mul_add(l_5_4, (-residual_6).mul_add(l_5_6, residual_5));
+                    let residual_0 = r[0];
+                    let residual_1 = r[1];
                     let t19 = residual_0 * l_1_0;
                     let b_1 = residual_1 - t19;
+                    let residual_2 = r[2];
                     let b_2 = (-b_1).mul_add(
                         l_2_1,
                         (-l_2_5).mul_add(
@@ -852,6 +856,7 @@ mod plm_driven_crank_ {
                             (-residual_4).mul_add(l_2_4, (-residual_0).mul_add(l_2_0, residual_2)),
                         ),
                     );
+                    let residual_3 = r[3];
                     let b_3 = (-l_3_2).mul_add(
                         b_2,
                         (-b_1).mul_add(
@@ -859,6 +864,7 @@ mod plm_driven_crank_ {
                             (-l_3_5).mul_add(b_5, (-residual_4).mul_add(l_3_4, residual_3 - t19)),
                         ),
                     );
+                    let residual_8 = r[8];
                     let b_8 = (-l_8_3).mul_add(
                         b_3,
                         (-l_8_2)
@@ -1181,13 +1187,11 @@ mod plm_driven_crank_ {
             /// 89 add, 125 mul, 8 div, 4 neg, 3 sin_cos, 24 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 9]) -> S {
-                let crank_angle = x[2];
-                let rod_angle = x[5];
-                let crank_omega = x[11];
-                let rod_omega = x[14];
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
+                let crank_angle = x[2];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let rod_angle = x[5];
                 let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
                 let y_0_2 = lit(100.0) * sin_crank_angle;
                 let y_1_2 = lit(-100.0) * cos_crank_angle;
@@ -1267,10 +1271,12 @@ mod plm_driven_crank_ {
                 let growth_8 = lit(1000.0) * r_8.abs();
                 let t13 = most_growth.lt(growth_8);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
+                let rod_omega = x[14];
                 let t14 = rod_omega * rod_omega;
                 let b_4 = lit(0.3) * (cos_rod_angle * t14);
                 let t15 = lit(0.3) * (sin_rod_angle * t14);
                 let b_5 = (-l_5_4).mul_add(b_4, t15) + lit(9.81);
+                let crank_omega = x[11];
                 let t16 = crank_omega * crank_omega;
                 let b_0 = lit(0.1) * (cos_crank_angle * t16);
                 let amplitude = self.amplitude;
@@ -1415,7 +1421,6 @@ mod plm_driven_crank_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
-                let [_, _, _, _, _, last_angle_2, last_cosine_2, last_sine_2, last_area_0, ..] = *m;
                 let lit = S::lit;
                 let crank_angle = lit(3.0).mul_add(t, lit(1.0471975511965979));
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
@@ -1429,6 +1434,7 @@ mod plm_driven_crank_ {
                 let crank_y = t2 + t3;
                 q[1] = crank_y;
                 q[2] = crank_angle;
+                let last_area_0 = m[8];
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
                 let root_0 = lit(0.0).max(square_0).sqrt();
@@ -1437,7 +1443,10 @@ mod plm_driven_crank_ {
                 q[3] = crank_x + t4 + crank_x;
                 let t5 = lit(0.5) * loop_0_y;
                 q[4] = t3 - t5 + crank_y;
+                let last_angle_2 = m[5];
+                let last_cosine_2 = m[6];
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
+                let last_sine_2 = m[7];
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t6 = last_angle_2
                     + (-last_sine_2)

@@ -779,24 +779,12 @@ mod plm_four_bar_ {
             /// 94 add, 143 mul, 9 div, 3 sin_cos, 34 select.
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health({
-                    let crank_angle = q[2];
-                    let coupler_angle = q[5];
-                    let rocker_angle = q[8];
-                    let [
-                        residual_0,
-                        residual_1,
-                        residual_2,
-                        residual_3,
-                        residual_4,
-                        residual_5,
-                        residual_6,
-                        residual_7,
-                        ..,
-                    ] = *r;
-                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
+                    let w_0 = w[0];
+                    let crank_angle = q[2];
                     let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                    let w_2 = w[2];
                     let y_0_2 = lit(0.15) * sin_crank_angle * w_2;
                     let t1 = lit(0.15) * (sin_crank_angle * y_0_2);
                     let d_0 = w_0 + t1;
@@ -807,6 +795,7 @@ mod plm_four_bar_ {
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
+                    let w_1 = w[1];
                     let t3 = cos_crank_angle * y_1_2;
                     let t4 = lit(-0.15).mul_add(t3, w_1);
                     let t5 = g_1_0 * l_1_0;
@@ -820,7 +809,10 @@ mod plm_four_bar_ {
                     let l_2_1 = g_2_1 * kept_1;
                     let g_3_1 = lit(-0.15).mul_add(t3, -w_1) - t5;
                     let l_3_1 = g_3_1 * kept_1;
+                    let w_3 = w[3];
+                    let coupler_angle = q[5];
                     let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                    let w_5 = w[5];
                     let y_2_5 = lit(0.45) * sin_coupler_angle * w_5;
                     let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
                     let t8 = w_3 + t7;
@@ -837,6 +829,7 @@ mod plm_four_bar_ {
                     let g_4_2 = t7 - w_3;
                     let l_4_2 = g_4_2 * kept_2;
                     let l_5_2 = g_5_2 * kept_2;
+                    let w_4 = w[4];
                     let t12 = cos_coupler_angle * y_3_5;
                     let t13 = lit(-0.45).mul_add(t12, w_4);
                     let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
@@ -847,7 +840,10 @@ mod plm_four_bar_ {
                     let l_4_3 = kept_3 * g_4_3;
                     let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.45).mul_add(t12, -w_4));
                     let l_5_3 = kept_3 * g_5_3;
+                    let w_6 = w[6];
+                    let rocker_angle = q[8];
                     let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                    let w_8 = w[8];
                     let t15 = sin_rocker_angle * w_8;
                     let y_4_8 = lit(-0.35) * t15;
                     let t16 = lit(0.35) * sin_rocker_angle;
@@ -869,6 +865,7 @@ mod plm_four_bar_ {
                     let t21 = sin_rocker_angle * y_7_8;
                     let g_7_4 = lit(-0.35) * t21;
                     let l_7_4 = g_7_4 * kept_4;
+                    let w_7 = w[7];
                     let t22 = lit(0.35) * cos_rocker_angle;
                     let t23 = t22.mul_add(y_5_8, w_7) + t13;
                     let r_5 = lit(1.0)
@@ -894,13 +891,21 @@ mod plm_four_bar_ {
                     let growth_7 = (t28 * r_7).abs();
                     let t29 = most_growth.lt(growth_7);
                     // (phi_q W phi_q^T) mu = r
+                    let residual_0 = r[0];
+                    let residual_1 = r[1];
                     let t30 = residual_0 * l_1_0;
                     let b_1 = residual_1 - t30;
+                    let residual_2 = r[2];
                     let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let residual_3 = r[3];
                     let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t30));
+                    let residual_4 = r[4];
                     let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let residual_5 = r[5];
                     let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
+                    let residual_6 = r[6];
                     let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
+                    let residual_7 = r[7];
                     let mu_7 = S::select(t29, lit(0.0), r_7)
                         * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
                     let mu_6 = (-l_7_6).mul_add(mu_7, kept_6 * b_6);
@@ -1224,16 +1229,13 @@ mod plm_four_bar_ {
             /// 102 add, 152 mul, 9 div, 5 neg, 3 sin_cos, 34 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
-                let crank_angle = x[2];
-                let coupler_angle = x[5];
-                let rocker_angle = x[8];
-                let crank_omega = x[11];
-                let coupler_omega = x[14];
-                let rocker_omega = x[17];
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
+                let crank_angle = x[2];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let coupler_angle = x[5];
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                let rocker_angle = x[8];
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
                 let t1 = lit(0.35) * cos_rocker_angle;
                 let t2 = lit(0.35) * sin_rocker_angle;
@@ -1320,15 +1322,18 @@ mod plm_four_bar_ {
                 let growth_7 = (t22 * r_7).abs();
                 let t23 = most_growth.lt(growth_7);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
+                let crank_omega = x[11];
                 let t24 = crank_omega * crank_omega;
                 let b_0 = lit(0.15) * (cos_crank_angle * t24);
                 let t25 = (-l_1_0).mul_add(b_0, lit(0.15) * sin_crank_angle * t24);
                 let b_1 = t25 - lit(9.81);
+                let coupler_omega = x[14];
                 let t26 = coupler_omega * coupler_omega;
                 let t27 = lit(0.45) * (cos_coupler_angle * t26);
                 let b_2 = (-l_2_1).mul_add(b_1, (-l_2_0).mul_add(b_0, b_0 + t27));
                 let t28 = lit(0.45) * (sin_coupler_angle * t26);
                 let b_3 = (-l_3_2).mul_add(b_2, (-l_3_1).mul_add(b_1, t25 + t28));
+                let rocker_omega = x[17];
                 let t29 = rocker_omega * rocker_omega;
                 let t30 = lit(0.35) * (cos_rocker_angle * t29);
                 let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, t27 - t30));
@@ -1524,25 +1529,8 @@ mod plm_four_bar_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_1,
-                    last_cosine_1,
-                    last_sine_1,
-                    last_angle_2,
-                    last_cosine_2,
-                    last_sine_2,
-                    last_area_0,
-                    ..,
-                ] = *m;
-                let [crank_angle, crank_omega, ..] = *x;
                 let lit = S::lit;
+                let crank_angle = x[0];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let crank_x = lit(0.15) * cos_crank_angle;
                 q[0] = crank_x;
@@ -1555,6 +1543,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
+                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -1567,7 +1556,10 @@ mod plm_four_bar_ {
                 let coupler_arm_y = -(loop_0_y + rocker_arm_y);
                 let t2 = lit(0.5) * coupler_arm_y;
                 q[4] = crank_y + t2 + crank_y;
+                let last_angle_2 = m[10];
+                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
+                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t3 = last_angle_2
                     + (-last_sine_2)
@@ -1576,13 +1568,17 @@ mod plm_four_bar_ {
                 q[5] = t3;
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 q[7] = lit(-0.5) * rocker_arm_y;
+                let last_angle_1 = m[7];
+                let last_cosine_1 = m[8];
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
+                let last_sine_1 = m[9];
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t4 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
                 q[8] = t4;
+                let crank_omega = x[1];
                 let crank_vx = lit(-0.15) * (crank_omega * sin_crank_angle);
                 v[0] = crank_vx;
                 let crank_vy = lit(0.15) * (crank_omega * cos_crank_angle);
@@ -1612,27 +1608,11 @@ mod plm_four_bar_ {
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn look_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_1,
-                    last_cosine_1,
-                    last_sine_1,
-                    last_angle_2,
-                    last_cosine_2,
-                    last_sine_2,
-                    last_area_0,
-                    ..,
-                ] = *m;
-                let [crank_angle, ..] = *x;
                 let lit = S::lit;
+                let crank_angle = x[0];
                 memory[0] = crank_angle;
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let last_area_0 = m[13];
                 let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
                 let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -1656,8 +1636,11 @@ mod plm_four_bar_ {
                 memory[4] = crank_angle;
                 memory[5] = cos_crank_angle;
                 memory[6] = sin_crank_angle;
+                let last_angle_1 = m[7];
+                let last_cosine_1 = m[8];
                 let rocker_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
+                let last_sine_1 = m[9];
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t1 = last_angle_1
@@ -1668,7 +1651,10 @@ mod plm_four_bar_ {
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 memory[8] = cos_t1;
                 memory[9] = sin_t1;
+                let last_angle_2 = m[10];
+                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
+                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -1779,25 +1765,8 @@ mod plm_four_bar_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_0,
-                    last_cosine_0,
-                    last_sine_0,
-                    _,
-                    _,
-                    _,
-                    last_angle_2,
-                    last_cosine_2,
-                    last_sine_2,
-                    last_area_0,
-                    ..,
-                ] = *m;
-                let [rocker_angle, rocker_omega, ..] = *x;
                 let lit = S::lit;
+                let rocker_angle = x[0];
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
                 let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
                 let loop_0_y = lit(-0.7) * sin_rocker_angle;
@@ -1805,6 +1774,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
+                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -1815,7 +1785,10 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
+                let last_angle_0 = m[4];
+                let last_cosine_0 = m[5];
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let last_sine_0 = m[6];
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -1826,7 +1799,10 @@ mod plm_four_bar_ {
                 q[3] = lit(0.5).mul_add(crank_arm_x + coupler_arm_x, crank_x);
                 let coupler_arm_y = -(loop_0_y + crank_arm_y);
                 q[4] = lit(0.5).mul_add(crank_arm_y + coupler_arm_y, crank_y);
+                let last_angle_2 = m[10];
+                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
+                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -1836,6 +1812,7 @@ mod plm_four_bar_ {
                 q[6] = lit(0.35).mul_add(cos_rocker_angle, lit(1.0));
                 q[7] = lit(0.35) * sin_rocker_angle;
                 q[8] = rocker_angle;
+                let rocker_omega = x[1];
                 let cross_0_0 = (-(cos_rocker_angle + lit(0.7))).mul_add(way_0_y, sin_rocker_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let crank_angle_rate =
@@ -1867,27 +1844,11 @@ mod plm_four_bar_ {
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn look_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_0,
-                    last_cosine_0,
-                    last_sine_0,
-                    _,
-                    _,
-                    _,
-                    last_angle_2,
-                    last_cosine_2,
-                    last_sine_2,
-                    last_area_0,
-                    ..,
-                ] = *m;
-                let [rocker_angle, ..] = *x;
                 let lit = S::lit;
+                let rocker_angle = x[0];
                 memory[0] = rocker_angle;
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
+                let last_area_0 = m[13];
                 let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
                 let loop_0_y = lit(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -1908,8 +1869,11 @@ mod plm_four_bar_ {
                     ));
                 memory[2] = t;
                 memory[3] = lit(1e30);
+                let last_angle_0 = m[4];
+                let last_cosine_0 = m[5];
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let last_sine_0 = m[6];
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
@@ -1923,7 +1887,10 @@ mod plm_four_bar_ {
                 memory[7] = rocker_angle;
                 memory[8] = cos_rocker_angle;
                 memory[9] = sin_rocker_angle;
+                let last_angle_2 = m[10];
+                let last_cosine_2 = m[11];
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + crank_arm_y);
+                let last_sine_2 = m[12];
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + crank_arm_x);
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -2039,25 +2006,8 @@ mod plm_four_bar_ {
                 q: &mut [S; 9],
                 v: &mut [S; 9],
             ) -> S {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_0,
-                    last_cosine_0,
-                    last_sine_0,
-                    last_angle_1,
-                    last_cosine_1,
-                    last_sine_1,
-                    _,
-                    _,
-                    _,
-                    last_area_0,
-                    ..,
-                ] = *m;
-                let [coupler_angle, coupler_omega, ..] = *x;
                 let lit = S::lit;
+                let coupler_angle = x[0];
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
                 let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
                 let loop_0_y = lit(0.9) * sin_coupler_angle;
@@ -2065,6 +2015,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
+                let last_area_0 = m[13];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -2075,7 +2026,10 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
+                let last_angle_0 = m[4];
+                let last_cosine_0 = m[5];
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let last_sine_0 = m[6];
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -2089,13 +2043,17 @@ mod plm_four_bar_ {
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 let rocker_arm_y = -(loop_0_y + crank_arm_y);
                 q[7] = lit(-0.5) * rocker_arm_y;
+                let last_angle_1 = m[7];
+                let last_cosine_1 = m[8];
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
+                let last_sine_1 = m[9];
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
                 q[8] = t2;
+                let coupler_omega = x[1];
                 let cross_0_0 =
                     (-(cos_coupler_angle - lit(0.9))).mul_add(way_0_y, sin_coupler_angle * way_0_x);
                 let reciprocal_0 = lit(1.0) / area_0;
@@ -2127,27 +2085,11 @@ mod plm_four_bar_ {
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn look_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
-                let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_0,
-                    last_cosine_0,
-                    last_sine_0,
-                    last_angle_1,
-                    last_cosine_1,
-                    last_sine_1,
-                    _,
-                    _,
-                    _,
-                    last_area_0,
-                    ..,
-                ] = *m;
-                let [coupler_angle, ..] = *x;
                 let lit = S::lit;
+                let coupler_angle = x[0];
                 memory[0] = coupler_angle;
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
+                let last_area_0 = m[13];
                 let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
                 let loop_0_y = lit(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -2169,8 +2111,11 @@ mod plm_four_bar_ {
                     ));
                 memory[2] = t;
                 memory[3] = lit(1e30);
+                let last_angle_0 = m[4];
+                let last_cosine_0 = m[5];
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let last_sine_0 = m[6];
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
@@ -2181,7 +2126,10 @@ mod plm_four_bar_ {
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 memory[5] = cos_t1;
                 memory[6] = sin_t1;
+                let last_angle_1 = m[7];
+                let last_cosine_1 = m[8];
                 let rocker_sin = lit(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
+                let last_sine_1 = m[9];
                 let rocker_cos = lit(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
                 let t2 = last_angle_1
                     + (-last_sine_1)

@@ -629,23 +629,12 @@ mod plm_plate_on_three_pins_ {
             /// 40 add, 37 mul, 6 neg, 4 sin_cos.
             #[cold]
             fn jacobian(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
+                let crank_0_angle = q[2];
+                let crank_1_angle = q[5];
+                let crank_2_angle = q[8];
+                let plate_angle = q[11];
                 let (
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
@@ -679,9 +668,13 @@ mod plm_plate_on_three_pins_ {
                 let t9 = lit(0.4) * cos_plate_angle;
                 let t10 = lit(0.3) * sin_plate_angle;
                 let t11 = t9 - t10;
+                let crank_0_x = q[0];
+                let plate_x = q[9];
                 let t12 = lit(0.3) * cos_plate_angle;
                 let t13 = lit(0.4) * sin_plate_angle;
                 let t14 = t12 + t13;
+                let crank_0_y = q[1];
+                let plate_y = q[10];
                 let t15 = t7.mul_add(
                     crank_0_y + t1 - plate_y + t14 - t14,
                     t8 * (crank_0_x - t2 - plate_x + t11 - t11),
@@ -697,7 +690,9 @@ mod plm_plate_on_three_pins_ {
                 phi_q[21] = -t16;
                 phi_q[22] = -t17;
                 let t18 = t9 + t10;
+                let crank_1_x = q[3];
                 let t19 = t12 - t13;
+                let crank_1_y = q[4];
                 let t20 = (-t17).mul_add(
                     t18 + (crank_1_x - t4 - plate_x - t18),
                     t16 * (crank_1_y + t3 - plate_y + t19 - t19),
@@ -712,6 +707,8 @@ mod plm_plate_on_three_pins_ {
                 phi_q[26] = lit(-0.1) * (-cos_crank_2_angle).mul_add(t22, sin_crank_2_angle * t21);
                 phi_q[27] = -t21;
                 phi_q[28] = -t22;
+                let crank_2_x = q[6];
+                let crank_2_y = q[7];
                 let t23 = (-t22).mul_add(
                     crank_2_x - t6 - plate_x + t13 - t13,
                     t21 * (t9 + (crank_2_y + t5 - plate_y - t9)),
@@ -838,65 +835,55 @@ mod plm_plate_on_three_pins_ {
             /// 70 add, 70 mul, 7 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 12], v: &[S; 12]) -> [S; 12] {
                 let mut phi_dot = [S::lit(0.0); 12];
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
-                let [
-                    crank_0_vx,
-                    crank_0_vy,
-                    crank_0_omega,
-                    crank_1_vx,
-                    crank_1_vy,
-                    crank_1_omega,
-                    crank_2_vx,
-                    crank_2_vy,
-                    crank_2_omega,
-                    plate_vx,
-                    plate_vy,
-                    plate_omega,
-                    ..,
-                ] = *v;
                 let lit = S::lit;
+                let crank_0_vx = v[0];
+                let crank_0_omega = v[2];
+                let crank_0_angle = q[2];
+                let crank_1_angle = q[5];
+                let crank_2_angle = q[8];
+                let plate_angle = q[11];
                 let (
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                 ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
                 let t1 = lit(0.1) * (crank_0_omega * sin_crank_0_angle);
                 phi_dot[0] = crank_0_vx + t1;
+                let crank_0_vy = v[1];
                 let t2 = lit(0.1) * (crank_0_omega * cos_crank_0_angle);
                 phi_dot[1] = crank_0_vy - t2;
+                let crank_1_vx = v[3];
+                let crank_1_omega = v[5];
                 let t3 = lit(0.1) * (crank_1_omega * sin_crank_1_angle);
                 phi_dot[2] = crank_1_vx + t3;
+                let crank_1_vy = v[4];
                 let t4 = lit(0.1) * (crank_1_omega * cos_crank_1_angle);
                 phi_dot[3] = crank_1_vy - t4;
+                let crank_2_vx = v[6];
+                let crank_2_omega = v[8];
                 let t5 = lit(0.1) * (crank_2_omega * sin_crank_2_angle);
                 phi_dot[4] = crank_2_vx + t5;
+                let crank_2_vy = v[7];
                 let t6 = lit(0.1) * (crank_2_omega * cos_crank_2_angle);
                 phi_dot[5] = crank_2_vy - t6;
+                let plate_omega = v[11];
                 let t7 = plate_omega * sin_plate_angle;
                 let t8 = plate_omega * cos_plate_angle;
+                let crank_0_x = q[0];
+                let plate_x = q[9];
                 let t9 = lit(0.3).mul_add(sin_plate_angle, plate_x);
                 let t10 = lit(0.4) * cos_plate_angle;
                 let t11 = lit(-0.8191520442889918).mul_add(t8, lit(0.573576436351046) * t7)
                     * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t10 - t9);
+                let plate_vx = v[9];
                 let t12 = lit(0.3).mul_add(t8, plate_vx);
                 let t13 = lit(0.4) * t7;
+                let crank_0_y = q[1];
+                let plate_y = q[10];
                 let t14 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
                 let t15 = lit(0.4) * sin_plate_angle;
                 let t16 = lit(0.573576436351046).mul_add(t8, lit(0.8191520442889918) * t7)
                     * (lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t15 - t14);
+                let plate_vy = v[10];
                 let t17 = lit(0.3).mul_add(t7, plate_vy);
                 let t18 = lit(0.4) * t8;
                 let t19 = lit(0.8191520442889918)
@@ -906,8 +893,10 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
                 .mul_add(crank_0_vy + t2 + t18 - t17, t19 + t16);
                 phi_dot[6] = t20;
+                let crank_1_x = q[3];
                 let t21 = lit(0.766044443118978).mul_add(t8, lit(0.6427876096865393) * t7)
                     * (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t10 - t9);
+                let crank_1_y = q[4];
                 let t22 = lit(-0.6427876096865393).mul_add(t8, lit(0.766044443118978) * t7)
                     * (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t15 - t14);
                 let t23 = lit(-0.766044443118978)
@@ -917,8 +906,10 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
                     .mul_add(crank_1_vy - t18 + t4 - t17, t23 - t22);
                 phi_dot[7] = t24;
+                let crank_2_x = q[6];
                 let t25 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t15)
                     * lit(0.17364817766693033).mul_add(t8, lit(0.984807753012208) * t7);
+                let crank_2_y = q[7];
                 let t26 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t10)
                     * lit(-0.984807753012208).mul_add(t8, lit(0.17364817766693033) * t7);
                 let t27 = lit(-0.17364817766693033)
@@ -990,43 +981,18 @@ mod plm_plate_on_three_pins_ {
                 dq: &mut [S; 12],
             ) -> rt::Health<S> {
                 rt::Health({
-                    let [
-                        crank_0_x,
-                        crank_0_y,
-                        crank_0_angle,
-                        crank_1_x,
-                        crank_1_y,
-                        crank_1_angle,
-                        crank_2_x,
-                        crank_2_y,
-                        crank_2_angle,
-                        plate_x,
-                        plate_y,
-                        plate_angle,
-                        ..,
-                    ] = *q;
-                    let [
-                        residual_0,
-                        residual_1,
-                        residual_2,
-                        residual_3,
-                        residual_4,
-                        residual_5,
-                        residual_6,
-                        residual_7,
-                        residual_8,
-                        residual_9,
-                        residual_10,
-                        residual_11,
-                        ..,
-                    ] = *r;
-                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, w_9, w_10, w_11, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
+                    let w_0 = w[0];
+                    let crank_0_angle = q[2];
+                    let plate_angle = q[11];
+                    let crank_1_angle = q[5];
+                    let crank_2_angle = q[8];
                     let (
                         [sin_crank_0_angle, sin_plate_angle, sin_crank_1_angle, sin_crank_2_angle],
                         [cos_crank_0_angle, cos_plate_angle, cos_crank_1_angle, cos_crank_2_angle],
                     ) = S::sin_cos_all([crank_0_angle, plate_angle, crank_1_angle, crank_2_angle]);
+                    let w_2 = w[2];
                     let t1 = lit(0.1) * sin_crank_0_angle;
                     let y_0_2 = t1 * w_2;
                     let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
@@ -1043,6 +1009,7 @@ mod plm_plate_on_three_pins_ {
                     let g_6_0 = t1.mul_add(y_6_2, y_6_0);
                     let l_6_0 = r_0 * g_6_0;
                     let l_9_0 = y_0_2 * r_0;
+                    let w_1 = w[1];
                     let t5 = lit(0.1) * cos_crank_0_angle;
                     let t6 = (-t5).mul_add(y_1_2, w_1);
                     let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t6);
@@ -1061,18 +1028,25 @@ mod plm_plate_on_three_pins_ {
                     let kept_9 = S::select(t8, lit(0.0), r_9);
                     let g_6_9 = (-g_6_1).mul_add(l_9_1, (-g_6_0).mul_add(l_9_0, y_6_2));
                     let l_6_9 = kept_9 * g_6_9;
+                    let w_9 = w[9];
                     let y_6_9 = -(t2 * w_9);
+                    let w_10 = w[10];
                     let y_6_10 = t3 * w_10;
                     let t9 = lit(0.4) * cos_plate_angle;
                     let t10 = lit(0.3) * sin_plate_angle;
                     let t11 = t9 - t10;
+                    let crank_0_x = q[0];
+                    let plate_x = q[9];
                     let t12 = lit(0.3) * cos_plate_angle;
                     let t13 = lit(0.4) * sin_plate_angle;
                     let t14 = t12 + t13;
+                    let crank_0_y = q[1];
+                    let plate_y = q[10];
                     let t15 = t2.mul_add(
                         crank_0_y + t1 - plate_y + t14 - t14,
                         t3 * (crank_0_x + t5 - plate_x + t11 - t11),
                     );
+                    let w_11 = w[11];
                     let y_6_11 = w_11 * t15;
                     let t16 = (-t2)
                         .mul_add(y_6_9, (-(lit(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
@@ -1089,8 +1063,10 @@ mod plm_plate_on_three_pins_ {
                         .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
                     let y_7_10 = -(t20 * w_10);
                     let t21 = t9 + t10;
+                    let crank_1_x = q[3];
                     let t22 = lit(0.1) * cos_crank_1_angle;
                     let t23 = t12 - t13;
+                    let crank_1_y = q[4];
                     let t24 = lit(0.1) * sin_crank_1_angle;
                     let t25 = (-t19).mul_add(
                         crank_1_y + t24 - plate_y + t23 - t23,
@@ -1105,7 +1081,9 @@ mod plm_plate_on_three_pins_ {
                     let t27 = lit(0.984807753012208)
                         .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
                     let y_8_10 = -(t27 * w_10);
+                    let crank_2_x = q[6];
                     let t28 = lit(0.1) * cos_crank_2_angle;
+                    let crank_2_y = q[7];
                     let t29 = lit(0.1) * sin_crank_2_angle;
                     let t30 = (-t26).mul_add(
                         t9 + (crank_2_y + t29 - plate_y - t9),
@@ -1114,6 +1092,8 @@ mod plm_plate_on_three_pins_ {
                     let y_8_11 = -(w_11 * t30);
                     let g_8_6 = t15.mul_add(y_8_11, (-t2).mul_add(y_8_9, t3 * y_8_10));
                     let l_8_6 = kept_6 * g_8_6;
+                    let w_3 = w[3];
+                    let w_5 = w[5];
                     let y_2_5 = t24 * w_5;
                     let r_2 = lit(1.0) / t24.mul_add(y_2_5, w_3);
                     let y_3_5 = lit(-0.1) * (cos_crank_1_angle * w_5);
@@ -1125,6 +1105,7 @@ mod plm_plate_on_three_pins_ {
                     let g_7_2 = t24.mul_add(y_7_5, y_7_3);
                     let l_7_2 = r_2 * g_7_2;
                     let l_10_2 = y_2_5 * r_2;
+                    let w_4 = w[4];
                     let t32 = (-t22).mul_add(y_3_5, w_4);
                     let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, t32);
                     let growth_3 = (t32 * r_3).abs();
@@ -1154,6 +1135,8 @@ mod plm_plate_on_three_pins_ {
                     let kept_7 = S::select(t37, lit(0.0), r_7);
                     let g_8_7 = -g_7_6.mul_add(l_8_6, t25.mul_add(y_8_11, t20.mul_add(y_8_10, t19 * y_8_9)));
                     let l_8_7 = kept_7 * g_8_7;
+                    let w_6 = w[6];
+                    let w_8 = w[8];
                     let y_4_8 = t29 * w_8;
                     let r_4 = lit(1.0) / t29.mul_add(y_4_8, w_6);
                     let y_5_8 = lit(-0.1) * (cos_crank_2_angle * w_8);
@@ -1165,6 +1148,7 @@ mod plm_plate_on_three_pins_ {
                     let g_8_4 = t29.mul_add(y_8_8, y_8_6);
                     let l_8_4 = r_4 * g_8_4;
                     let l_11_4 = y_4_8 * r_4;
+                    let w_7 = w[7];
                     let t39 = (-t28).mul_add(y_5_8, w_7);
                     let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, t39);
                     let growth_5 = (t39 * r_5).abs();
@@ -1193,23 +1177,35 @@ mod plm_plate_on_three_pins_ {
                     let growth_11 = (w_8 * r_11).abs();
                     let t44 = most_growth.lt(growth_11);
                     // (phi_q W phi_q^T) mu = r
+                    let residual_0 = r[0];
+                    let residual_1 = r[1];
                     let b_1 = (-residual_0).mul_add(l_1_0, residual_1);
+                    let residual_9 = r[9];
                     let b_9 = (-b_1).mul_add(l_9_1, (-residual_0).mul_add(l_9_0, residual_9));
+                    let residual_6 = r[6];
                     let b_6 = (-l_6_9)
                         .mul_add(b_9, (-b_1).mul_add(l_6_1, (-residual_0).mul_add(l_6_0, residual_6)));
+                    let residual_2 = r[2];
+                    let residual_3 = r[3];
                     let b_3 = (-residual_2).mul_add(l_3_2, residual_3);
+                    let residual_10 = r[10];
                     let b_10 = (-b_3).mul_add(l_10_3, (-residual_2).mul_add(l_10_2, residual_10));
+                    let residual_7 = r[7];
                     let b_7 = (-l_7_10).mul_add(
                         b_10,
                         (-b_3)
                             .mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-residual_2).mul_add(l_7_2, residual_7))),
                     );
+                    let residual_4 = r[4];
+                    let residual_5 = r[5];
                     let b_5 = (-residual_4).mul_add(l_5_4, residual_5);
+                    let residual_8 = r[8];
                     let b_8 = (-b_5).mul_add(
                         l_8_5,
                         (-l_8_7)
                             .mul_add(b_7, (-l_8_6).mul_add(b_6, (-residual_4).mul_add(l_8_4, residual_8))),
                     );
+                    let residual_11 = r[11];
                     let mu_11 = S::select(t44, lit(0.0), r_11)
                         * (-l_11_8)
                             .mul_add(b_8, (-b_5).mul_add(l_11_5, (-residual_4).mul_add(l_11_4, residual_11)));
@@ -1624,33 +1620,6 @@ mod plm_plate_on_three_pins_ {
             /// 261 add, 367 mul, 13 div, 5 neg, 7 sin_cos, 44 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 24], dx: &mut [S; 24], lambda: &mut [S; 12]) -> S {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    crank_0_vx,
-                    crank_0_vy,
-                    crank_0_omega,
-                    crank_1_vx,
-                    crank_1_vy,
-                    crank_1_omega,
-                    crank_2_vx,
-                    crank_2_vy,
-                    crank_2_omega,
-                    plate_vx,
-                    plate_vy,
-                    plate_omega,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
                 let (
                     sin_crank_0_angle,
@@ -1711,6 +1680,7 @@ mod plm_plate_on_three_pins_ {
                     l_6_0,
                     l_9_0,
                     growth_1,
+                    most_growth,
                     t35,
                     kept_1,
                     l_6_1,
@@ -1724,6 +1694,7 @@ mod plm_plate_on_three_pins_ {
                     t40,
                     kept_6,
                     l_7_6,
+                    g_8_6,
                     l_8_6,
                     r_2,
                     l_3_2,
@@ -1741,25 +1712,27 @@ mod plm_plate_on_three_pins_ {
                     growth_7,
                     t47,
                     kept_7,
+                    g_8_7,
                     l_8_7,
                     r_4,
                     l_5_4,
+                    g_8_4,
                     l_8_4,
                     l_11_4,
                     growth_5,
                     t50,
                     kept_5,
+                    g_8_5,
                     l_8_5,
+                    g_11_5,
                     l_11_5,
-                    growth_8,
-                    t53,
-                    kept_8,
-                    l_11_8,
-                    r_11,
-                    growth_11,
-                    t54,
+                    t51,
                 ) = {
                     // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
+                    let crank_0_angle = x[2];
+                    let crank_1_angle = x[5];
+                    let crank_2_angle = x[8];
+                    let plate_angle = x[11];
                     let (
                         [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                         [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
@@ -1778,7 +1751,11 @@ mod plm_plate_on_three_pins_ {
                     let t10 = lit(0.4) * cos_plate_angle;
                     let t11 = lit(0.3) * sin_plate_angle;
                     let t12 = t10 - t11;
+                    let crank_0_x = x[0];
+                    let plate_x = x[9];
                     let t13 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t12;
+                    let crank_0_y = x[1];
+                    let plate_y = x[10];
                     let t14 = crank_0_y + t1 - plate_y + t9;
                     let t15 = t4.mul_add(t14, t5 * t13);
                     let t16 = (-t12).mul_add(t5, (-t9).mul_add(t4, t15));
@@ -1788,8 +1765,10 @@ mod plm_plate_on_three_pins_ {
                         .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
                     let t19 = (-cos_crank_1_angle).mul_add(t18, sin_crank_1_angle * t17);
                     let t20 = t10 + t11;
+                    let crank_1_x = x[3];
                     let t21 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t20;
                     let t22 = t7 - t8;
+                    let crank_1_y = x[4];
                     let t23 = crank_1_y + t2 - plate_y + t22;
                     let t24 = (-t17).mul_add(t23 - t22, t18 * (t20 + t21));
                     let t25 = lit(-0.17364817766693033)
@@ -1797,7 +1776,9 @@ mod plm_plate_on_three_pins_ {
                     let t26 = lit(0.984807753012208)
                         .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
                     let t27 = (-cos_crank_2_angle).mul_add(t26, sin_crank_2_angle * t25);
+                    let crank_2_x = x[6];
                     let t28 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8;
+                    let crank_2_y = x[7];
                     let t29 = crank_2_y + t3 - plate_y - t10;
                     let t30 = (-t25).mul_add(t10 + t29, t26 * (t28 - t8));
                     let y_0_2 = lit(10.0) * sin_crank_0_angle;
@@ -1926,23 +1907,6 @@ mod plm_plate_on_three_pins_ {
                     let l_11_5 = g_11_5 * kept_5;
                     let t51 = (-t25)
                         .mul_add(y_8_9, (-(lit(0.1) * t27)).mul_add(y_8_8, t26.mul_add(y_8_7, t25 * y_8_6)));
-                    let t52 = (-t30).mul_add(y_8_11, (-t26).mul_add(y_8_10, t51));
-                    let d_8 = (-g_8_5).mul_add(
-                        l_8_5,
-                        (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t52))),
-                    );
-                    let r_8 = lit(1.0) / d_8;
-                    let growth_8 = (t52 * r_8).abs();
-                    let t53 = most_growth.lt(growth_8);
-                    let kept_8 = S::select(t53, lit(0.0), r_8);
-                    let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
-                    let l_11_8 = kept_8 * g_11_8;
-                    let r_11 = lit(1.0)
-                        / (-g_11_8)
-                            .mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, lit(100.0))));
-                    let growth_11 = lit(100.0) * r_11.abs();
-                    let t54 = most_growth.lt(growth_11);
-                    // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
                     (
                         sin_crank_0_angle,
                         cos_crank_0_angle,
@@ -2002,6 +1966,7 @@ mod plm_plate_on_three_pins_ {
                         l_6_0,
                         l_9_0,
                         growth_1,
+                        most_growth,
                         t35,
                         kept_1,
                         l_6_1,
@@ -2015,6 +1980,7 @@ mod plm_plate_on_three_pins_ {
                         t40,
                         kept_6,
                         l_7_6,
+                        g_8_6,
                         l_8_6,
                         r_2,
                         l_3_2,
@@ -2032,26 +1998,42 @@ mod plm_plate_on_three_pins_ {
                         growth_7,
                         t47,
                         kept_7,
+                        g_8_7,
                         l_8_7,
                         r_4,
                         l_5_4,
+                        g_8_4,
                         l_8_4,
                         l_11_4,
                         growth_5,
                         t50,
                         kept_5,
+                        g_8_5,
                         l_8_5,
+                        g_11_5,
                         l_11_5,
-                        growth_8,
-                        t53,
-                        kept_8,
-                        l_11_8,
-                        r_11,
-                        growth_11,
-                        t54,
+                        t51,
                     )
                 };
                 let t95 = {
+                    let t52 = (-t30).mul_add(y_8_11, (-t26).mul_add(y_8_10, t51));
+                    let d_8 = (-g_8_5).mul_add(
+                        l_8_5,
+                        (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t52))),
+                    );
+                    let r_8 = lit(1.0) / d_8;
+                    let growth_8 = (t52 * r_8).abs();
+                    let t53 = most_growth.lt(growth_8);
+                    let kept_8 = S::select(t53, lit(0.0), r_8);
+                    let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
+                    let l_11_8 = kept_8 * g_11_8;
+                    let r_11 = lit(1.0)
+                        / (-g_11_8)
+                            .mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, lit(100.0))));
+                    let growth_11 = lit(100.0) * r_11.abs();
+                    let t54 = most_growth.lt(growth_11);
+                    // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
+                    let crank_0_omega = x[14];
                     let t55 = crank_0_omega * cos_crank_0_angle;
                     let t56 = crank_0_omega * t55;
                     let b_0 =
@@ -2066,14 +2048,19 @@ mod plm_plate_on_three_pins_ {
                         b_1,
                         (-l_9_0).mul_add(b_0, lit(3.6).mul_add((lit(3.0) * t).sin(), free_crank_0_angle)),
                     );
+                    let plate_omega = x[23];
                     let t59 = plate_omega * sin_plate_angle;
                     let t60 = plate_omega * cos_plate_angle;
+                    let crank_0_vx = x[12];
+                    let plate_vx = x[21];
                     let t61 = lit(0.3).mul_add(t60, plate_vx);
                     let t62 = lit(0.4) * t59;
                     let t63 = lit(-1.6383040885779836).mul_add(t60, lit(1.147152872702092) * t59)
                         * (lit(-0.1).mul_add(t57, crank_0_vx) - t62 - t61);
                     let t64 = plate_omega * t60;
                     let t65 = plate_omega * t59;
+                    let crank_0_vy = x[13];
+                    let plate_vy = x[22];
                     let t66 = lit(0.3).mul_add(t59, plate_vy);
                     let t67 = lit(0.4) * t60;
                     let t68 = lit(-1.147152872702092).mul_add(t60, lit(-1.6383040885779836) * t59)
@@ -2102,6 +2089,7 @@ mod plm_plate_on_three_pins_ {
                     );
                     let b_6 = (-t4)
                         .mul_add(free_plate_x - free_crank_0_x + (lit(0.1).mul_add(t56, t71) - t72), t75);
+                    let crank_1_omega = x[17];
                     let t76 = crank_1_omega * cos_crank_1_angle;
                     let b_2 = lit(0.1) * (crank_1_omega * t76);
                     let t77 = crank_1_omega * sin_crank_1_angle;
@@ -2109,8 +2097,10 @@ mod plm_plate_on_three_pins_ {
                     let b_3 = (-l_3_2).mul_add(b_2, t78) - lit(9.81);
                     let b_10 =
                         (-l_10_3).mul_add(b_3, (-l_10_2).mul_add(b_2, lit(1.2) * (lit(2.0) * t).cos()));
+                    let crank_1_vx = x[15];
                     let t79 = lit(1.532088886237956).mul_add(t60, lit(1.2855752193730785) * t59)
                         * (lit(-0.1).mul_add(t77, crank_1_vx + t62) - t61);
+                    let crank_1_vy = x[16];
                     let t80 = lit(-1.2855752193730785).mul_add(t60, lit(1.532088886237956) * t59)
                         * (lit(0.1).mul_add(t76, crank_1_vy - t67) - t66);
                     let t81 = (-t21).mul_add(
@@ -2134,13 +2124,16 @@ mod plm_plate_on_three_pins_ {
                         free_plate_x + (b_2 - t71 - t72),
                         (-t18).mul_add(free_plate_y + (t69 - t70 + t78), t83),
                     );
+                    let crank_2_omega = x[20];
                     let t84 = crank_2_omega * cos_crank_2_angle;
                     let b_4 = lit(0.1) * (crank_2_omega * t84);
                     let t85 = crank_2_omega * sin_crank_2_angle;
                     let t86 = lit(0.1) * (crank_2_omega * t85);
                     let b_5 = (-l_5_4).mul_add(b_4, t86) - lit(9.81);
+                    let crank_2_vx = x[18];
                     let t87 = lit(-0.1).mul_add(t85, crank_2_vx - plate_vx + t67)
                         * lit(0.34729635533386066).mul_add(t60, lit(1.969615506024416) * t59);
+                    let crank_2_vy = x[19];
                     let t88 = lit(0.1).mul_add(t84, crank_2_vy - plate_vy + t62)
                         * lit(-1.969615506024416).mul_add(t60, lit(0.34729635533386066) * t59);
                     let t89 = t29.mul_add(
@@ -2296,46 +2289,27 @@ mod plm_plate_on_three_pins_ {
             /// 90 add, 125 mul, 7 sin_cos.
             #[cold]
             fn free(&self, t: S, u: &Input<S>, x: &[S; 24], force: &mut [S; 12], gamma: &mut [S; 12]) {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    crank_0_vx,
-                    crank_0_vy,
-                    crank_0_omega,
-                    crank_1_vx,
-                    crank_1_vy,
-                    crank_1_omega,
-                    crank_2_vx,
-                    crank_2_vy,
-                    crank_2_omega,
-                    plate_vx,
-                    plate_vy,
-                    plate_omega,
-                    ..,
-                ] = *x;
                 let lit = S::lit;
+                let plate_angle = x[11];
+                let crank_0_angle = x[2];
+                let crank_1_angle = x[5];
+                let crank_2_angle = x[8];
                 let (
                     [sin_plate_angle, sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle],
                     [cos_plate_angle, cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle],
                 ) = S::sin_cos_all([plate_angle, crank_0_angle, crank_1_angle, crank_2_angle]);
                 let t1 = lit(-0.573576436351046)
                     .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let crank_0_x = x[0];
+                let plate_x = x[9];
                 let t2 = lit(0.4) * cos_plate_angle;
                 let t3 = lit(0.3) * sin_plate_angle;
                 let t4 = t2 - t3;
                 let t5 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t4;
                 let t6 = lit(0.8191520442889918)
                     .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let crank_0_y = x[1];
+                let plate_y = x[10];
                 let t7 = lit(0.3) * cos_plate_angle;
                 let t8 = lit(0.4) * sin_plate_angle;
                 let t9 = t7 + t8;
@@ -2355,32 +2329,40 @@ mod plm_plate_on_three_pins_ {
                 force[9] = lit(100.0) * t12;
                 force[10] = t13 - lit(19.62);
                 force[11] = lit(-100.0) * t11 * (-t9).mul_add(t1, t4 * t6);
+                let crank_0_omega = x[14];
                 let t14 = crank_0_omega * cos_crank_0_angle;
                 let t15 = crank_0_omega * t14;
                 gamma[0] = lit(-0.1) * t15;
                 let t16 = crank_0_omega * sin_crank_0_angle;
                 let t17 = crank_0_omega * t16;
                 gamma[1] = lit(-0.1) * t17;
+                let crank_1_omega = x[17];
                 let t18 = crank_1_omega * cos_crank_1_angle;
                 let t19 = crank_1_omega * t18;
                 gamma[2] = lit(-0.1) * t19;
                 let t20 = crank_1_omega * sin_crank_1_angle;
                 let t21 = lit(-0.1) * (crank_1_omega * t20);
                 gamma[3] = t21;
+                let crank_2_omega = x[20];
                 let t22 = crank_2_omega * cos_crank_2_angle;
                 let t23 = lit(-0.1) * (crank_2_omega * t22);
                 gamma[4] = t23;
                 let t24 = crank_2_omega * sin_crank_2_angle;
                 let t25 = crank_2_omega * t24;
                 gamma[5] = lit(-0.1) * t25;
+                let plate_omega = x[23];
                 let t26 = plate_omega * sin_plate_angle;
                 let t27 = plate_omega * cos_plate_angle;
+                let crank_0_vx = x[12];
+                let plate_vx = x[21];
                 let t28 = lit(0.3).mul_add(t27, plate_vx);
                 let t29 = lit(0.4) * t26;
                 let t30 = lit(-1.6383040885779836).mul_add(t27, lit(1.147152872702092) * t26)
                     * (lit(-0.1).mul_add(t16, crank_0_vx) - t29 - t28);
                 let t31 = plate_omega * t27;
                 let t32 = plate_omega * t26;
+                let crank_0_vy = x[13];
+                let plate_vy = x[22];
                 let t33 = lit(0.3).mul_add(t26, plate_vy);
                 let t34 = lit(0.4) * t27;
                 let t35 = lit(-1.147152872702092).mul_add(t27, lit(-1.6383040885779836) * t26)
@@ -2398,12 +2380,16 @@ mod plm_plate_on_three_pins_ {
                     t6.mul_add(lit(0.1).mul_add(t15, t36) - t37, t40),
                 );
                 gamma[6] = t41;
+                let crank_1_vx = x[15];
                 let t42 = lit(1.532088886237956).mul_add(t27, lit(1.2855752193730785) * t26)
                     * (lit(-0.1).mul_add(t20, crank_1_vx + t29) - t28);
+                let crank_1_vy = x[16];
                 let t43 = lit(-1.2855752193730785).mul_add(t27, lit(1.532088886237956) * t26)
                     * (lit(0.1).mul_add(t18, crank_1_vy - t34) - t33);
+                let crank_1_x = x[3];
                 let t44 = (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t2 - t3)
                     * lit(-0.766044443118978).mul_add(t32, lit(0.6427876096865393) * t31);
+                let crank_1_y = x[4];
                 let t45 = (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - plate_y + t7 - t8)
                     * lit(0.6427876096865393).mul_add(t32, lit(0.766044443118978) * t31);
                 let t46 = lit(-0.766044443118978)
@@ -2413,12 +2399,16 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
                     .mul_add(t38 - t39 - t21, t46 + t45);
                 gamma[7] = t47;
+                let crank_2_vx = x[18];
                 let t48 = lit(-0.1).mul_add(t24, crank_2_vx - plate_vx + t34)
                     * lit(0.34729635533386066).mul_add(t27, lit(1.969615506024416) * t26);
+                let crank_2_x = x[6];
                 let t49 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8)
                     * lit(-0.17364817766693033).mul_add(t32, lit(0.984807753012208) * t31);
+                let crank_2_vy = x[19];
                 let t50 = lit(0.1).mul_add(t22, crank_2_vy - plate_vy + t29)
                     * lit(-1.969615506024416).mul_add(t27, lit(0.34729635533386066) * t26);
+                let crank_2_y = x[7];
                 let t51 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t2)
                     * lit(0.984807753012208).mul_add(t32, lit(0.17364817766693033) * t31);
                 let t52 = lit(-0.17364817766693033)
@@ -2440,37 +2430,6 @@ mod plm_plate_on_three_pins_ {
             /// 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
             #[inline(always)]
             fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], dx: &mut [S; 0]) -> S {
-                let [
-                    last_0,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_cosine_3,
-                    last_sine_3,
-                    _,
-                    _,
-                    last_rate_3,
-                    last_bend_3,
-                    last_value_4,
-                    last_rate_4,
-                    last_bend_4,
-                    last_value_5,
-                    last_rate_5,
-                    last_bend_5,
-                    last_value_6,
-                    last_rate_6,
-                    last_bend_6,
-                    precision,
-                    ..,
-                ] = *m;
                 let lit = S::lit;
                 // Results
                 let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
@@ -2478,12 +2437,17 @@ mod plm_plate_on_three_pins_ {
                 let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
                 let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
+                let last_cosine_3 = m[12];
+                let last_0 = m[0];
                 let since_look = t - last_0;
+                let last_rate_3 = m[16];
+                let last_bend_3 = m[17];
                 let t1 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
+                let last_sine_3 = m[13];
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -2499,8 +2463,14 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
+                let last_value_4 = m[18];
+                let last_rate_4 = m[19];
+                let last_bend_4 = m[20];
                 let slot_0_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
+                let last_value_5 = m[21];
+                let last_rate_5 = m[22];
+                let last_bend_5 = m[23];
                 let slot_1_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
                 let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
@@ -2515,6 +2485,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
+                let last_value_6 = m[24];
+                let last_rate_6 = m[25];
+                let last_bend_6 = m[26];
                 let slot_2_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
                 let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
@@ -2697,6 +2670,7 @@ mod plm_plate_on_three_pins_ {
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t39, plate_angle_2_sin * t38);
                 let gap_1_y = loop_1_y + arm_1_4_y;
+                let precision = m[27];
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -2736,37 +2710,6 @@ mod plm_plate_on_three_pins_ {
                 q: &mut [S; 12],
                 v: &mut [S; 12],
             ) -> S {
-                let [
-                    last_0,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_3,
-                    last_cosine_3,
-                    last_sine_3,
-                    _,
-                    _,
-                    last_rate_3,
-                    last_bend_3,
-                    last_value_4,
-                    last_rate_4,
-                    last_bend_4,
-                    last_value_5,
-                    last_rate_5,
-                    last_bend_5,
-                    last_value_6,
-                    last_rate_6,
-                    last_bend_6,
-                    precision,
-                    ..,
-                ] = *m;
                 let lit = S::lit;
                 let t1 = lit(3.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
@@ -2793,12 +2736,17 @@ mod plm_plate_on_three_pins_ {
                 q[6] = t5 + lit(0.5);
                 q[7] = lit(0.1).mul_add(sin_crank_2_angle, lit(0.9));
                 q[8] = crank_2_angle;
+                let last_cosine_3 = m[12];
+                let last_0 = m[0];
                 let since_look = t - last_0;
+                let last_rate_3 = m[16];
+                let last_bend_3 = m[17];
                 let t6 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
                 let plate_angle_expected_tangent =
                     t6 * (lit(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
+                let last_sine_3 = m[13];
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -2814,8 +2762,14 @@ mod plm_plate_on_three_pins_ {
                 let t10 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t9.mul_add(t10, t7 * t8);
+                let last_value_4 = m[18];
+                let last_rate_4 = m[19];
+                let last_bend_4 = m[20];
                 let slot_0_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
+                let last_value_5 = m[21];
+                let last_rate_5 = m[22];
+                let last_bend_5 = m[23];
                 let slot_1_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
                 let t11 = lit(0.8191520442889918) * slot_0_displacement_expected;
@@ -2830,6 +2784,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t15, arm0_0_4_y * t16);
                 let j0_0_across_0_1 = t9.mul_add(t16, t7 * t15);
+                let last_value_6 = m[24];
+                let last_rate_6 = m[25];
+                let last_bend_6 = m[26];
                 let slot_2_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
                 let t17 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t11) - lit(0.4);
@@ -2993,6 +2950,7 @@ mod plm_plate_on_three_pins_ {
                 q[9] = crank_0_x + crank_0_x - t41;
                 let t42 = plate_angle_2_cos.mul_add(t40, plate_angle_2_sin * t38);
                 q[10] = crank_0_y + crank_0_y - t42;
+                let last_angle_3 = m[11];
                 let t43 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
@@ -3084,6 +3042,7 @@ mod plm_plate_on_three_pins_ {
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let gap_1_y = loop_1_y + arm_1_4_y;
+                let precision = m[27];
                 let t62 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -3100,45 +3059,19 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 11 select, 1 other.
             fn look_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], memory: &mut [S; 28]) -> S {
-                let [
-                    last_0,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    last_angle_3,
-                    last_cosine_3,
-                    last_sine_3,
-                    _,
-                    _,
-                    last_rate_3,
-                    last_bend_3,
-                    last_value_4,
-                    last_rate_4,
-                    last_bend_4,
-                    last_value_5,
-                    last_rate_5,
-                    last_bend_5,
-                    last_value_6,
-                    last_rate_6,
-                    last_bend_6,
-                    precision,
-                    ..,
-                ] = *m;
                 let lit = S::lit;
                 memory[0] = t;
+                let last_cosine_3 = m[12];
+                let last_0 = m[0];
                 let since_look = t - last_0;
+                let last_rate_3 = m[16];
+                let last_bend_3 = m[17];
                 let t1 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
+                let last_sine_3 = m[13];
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -3154,8 +3087,14 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
+                let last_value_4 = m[18];
+                let last_rate_4 = m[19];
+                let last_bend_4 = m[20];
                 let slot_0_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
+                let last_value_5 = m[21];
+                let last_rate_5 = m[22];
+                let last_bend_5 = m[23];
                 let slot_1_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
                 let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
@@ -3170,6 +3109,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
+                let last_value_6 = m[24];
+                let last_rate_6 = m[25];
+                let last_bend_6 = m[26];
                 let slot_2_displacement_expected =
                     lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
                 let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
@@ -3395,6 +3337,7 @@ mod plm_plate_on_three_pins_ {
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let gap_1_y = loop_1_y + arm_1_4_y;
+                let precision = m[27];
                 let t58 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -3434,6 +3377,7 @@ mod plm_plate_on_three_pins_ {
                 memory[8] = crank_2_angle;
                 memory[9] = cos_crank_2_angle;
                 memory[10] = sin_crank_2_angle;
+                let last_angle_3 = m[11];
                 let t66 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
@@ -3464,40 +3408,14 @@ mod plm_plate_on_three_pins_ {
             /// 84 add, 105 mul, 1 div, 2 neg, 4 sin_cos.
             #[cold]
             fn survey_0(&self, t: S, q: &[S; 12], v: &[S; 12], memory: &mut [S; 28]) -> S {
-                let [
-                    crank_0_x,
-                    crank_0_y,
-                    crank_0_angle,
-                    crank_1_x,
-                    crank_1_y,
-                    crank_1_angle,
-                    crank_2_x,
-                    crank_2_y,
-                    crank_2_angle,
-                    plate_x,
-                    plate_y,
-                    plate_angle,
-                    ..,
-                ] = *q;
-                let [
-                    crank_0_vx,
-                    crank_0_vy,
-                    crank_0_omega,
-                    crank_1_vx,
-                    crank_1_vy,
-                    crank_1_omega,
-                    crank_2_vx,
-                    crank_2_vy,
-                    crank_2_omega,
-                    plate_vx,
-                    plate_vy,
-                    plate_omega,
-                    ..,
-                ] = *v;
                 let lit = S::lit;
                 memory[0] = t;
                 memory[1] = lit(0.0);
+                let crank_0_angle = q[2];
                 memory[2] = crank_0_angle;
+                let crank_1_angle = q[5];
+                let crank_2_angle = q[8];
+                let plate_angle = q[11];
                 let (
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
@@ -3515,15 +3433,20 @@ mod plm_plate_on_three_pins_ {
                 memory[13] = sin_plate_angle;
                 memory[14] = lit(1.0);
                 memory[15] = plate_angle;
+                let plate_omega = v[11];
                 memory[16] = plate_omega;
                 memory[17] = lit(0.0);
                 let t1 = lit(-0.573576436351046)
                     .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let crank_0_x = q[0];
+                let plate_x = q[9];
                 let t2 = lit(0.3).mul_add(sin_plate_angle, plate_x);
                 let t3 = lit(0.4) * cos_plate_angle;
                 let t4 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t3 - t2;
                 let t5 = lit(0.8191520442889918)
                     .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let crank_0_y = q[1];
+                let plate_y = q[10];
                 let t6 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
                 let t7 = lit(0.4) * sin_plate_angle;
                 let t8 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t7 - t6;
@@ -3531,9 +3454,14 @@ mod plm_plate_on_three_pins_ {
                 memory[18] = lit(2.5) * t9;
                 let t10 = plate_omega * sin_plate_angle;
                 let t11 = plate_omega * cos_plate_angle;
+                let crank_0_vx = v[0];
+                let crank_0_omega = v[2];
+                let plate_vx = v[9];
                 let t12 = lit(0.3).mul_add(t11, plate_vx);
                 let t13 = lit(0.1) * crank_0_omega;
                 let t14 = lit(0.4) * t10;
+                let crank_0_vy = v[1];
+                let plate_vy = v[10];
                 let t15 = lit(0.3).mul_add(t10, plate_vy);
                 let t16 = lit(0.4) * t11;
                 let t17 = (-t1).mul_add(
@@ -3548,15 +3476,20 @@ mod plm_plate_on_three_pins_ {
                 memory[20] = lit(0.0);
                 let t19 = lit(0.6427876096865393)
                     .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                let crank_1_x = q[3];
                 let t20 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t3 - t2;
                 let t21 = t19 * t20;
                 let t22 = lit(-0.766044443118978)
                     .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                let crank_1_y = q[4];
                 let t23 = lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t7 - t6;
                 let t24 = t22 * t23;
                 let t25 = t21 - t24;
                 memory[21] = lit(-2.5) * t25;
+                let crank_1_vx = v[3];
+                let crank_1_omega = v[5];
                 let t26 = lit(0.1) * crank_1_omega;
+                let crank_1_vy = v[4];
                 let t27 = (-t19).mul_add(
                     (-t26).mul_add(sin_crank_1_angle, crank_1_vx + t14) - t12,
                     lit(-0.6427876096865393).mul_add(t11, lit(0.766044443118978) * t10) * t20,
@@ -3569,15 +3502,20 @@ mod plm_plate_on_three_pins_ {
                 memory[23] = lit(0.0);
                 let t29 = lit(0.984807753012208)
                     .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                let crank_2_x = q[6];
                 let t30 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t7;
                 let t31 = t29 * t30;
                 let t32 = lit(-0.17364817766693033)
                     .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                let crank_2_y = q[7];
                 let t33 = lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t3;
                 let t34 = t32 * t33;
                 let t35 = t31 - t34;
                 memory[24] = lit(-2.5) * t35;
+                let crank_2_vx = v[6];
+                let crank_2_omega = v[8];
                 let t36 = lit(0.1) * crank_2_omega;
+                let crank_2_vy = v[7];
                 let t37 = (-t29).mul_add(
                     (-t36).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t16),
                     t30 * lit(-0.984807753012208).mul_add(t11, lit(0.17364817766693033) * t10),

@@ -638,24 +638,16 @@ mod plm_slider_crank_ {
             /// 67 add, 99 mul, 9 div, 2 neg, 2 sin_cos, 24 select.
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health({
-                    let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
-                    let [
-                        residual_0,
-                        residual_1,
-                        residual_2,
-                        residual_3,
-                        residual_4,
-                        residual_5,
-                        residual_6,
-                        residual_7,
-                        ..,
-                    ] = *r;
-                    let [w_0, w_1, w_2, w_3, w_4, w_5, w_6, w_7, w_8, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
+                    let w_8 = w[8];
+                    let w_7 = w[7];
                     let r_6 = lit(1.0) / w_7;
                     let l_5_6 = -(w_7 * r_6);
+                    let w_0 = w[0];
+                    let crank_angle = q[2];
                     let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                    let w_2 = w[2];
                     let y_0_2 = lit(0.1) * sin_crank_angle * w_2;
                     let t1 = lit(0.1) * (sin_crank_angle * y_0_2);
                     let d_0 = w_0 + t1;
@@ -666,6 +658,7 @@ mod plm_slider_crank_ {
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
+                    let w_1 = w[1];
                     let t3 = cos_crank_angle * y_1_2;
                     let t4 = lit(-0.1).mul_add(t3, w_1);
                     let t5 = g_1_0 * l_1_0;
@@ -679,7 +672,10 @@ mod plm_slider_crank_ {
                     let l_2_1 = g_2_1 * kept_1;
                     let g_3_1 = lit(-0.1).mul_add(t3, -w_1) - t5;
                     let l_3_1 = g_3_1 * kept_1;
+                    let w_3 = w[3];
+                    let rod_angle = q[5];
                     let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
+                    let w_5 = w[5];
                     let y_2_5 = lit(0.3) * sin_rod_angle * w_5;
                     let t7 = lit(0.3) * (sin_rod_angle * y_2_5);
                     let t8 = w_3 + t7;
@@ -696,6 +692,7 @@ mod plm_slider_crank_ {
                     let g_4_2 = t7 - w_3;
                     let l_4_2 = g_4_2 * kept_2;
                     let l_5_2 = g_5_2 * kept_2;
+                    let w_4 = w[4];
                     let t12 = cos_rod_angle * y_3_5;
                     let t13 = lit(-0.3).mul_add(t12, w_4);
                     let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
@@ -706,6 +703,7 @@ mod plm_slider_crank_ {
                     let l_4_3 = kept_3 * g_4_3;
                     let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.3).mul_add(t12, -w_4));
                     let l_5_3 = kept_3 * g_5_3;
+                    let w_6 = w[6];
                     let t15 = w_6 + t8;
                     let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t15));
                     let growth_4 = (t15 * r_4).abs();
@@ -722,11 +720,19 @@ mod plm_slider_crank_ {
                     let growth_5 = (t17 * r_5).abs();
                     let t18 = most_growth.lt(growth_5);
                     // (phi_q W phi_q^T) mu = r
+                    let residual_7 = r[7];
+                    let residual_6 = r[6];
+                    let residual_0 = r[0];
+                    let residual_1 = r[1];
                     let t19 = residual_0 * l_1_0;
                     let b_1 = residual_1 - t19;
+                    let residual_2 = r[2];
                     let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
+                    let residual_3 = r[3];
                     let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t19));
+                    let residual_4 = r[4];
                     let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
+                    let residual_5 = r[5];
                     let b_5 = (-l_5_4).mul_add(
                         b_4,
                         (-l_5_3)
@@ -1035,13 +1041,11 @@ mod plm_slider_crank_ {
             /// 74 add, 99 mul, 7 div, 1 neg, 2 sin_cos, 24 select.
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
-                let crank_angle = x[2];
-                let rod_angle = x[5];
-                let crank_omega = x[11];
-                let rod_omega = x[14];
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
+                let crank_angle = x[2];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let rod_angle = x[5];
                 let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
                 let y_0_2 = lit(150.0) * sin_crank_angle;
                 let y_1_2 = lit(-150.0) * cos_crank_angle;
@@ -1102,11 +1106,13 @@ mod plm_slider_crank_ {
                 let growth_5 = ((t8 - lit(3.6666666666666665)) * r_5).abs();
                 let t13 = most_growth.lt(growth_5);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
+                let crank_omega = x[11];
                 let t14 = crank_omega * crank_omega;
                 let b_0 = (lit(0.1) * cos_crank_angle).mul_add(t14, y_0_2);
                 let t15 = (-(lit(0.1) * sin_crank_angle))
                     .mul_add(t14, l_1_0.mul_add(b_0, lit(150.0) * cos_crank_angle));
                 let b_1 = lit(-9.81) - t15;
+                let rod_omega = x[14];
                 let t16 = rod_omega * rod_omega;
                 let t17 = lit(0.3) * (cos_rod_angle * t16);
                 let b_2 = (-l_2_1).mul_add(b_1, (-l_2_0).mul_add(b_0, b_0 + t17));

@@ -8,6 +8,8 @@ use std::fmt::Write;
 
 use super::statement::{Lines, Statement};
 
+/// Statements that can be seen at once.
+const SCREEN: usize = 40;
 /// Statements in one block.
 const BLOCK: usize = 160;
 
@@ -16,7 +18,7 @@ pub(super) fn body(lines: &Lines, indent: usize) -> String {
     let count = lines.statements.len();
     let mut text = String::new();
     if count <= BLOCK + BLOCK / 2 {
-        write_statements(&mut text, &lines.statements, indent);
+        write_statements(&mut text, lines, &lines.statements, indent);
     } else {
         let mut start = 0;
         let live_after = live_after(lines);
@@ -32,33 +34,48 @@ pub(super) fn body(lines: &Lines, indent: usize) -> String {
     text
 }
 
-/// [`body`], with its inputs in front, and `lit` if it holds constants.
-pub(super) fn with_literals(lines: &Lines, by_reference: bool) -> String {
-    let body = body(lines, 0);
-    let mut text = String::with_capacity(body.len() + 200);
-    for (array, read) in &lines.inputs {
-        let is_field = array.contains('.');
-        let value = if by_reference && !is_field { format!("*{array}") } else { array.clone() };
-        destructure(&mut text, read, &value, array);
+/// [`body`] with `lit` in front if it holds constants. What is read of arrays stands at the top of what can be seen at once;
+/// in longer code where it is used first, which is near, and takes fewer registers.
+pub(super) fn with_literals(mut lines: Lines, by_reference: bool) -> String {
+    let mut text = String::new();
+    if lines.statements.len() <= SCREEN {
+        let mut read: BTreeMap<String, BTreeMap<usize, usize>> = BTreeMap::new();
+        lines.statements.retain(|statement| match statement {
+            Statement::Read { local, array, element } => {
+                read.entry(array.clone()).or_default().insert(*element, *local);
+                false
+            }
+            _ => true,
+        });
+        for (array, elements) in &read {
+            destructure(&mut text, &lines, (array, elements), by_reference);
+        }
     }
+    let body = body(&lines, 0);
     if body.contains("lit(") {
         line(&mut text, 0, "let lit = S::lit;");
     }
-    text.push_str(&body);
-    text
+    text + &body
 }
 
-/// `let [x_arm, _, arm_angle, ..] = *q;`, or a line for each where few of many are read.
-fn destructure(text: &mut String, read: &BTreeMap<usize, String>, value: &str, array: &str) {
+/// `let [arm_x, _, arm_angle, ..] = *q;`, or a line for each where few of many are read.
+fn destructure(
+    text: &mut String,
+    lines: &Lines,
+    (array, read): (&str, &BTreeMap<usize, usize>),
+    by_reference: bool,
+) {
+    let name = |local: &usize| lines.locals[*local].as_str();
     let end = read.keys().last().map_or(0, |last| last + 1);
     if end > 2 * read.len() + 2 {
-        for (element, name) in read {
-            line(text, 0, &format!("let {name} = {array}[{element}];"));
+        for (element, local) in read {
+            line(text, 0, &format!("let {} = {array}[{element}];", name(local)));
         }
         return;
     }
-    let names: Vec<&str> = (0..end).map(|element| read.get(&element).map_or("_", String::as_str)).collect();
-    line(text, 0, &format!("let [{}, ..] = {value};", names.join(", ")));
+    let names: Vec<&str> = (0..end).map(|element| read.get(&element).map_or("_", name)).collect();
+    let star = if by_reference && !array.contains('.') { "*" } else { "" };
+    line(text, 0, &format!("let [{}, ..] = {star}{array};", names.join(", ")));
 }
 
 /// `live_after[k]`: the locals that statements from `k` on (or the result) read.
@@ -95,7 +112,7 @@ fn write_block(
         Some(tuple) => line(text, indent, &format!("let {tuple} = {{")),
         None => line(text, indent, "{"),
     }
-    write_statements(text, statements, indent + 4);
+    write_statements(text, lines, statements, indent + 4);
     match &tuple {
         Some(tuple) => {
             line(text, indent + 4, tuple);
@@ -105,10 +122,13 @@ fn write_block(
     }
 }
 
-fn write_statements(text: &mut String, statements: &[Statement], indent: usize) {
+fn write_statements(text: &mut String, lines: &Lines, statements: &[Statement], indent: usize) {
     for statement in statements {
         match statement {
             Statement::Title(title) => line(text, indent, &format!("// {title}")),
+            Statement::Read { local, array, element } => {
+                line(text, indent, &format!("let {} = {array}[{element}];", lines.locals[*local]));
+            }
             Statement::Let { pattern, value, .. } => line(text, indent, &format!("let {pattern} = {value};")),
             Statement::Store { place, value, .. } => line(text, indent, &format!("{place} = {value};")),
         }

@@ -38,7 +38,8 @@ pub(super) fn statements(
     (reserved, by_reference): (&[&str], bool),
 ) -> (String, Count) {
     let lines = lower(function, bindings, reserved);
-    (blocks::with_literals(&lines, by_reference), lines.count)
+    let count = lines.count;
+    (blocks::with_literals(lines, by_reference), count)
 }
 
 /// An expression as one of Rust: a block where it needs locals.
@@ -105,13 +106,8 @@ impl<'a> Lowering<'a> {
         let groups = angle_groups(tape, &uses);
         let needed =
             tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
-        let lines = Lines {
-            inputs: BTreeMap::new(),
-            statements: Vec::new(),
-            value: None,
-            locals: Vec::new(),
-            count: Count::of(needed),
-        };
+        let lines =
+            Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
         let names = Names::with_reserved(reserved);
         let mut is_result = vec![false; tape.ops.len()];
         for result in &tape.outputs[first_result..] {
@@ -225,7 +221,8 @@ impl<'a> Lowering<'a> {
         let local = self.named(name);
         let (pattern, makes) = (local.text.clone(), local.reads.clone());
         if let (Op::Symbol(_), Some((array, element))) = (self.tape.ops[index].op, element(&piece.text)) {
-            self.lines.inputs.entry(array.to_owned()).or_default().insert(element, pattern);
+            let array = array.to_owned();
+            self.lines.statements.push(Statement::Read { local: local.reads[0], array, element });
             return local;
         }
         self.lines.statements.push(Statement::Let { makes, pattern, value: piece.text, reads: piece.reads });

@@ -1,7 +1,5 @@
 //! Statements, and what they read and make.
 
-use std::collections::BTreeMap;
-
 use plm_cas::Count;
 
 /// A statement and what it needs.
@@ -9,6 +7,8 @@ use plm_cas::Count;
 pub(super) enum Statement {
     /// A comment above what follows.
     Title(String),
+    /// `let name = array[element];`, of an argument.
+    Read { local: usize, array: String, element: usize },
     /// `let name = value;` (`name` may be a pattern).
     Let { makes: Vec<usize>, pattern: String, value: String, reads: Vec<usize> },
     /// `place = value;`
@@ -18,8 +18,6 @@ pub(super) enum Statement {
 /// A lowered function.
 #[derive(Debug)]
 pub(super) struct Lines {
-    /// What is read of each array, by the numbers of its elements: names of locals.
-    pub(super) inputs: BTreeMap<String, BTreeMap<usize, String>>,
     /// Statements in order.
     pub(super) statements: Vec<Statement>,
     /// The value that the function returns and the locals that it reads.
@@ -34,7 +32,7 @@ impl Statement {
     /// Locals that the statement reads.
     pub(super) fn reads(&self) -> impl Iterator<Item = usize> {
         let reads: &[usize] = match self {
-            Statement::Title(_) => &[],
+            Statement::Title(_) | Statement::Read { .. } => &[],
             Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
         };
         reads.iter().copied()
@@ -43,6 +41,7 @@ impl Statement {
     /// Locals that the statement makes.
     pub(super) fn makes(&self) -> impl Iterator<Item = usize> {
         let makes: &[usize] = match self {
+            Statement::Read { local, .. } => std::slice::from_ref(local),
             Statement::Let { makes, .. } => makes,
             Statement::Title(_) | Statement::Store { .. } => &[],
         };
