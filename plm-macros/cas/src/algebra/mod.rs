@@ -95,11 +95,6 @@ impl Expr {
         self == Expr::ZERO
     }
 
-    /// Is it the constant 1?
-    pub fn is_one(self) -> bool {
-        self == Expr::ONE
-    }
-
     /// The constant that it is, if it is one.
     pub fn as_number(self) -> Option<Number> {
         with(|graph| graph.as_number(self))

@@ -70,8 +70,15 @@ impl Vec2 {
     #[must_use]
     pub fn named(self, name: impl AsRef<str>) -> Vec2 {
         let name = name.as_ref();
-        let x = self.x.named(format!("{name}_x"));
-        Vec2::new(x, self.y.named(format!("{name}_y")))
+        self.named_by([format!("{name}_x"), format!("{name}_y")])
+    }
+
+    /// Atoms of these names that stand for the components.
+    #[must_use]
+    pub fn named_by(self, names: [impl AsRef<str>; 2]) -> Vec2 {
+        let [x, y] = names;
+        let x = self.x.named(x);
+        Vec2::new(x, self.y.named(y))
     }
 
     /// The components, x first.

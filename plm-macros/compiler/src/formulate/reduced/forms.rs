@@ -48,14 +48,12 @@ fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u
     assert_eq!(forms.len(), 2);
     let Layout { model, .. } = layout;
     let defaults = numeric::defaults(model);
-    let mut random = 1_u64;
+    let mut random = numeric::Random(1);
     let mut worst = 0.0_f64;
     for _ in 0..states {
         let mut values: Vec<(Expr, f64)> = defaults.clone();
         for &symbol in motion.value.iter().chain(&motion.rate) {
-            // D. E. Knuth, The Art of Computer Programming 2, 3.3.4: the multiplier of MMIX.
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            values.push((symbol, (random >> 11) as f64 / (1_u64 << 52) as f64 * 2.0 - 2.0));
+            values.push((symbol, 2.0 * random.unit()));
         }
         let [dense, articulated] = [&forms[0], &forms[1]].map(|(_, form)| {
             let roots: Vec<Expr> = form.results.iter().map(|&(_, value)| value).collect();

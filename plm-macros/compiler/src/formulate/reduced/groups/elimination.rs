@@ -256,17 +256,14 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
     use super::*;
+    use crate::numeric::Random;
 
     /// Solutions of systems with random numbers, and with a random pattern in which some unknowns that a loop gives stand
     /// in other loops as well: what is left of `A x - b`.
     #[test]
     fn solutions_solve() {
-        let mut random = 1_u64;
-        let mut number = || {
-            // D. E. Knuth, The Art of Computer Programming 2, 3.3.4: the multiplier of MMIX.
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (random >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        };
+        let mut random = Random(1);
+        let mut number = || random.unit();
         let mut shared = 0;
         for case in 0..60 {
             let loops = 2 + case % 3;

@@ -227,9 +227,10 @@ impl Coordinates {
         self.loops[closure].iter().copied().max_by_key(rank).unwrap_or(0)
     }
 
-    /// The coordinate that is x (0) or y (1) of G of a body that hangs on nothing.
-    pub(crate) fn centre(&self, body: usize, axis: usize) -> Option<usize> {
-        self.unknowns.iter().position(|&unknown| unknown == Unknown::Centre { body, axis })
+    /// Of values by unknown, those of x and y of G of a body that hangs on nothing; 0 where they are no unknowns.
+    pub(crate) fn centre(&self, body: usize, values: &[Expr]) -> Vec2 {
+        let of = |axis| self.unknowns.iter().position(|&unknown| unknown == Unknown::Centre { body, axis });
+        Vec2::from([0, 1].map(|axis| of(axis).map_or(Expr::ZERO, |unknown| values[unknown])))
     }
 
     /// Heading of the body of a frame.

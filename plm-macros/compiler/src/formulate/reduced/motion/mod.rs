@@ -196,19 +196,14 @@ impl<'a> Motion<'a> {
         for hold in &coordinates.order {
             let body = hold.body;
             let Some(joint) = hold.joint else {
-                let centre = [0, 1].map(|axis| coordinates.centre(body, axis));
-                self.position[body] =
-                    Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| self.value[k])));
-                self.velocity[body] =
-                    Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| self.rate[k])));
+                self.position[body] = coordinates.centre(body, &self.value);
+                self.velocity[body] = coordinates.centre(body, &self.rate);
                 continue;
             };
             let (position, velocity) = self.beyond(model, hold, joint);
             let name = &model.bodies[body].name.text;
-            self.position[body] =
-                Vec2::new(position.x.named(format!("{name}.x")), position.y.named(format!("{name}.y")));
-            self.velocity[body] =
-                Vec2::new(velocity.x.named(format!("{name}.vx")), velocity.y.named(format!("{name}.vy")));
+            self.position[body] = position.named_by([format!("{name}.x"), format!("{name}.y")]);
+            self.velocity[body] = velocity.named_by([format!("{name}.vx"), format!("{name}.vy")]);
         }
     }
 

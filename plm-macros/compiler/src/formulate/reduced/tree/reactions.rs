@@ -82,17 +82,14 @@ impl Layout<'_> {
             let body = hold.body;
             let from = hold.parent.map_or(Vec2::ZERO, |parent| reached[parent].plane());
             let a = match hold.joint.map(|joint| coordinates.joints[joint]) {
-                None => {
-                    let centre = [0, 1].map(|axis| coordinates.centre(body, axis));
-                    Vec2::from(centre.map(|unknown| unknown.map_or(Expr::ZERO, |k| second[k])))
-                }
+                None => coordinates.centre(body, second),
                 Some(joint) => {
                     let across = self.across(motion, second, &joint);
                     from + if joint.b.body == Some(body) { across } else { -across }
                 }
             };
             let name = &model.bodies[body].name.text;
-            let a = Vec2::new(a.x.named(format!("{name}.ax")), a.y.named(format!("{name}.ay")));
+            let a = a.named_by([format!("{name}.ax"), format!("{name}.ay")]);
             reached[body] = Spatial::new(a, self.alpha(second, coordinates.headings[body].class));
         }
         reached
