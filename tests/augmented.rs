@@ -1,4 +1,4 @@
-//! Implicit methods on trees: the linearised equations against the full matrix of derivatives, by dual numbers.
+//! Implicit methods on trees and in absolute coordinates: the linearised equations against the full matrix of derivatives, by dual numbers.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 use plm::runtime::linalg::{Complex, Dense, Derivatives};
@@ -42,6 +42,52 @@ mod zoo {
     }
 }
 
+/// Loops with a slide, a spring across, a drive by the time and a first-order state, in absolute coordinates.
+mod mill {
+    plm::mechanism! {
+        pub Mill {
+            gravity: 9.81 m/s^2;
+            rung: absolute;
+            ground { port o: (0, 0) m; port p: (1.5 m, 0.02 m*sin(5 rad/s*t)); port rail: (2, 0.4) m, angle: 10 deg; }
+            body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.2, 0) m; port b: (0.2, 0) m; start angle: 60 deg, locked; start omega: 4 rad/s, locked; }
+            body rod { mass: 2 kg; inertia: 0.2 kg*m^2; port a: (-0.6, 0) m; port b: (0.6, 0) m; port c: (0.1, 0.3) m; }
+            body rocker { mass: 1.5 kg; inertia: 0.1 kg*m^2; port a: (-0.4, 0) m; port b: (0.4, 0) m; start angle: 95 deg; }
+            body link { mass: 0.5 kg; inertia: 0.03 kg*m^2; port a: (-0.4, 0) m; port b: (0.4, 0) m; }
+            body slide { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; }
+            revolute r1(ground.o, crank.a) { drive: filtered; }
+            revolute r2(crank.b, rod.a);
+            revolute r3(rod.b, rocker.b) { damping: 0.2 N*m*s/rad; }
+            revolute r4(ground.p, rocker.a) { stiffness: 3 N*m/rad; }
+            revolute r5(rod.c, link.a);
+            revolute r6(link.b, slide.a);
+            prismatic rail(slide.a, ground.rail) { stiffness: 200 N/m; damping: 5 N*s/m; }
+            spring across(crank.b, rocker.b) { stiffness: 80 N/m; damping: 1 N*s/m; free_length: 0.5 m; }
+            state filtered: N*m = 1 N*m;
+            rate filtered = (2 N*m - filtered - 0.1 N*m*s*crank.omega)/0.3 s;
+        }
+    }
+}
+
+/// A loop with a chain of lags, whose matrix of derivatives is emitted entry by entry.
+mod loom {
+    plm::mechanism! {
+        pub Loom {
+                gravity: 9.81 m/s^2;
+                ground { port o: (0, 0) m; port p: (0.8, 0) m; }
+                body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 40 deg, locked; start omega: 5 rad/s, locked; }
+                body coupler { mass: 2 kg; inertia: 0.2 kg*m^2; port b: (-0.2, 0) m; port c: (0.2, 0) m; }
+                body rocker { mass: 1.5 kg; inertia: 0.1 kg*m^2; port c: (0.45, 0) m; port p: (-0.45, 0) m; start angle: 120 deg; }
+                revolute o(ground.o, crank.a) { drive: s3; }
+                revolute b(crank.b, coupler.b);
+                revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
+                revolute p(ground.p, rocker.p) { stiffness: 2 N*m/rad; }
+                state s1: N*m = 0.5 N*m; rate s1 = (1 N*m*cos(3 rad/s*t) - s1)/0.01 s;
+                state s2: N*m = 0.5 N*m; rate s2 = (s1 - s2)/0.01 s;
+                state s3: N*m = 0.5 N*m; rate s3 = (s2 - s3 - 0.1 N*m*s/rad*rocker.omega)/0.01 s;
+        }
+    }
+}
+
 /// A chain of so many bars, with springs and dampers in its hinges.
 macro_rules! chain {
     ($module:ident, $bars:tt) => {
@@ -78,8 +124,9 @@ chain!(chain32, 32);
 #[path = "snapshots/arm_on_jack.rs"]
 mod arm_on_jack;
 
-/// The largest difference of (lambda I - J)^-1 r between the full matrix and the augmented system, over the largest k.
-fn difference<M>(mechanism: M, time: f64, lambda: Complex<f64>) -> f64
+/// The largest difference of (lambda I - J)^-1 r between the full matrix and the augmented system, over the largest k. On a
+/// tree there is no full matrix beside the system.
+fn difference<M>(mechanism: M, time: f64, lambda: Complex<f64>, is_tree: bool) -> f64
 where
     M: Mechanism<S = f64, X: Dense<f64, Matrix: Derivatives<f64, <M as System>::X>>> + Linear,
 {
@@ -88,9 +135,14 @@ where
     let state = sim.state();
     let (t, held, x) = (state.time(), state.held(), *state.x());
     let (mut full, mut sparse) = (M::X::zeros(), M::Derivatives::zeros());
-    assert!(sparse.full().is_none(), "the linearised equations of this mechanism are sparse");
+    assert_eq!(sparse.full().is_none(), is_tree, "the linearised equations of a tree are sparse");
     assert!(mechanism.jacobian(t, &held, &x, &mut full, None).is_good());
     assert!(mechanism.differentiate(t, &held, &x, &mut sparse, None).is_good());
+    let holds_matrix = size_of_val(&sparse) > size_of_val(&full);
+    assert_ne!(
+        holds_matrix, is_tree,
+        "the equations of absolute coordinates are linearised beside the matrix"
+    );
     let r = |i: usize| Complex { re: f64::from(i as u32 % 7) - 2.5, im: f64::from(i as u32 % 5) - 1.5 };
     let mut found = [vec![], vec![]];
     let resolvent = full.resolvent(lambda, M::NQ).unwrap();
@@ -115,14 +167,55 @@ fn the_linearised_equations_solve_what_the_full_matrix_does() {
         Complex { re: 4.0, im: 3.0 },
     ] {
         let found = [
-            difference(zoo::Zoo::new(), 0.1, lambda),
-            difference(arm_on_jack::ArmOnJack::new(), 0.01, lambda),
-            difference(chain4::Chain::new(), 0.3, lambda),
-            difference(chain16::Chain::new(), 0.3, lambda),
-            difference(chain32::Chain::new(), 0.3, lambda),
+            difference(zoo::Zoo::new(), 0.1, lambda, true),
+            difference(mill::Mill::new(), 0.1, lambda, false),
+            difference(arm_on_jack::ArmOnJack::new(), 0.01, lambda, true),
+            difference(chain4::Chain::new(), 0.3, lambda, true),
+            difference(chain16::Chain::new(), 0.3, lambda, true),
+            difference(chain32::Chain::new(), 0.3, lambda, true),
         ];
         assert!(found.iter().all(|gap| *gap < 1e-10), "{lambda:?}: {found:?}");
     }
+}
+
+/// Entry by entry as by dual numbers, in every chart.
+#[test]
+fn the_matrix_of_a_loop_is_that_of_dual_numbers() {
+    let mut sim = loom::Loom::new().start().unwrap();
+    let mut charts = [false; 3];
+    for _ in 0..200 {
+        sim.step(0.02).unwrap();
+        let (mechanism, held, t, x) = (sim.mechanism, sim.state().held(), sim.time(), *sim.state().x());
+        charts[held.chart] = true;
+        let mut by_x = [[0.0; 5]; 5];
+        let mut by_t = [0.0; 5];
+        assert!(mechanism.jacobian(t, &held, &x, &mut by_x, Some(&mut by_t)).is_good());
+        for j in 0..=5 {
+            let along: [f64; 5] = std::array::from_fn(|k| f64::from(u8::from(k == j)));
+            let (mut column, by) = ([0.0; 5], f64::from(u8::from(j == 5)));
+            assert!(mechanism.jvp(t, &held, &x, (by, &along), &mut column).is_good());
+            for i in 0..5 {
+                let entry = if j == 5 { by_t[i] } else { by_x[i][j] };
+                let gap = (entry - column[i]).abs() / column[i].abs().max(1.0);
+                assert!(gap < 1e-11, "t = {t}, {i} by {j}: {entry} and {}", column[i]);
+            }
+        }
+    }
+    assert!(charts.iter().filter(|seen| **seen).count() > 1, "{charts:?}");
+}
+
+#[test]
+fn implicit_methods_carry_loops_in_absolute_coordinates() {
+    let run = |mut known: plm::Sim<mill::Mill, RadauIia5<mill::Mill>>| {
+        known.step(1.0).unwrap();
+        (known.stats(), *known.state().x())
+    };
+    let mut known = mill::Mill::new().start_with(Dop853::new(1e-12)).unwrap();
+    known.step(1.0).unwrap();
+    let (stats, x) = run(mill::Mill::new().start_with(RadauIia5::new(1e-9)).unwrap());
+    let off = known.state().x().iter().zip(&x).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
+    assert!(off < 1e-6, "{off:e}");
+    assert!(stats.rejected < 20 && stats.evaluations < 9 * stats.steps, "{stats:?}");
 }
 
 #[test]

@@ -41,6 +41,8 @@ pub enum Cause {
         /// Number of constraint rows.
         rows: usize,
     },
+    /// They are nearly singular, where a step by itself ([`step`](crate::step)) does not know a second way.
+    NotRegular,
     /// They had to be decomposed by rank, which would take more of the stack than is allowed
     /// ([`workspace`](crate::workspace)).
     Workspace {
@@ -214,6 +216,9 @@ impl fmt::Display for Cause {
             Self::Singular { rows } => {
                 write!(f, "the {rows} constraint rows could not be decomposed")
             }
+            Self::NotRegular => f.write_str(
+                "the equations of motion are nearly singular: a step by itself goes no further, `Sim` may",
+            ),
             Self::Workspace { bytes, allowed } => write!(
                 f,
                 "a solution by rank takes {bytes} bytes of stack, and {allowed} are allowed (plm::runtime::workspace)"

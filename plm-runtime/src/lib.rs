@@ -12,6 +12,7 @@
 //! | [`events`] | switching: where it happens, and how often it may |
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
+//! | [`step`] | a step of fixed length by itself |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
@@ -50,6 +51,7 @@ pub mod sim;
 pub mod singular;
 pub mod start;
 pub mod statics;
+pub mod step;
 pub mod system;
 pub mod tube;
 pub mod twofold;

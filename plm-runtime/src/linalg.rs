@@ -8,11 +8,13 @@
 
 mod complex;
 mod lu;
+mod mixed;
 mod resolvent;
 mod sparse;
 
 pub use complex::{Complex, Entry};
 pub use lu::Lu;
+pub use mixed::Mixed;
 pub use resolvent::{Dense, Derivatives, Resolvent};
 pub use sparse::{Below, Eliminated, Part, Pattern, Patterned, Pivot, Sparse, Term};
 

@@ -9,6 +9,13 @@ use crate::vector::Vector;
 /// Directions in which one evaluation on dual numbers differentiates.
 const DIRECTIONS: usize = 4;
 
+/// The health of a matrix of derivatives: that of the rate, which is not a number if an entry is not finite.
+pub fn finite<S: Real, const N: usize>(health: Health<S>, by_x: &[[S; N]; N]) -> Health<S> {
+    // Zero times what is not finite is not a number.
+    let probe = by_x.iter().flatten().fold(S::ZERO, |probe, entry| entry.mul_add(S::ZERO, probe));
+    Health(health.0 + probe)
+}
+
 /// A system that can be differentiated: generated code says how its numbers become [`Dual`] numbers, the rest is done
 /// by running it on them.
 pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {

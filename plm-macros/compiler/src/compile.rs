@@ -99,7 +99,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let scene = Scene::declared(&model, &equations, &absolute);
     let start = assemble(&scene);
     let reduced = reduce(&scene, Some(&start));
-    let mut program = Program { absolute, reduced };
+    let mut program = Program::new(&model, &equations, absolute, reduced);
     if let Some((outputs, from)) = observed {
         let outputs = fetched(outputs, &from, &held);
         program.observe(&outputs, &equations);
@@ -144,7 +144,7 @@ fn stand_in(reading: &Reading, place: Place) -> Option<Code> {
         let equations = derive(&model);
         let absolute = formulate(&model, &equations).optimise();
         let reduced = reduce(&Scene::declared(&model, &equations, &absolute), None);
-        let program = Program { absolute, reduced };
+        let program = Program::new(&model, &equations, absolute, reduced);
         let report = Report::new(&Scene::declared(&model, &equations, &program.absolute), &program);
         Some(emit::emit(&model, &equations, &program, &report, place))
     };

@@ -9,12 +9,16 @@
 
 mod joint;
 mod pair;
+mod step;
 mod switch;
+
+use std::collections::BTreeSet;
 
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 pub use joint::{FrameRef, Pair, Part, Turn};
+pub use step::Step;
 pub use switch::{Jump, Side, Steady};
 
 use crate::diag::Use;
@@ -46,6 +50,8 @@ pub struct Model {
     pub rung: Option<(Rung, Span)>,
     /// How constraints are kept.
     pub stabilisation: Stabilisation,
+    /// Steps that the user ordered, in the order of [`Step::NAMES`].
+    pub steps: BTreeSet<Step>,
     /// Fields that can change between runs.
     pub params: Vec<Param>,
     /// Fields that change while it runs.

@@ -50,6 +50,23 @@ pub fn switch_where_due<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x
     switched
 }
 
+/// Holds the sides of conditions that are past their guards at the state reached.
+#[inline]
+pub(crate) fn switch_past<M: System<S: Real>>(course: &mut Course<'_, M>) -> Result<(), Fault> {
+    if M::G::LEN == 0 {
+        return Ok(());
+    }
+    let here = guards_here(course)?;
+    for index in (0..M::G::LEN).filter(|i| is_past(course.system, &here, *i)) {
+        required(course, index)?;
+    }
+    let mut after = course.held;
+    if switch_where_due(course.system, course.time, &mut after, &course.x) > 0 {
+        hold(course, after)?;
+    }
+    Ok(())
+}
+
 /// What is known of the guards on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch<S, G> {

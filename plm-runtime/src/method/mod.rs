@@ -40,7 +40,7 @@ pub use radau::RadauIia5;
 pub use rates::Rates;
 pub(crate) use rates::Watched;
 pub use rk4::{Rk4, Rk4Formula};
-pub use ros34pw2::Ros34Pw2;
+pub use ros34pw2::{Ros34Pw2, Ros34Pw2Formula, Trial};
 
 use core::cmp::Ordering;
 
@@ -197,21 +197,21 @@ impl<'a, M: System> Course<'a, M> {
 }
 
 /// A fault that names the part of the first component which is not finite.
-fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
+pub(crate) fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
     let index = (0..M::X::LEN).find(|i| !x.at(*i).is_finite());
     let part = index.map_or("", |i| system.part_of_state(i));
     Fault::of_part(t.to_f64(), part, Cause::NotFinite)
 }
 
 /// Drift of the size `fraction` of the largest typical coordinate and velocity.
-fn drift_of_size<M: System<S: Real>>(system: &M, fraction: M::S) -> Drift<M::S> {
+pub(crate) fn drift_of_size<M: System<S: Real>>(system: &M, fraction: M::S) -> Drift<M::S> {
     let typical = system.typical();
     let largest = |from: usize| (from..from + M::NQ).fold(M::S::lit(0.0), |size, i| typical.at(i).max(size));
     Drift { phi: fraction * largest(0), phi_dot: fraction * largest(M::NQ) }
 }
 
 /// The larger of the two residuals, each as a multiple of its limit; zero where there is nothing to project.
-fn excess<S: Real>(drift: Drift<S>, limit: Drift<S>) -> S {
+pub(crate) fn excess<S: Real>(drift: Drift<S>, limit: Drift<S>) -> S {
     let zero = S::lit(0.0);
     let ratio = |size: S, limit: S| if size == zero { zero } else { size / limit };
     larger(ratio(drift.phi, limit.phi), ratio(drift.phi_dot, limit.phi_dot))

@@ -66,7 +66,12 @@ impl<S: Real> Ros34Pw2<S> {
     /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
     pub fn new(longest_step: S) -> Self {
         let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
-        Self { longest_step, tolerance, worst_error: S::lit(0.05), plan: Plan::none() }
+        Self {
+            longest_step,
+            tolerance,
+            worst_error: S::lit(Ros34Pw2Formula::WORST_ERROR),
+            plan: Plan::none(),
+        }
     }
 
     /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
@@ -77,50 +82,90 @@ impl<S: Real> Ros34Pw2<S> {
 }
 
 /// A state and the estimate of its error.
-struct Trial<X> {
-    x: X,
-    error: X,
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<X> {
+    /// The state after the step.
+    pub x: X,
+    /// The estimate.
+    pub error: X,
+}
+
+/// The formula, for who brings the rates and the linear algebra.
+#[derive(Clone, Copy, Debug)]
+pub struct Ros34Pw2Formula;
+
+impl Ros34Pw2Formula {
+    /// Estimated error of a step, as a fraction of the size of a state, above which it is not taken.
+    pub const WORST_ERROR: f64 = 0.05;
+
+    /// Of a step of `h` the lambda of the linear systems (lambda I - J) k = r.
+    #[inline]
+    pub fn lambda<S: Real>(h: S) -> S {
+        S::lit(1.0) / (S::lit(GAMMA) * h)
+    }
+
+    /// A step of `h` from `x` at `t`: `rates` gives the rate of a stage, by its number, and `solve` the k of an r; `by_t` is the
+    /// derivative of the rate by the time.
+    #[inline]
+    pub fn step<S: Real, X: Vector<S>>(
+        (t, h): (S, S),
+        (x, by_t): (&X, &X),
+        mut rates: impl FnMut(usize, S, &X, &mut X),
+        mut solve: impl FnMut(&X, &mut X),
+    ) -> Trial<X> {
+        let lit = S::lit;
+        let (mut stage, mut u) = (*x, [X::fill(S::ZERO); STAGES]);
+        for i in 0..STAGES {
+            let (alpha, gamma): (f64, f64) = (ALPHA[i].iter().sum(), GAMMAS[i].iter().sum());
+            let (a, c) = (A[i].map(lit), INVERSE[i].map(|c| lit(-c) / h));
+            stage.combine(x, [(a[0], &u[0]), (a[1], &u[1]), (a[2], &u[2])]);
+            let mut r = *x;
+            rates(i, t + lit(alpha) * h, &stage, &mut r);
+            r.add([(lit(gamma) * h, by_t)]);
+            for j in 0..i {
+                r.add([(c[j], &u[j])]);
+            }
+            solve(&r, &mut u[i]);
+        }
+        let ([u1, u2, u3, u4], [e1, e2, e3, e4]) = (&u, E.map(lit));
+        stage.add([(lit(1.0), u4)]);
+        let mut error = X::fill(S::ZERO);
+        error.add([(e1, u1), (e2, u2), (e3, u3), (e4, u4)]);
+        Trial { x: stage, error }
+    }
+}
+
+impl<X> Trial<X> {
+    /// The largest error as a fraction of the size of its state, which began as `x`.
+    pub fn worst<S: Real>(&self, x: &X, typical: &X) -> S
+    where
+        X: Vector<S>,
+    {
+        let fraction = |i: usize| {
+            let size = x.at(i).abs().max(self.x.at(i).abs()).max(typical.at(i));
+            self.error.at(i).abs() / size
+        };
+        (0..X::LEN).fold(S::ZERO, |worst, i| fraction(i).max(worst))
+    }
 }
 
 /// One step of `h` from the state reached.
 fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, Fault> {
-    let lit = M::S::lit;
     let (mut by_x, mut by_t) = (M::Derivatives::zeros(), course.x);
     course.differentiate(&mut by_x, Some(&mut by_t))?;
     course.stats.factorisations += 1;
-    let lambda = lit(1.0) / (lit(GAMMA) * h);
-    let Some(resolvent) = by_x.resolvent(lambda, M::NQ) else {
+    let Some(resolvent) = by_x.resolvent(Ros34Pw2Formula::lambda(h), M::NQ) else {
         return Err(course.fault(Cause::Singular { rows: M::X::LEN }));
     };
-    let (t, x, mut stage) = (course.time, course.x, course.x);
-    let mut u = [M::X::fill(M::S::ZERO); STAGES];
-    for i in 0..STAGES {
-        let (alpha, gamma): (f64, f64) = (ALPHA[i].iter().sum(), GAMMAS[i].iter().sum());
-        let (a, c) = (A[i].map(lit), INVERSE[i].map(|c| lit(-c) / h));
-        stage.combine(&x, [(a[0], &u[0]), (a[1], &u[1]), (a[2], &u[2])]);
-        let mut r = x;
-        course.rate(t + lit(alpha) * h, &stage, &mut r)?;
-        r.add([(lit(gamma) * h, &by_t)]);
-        for j in 0..i {
-            r.add([(c[j], &u[j])]);
+    let (t, x, mut outcome) = (course.time, course.x, Ok(()));
+    let rates = |_, t: M::S, x: &M::X, dx: &mut M::X| {
+        if outcome.is_ok() {
+            outcome = course.rate(t, x, dx);
         }
-        by_x.resolve(&resolvent, M::NQ, |k| r.at(k), |k, s| u[i].set(k, s));
-    }
-    let ([u1, u2, u3, u4], [e1, e2, e3, e4]) = (&u, E.map(lit));
-    stage.add([(lit(1.0), u4)]);
-    let mut error = M::X::fill(M::S::ZERO);
-    error.add([(e1, u1), (e2, u2), (e3, u3), (e4, u4)]);
-    Ok(Trial { x: stage, error })
-}
-
-/// The largest error as a fraction of the size of its state.
-fn worst<M: Linear>(course: &Course<'_, M>, trial: &Trial<M::X>) -> M::S {
-    let typical = course.system.typical();
-    let fraction = |i: usize| {
-        let size = course.x.at(i).abs().max(trial.x.at(i).abs()).max(typical.at(i));
-        trial.error.at(i).abs() / size
     };
-    (0..M::X::LEN).fold(M::S::ZERO, |worst, i| fraction(i).max(worst))
+    let solve = |r: &M::X, k: &mut M::X| by_x.resolve(&resolvent, M::NQ, |i| r.at(i), |i, s| k.set(i, s));
+    let trial = Ros34Pw2Formula::step((t, h), (&x, &by_t), rates, solve);
+    outcome.map(|()| trial)
 }
 
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
@@ -134,7 +179,7 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         let by_rank = course.stats.by_rank;
         let trial = step(course, self.plan.h)?;
-        let error = worst(course, &trial);
+        let error = trial.worst(&course.x, &course.system.typical());
         if error > self.worst_error {
             let step = self.plan.h.to_f64();
             return Err(course.fault(Cause::StepTooLong { step, error: error.to_f64() }));

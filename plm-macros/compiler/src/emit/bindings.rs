@@ -4,7 +4,7 @@ use plm_cas::Expr;
 
 use super::lower::Bindings;
 use super::{Emission, Form};
-use crate::formulate::Chart;
+use crate::formulate::{Chart, Resolvent};
 
 /// What the arguments of a function are.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,10 @@ pub(super) enum Origin<'a> {
     State,
     /// `self` is the mechanism; `x` is the state in this chart, `m` what is remembered.
     Chart(&'a Chart),
+    /// Absolute coordinates, with their rate `dx` and the multipliers `lambda`.
+    Linearised,
+    /// What linear algebra works on: `c`, `e`, `r`, `lambda`, `inverse`.
+    Resolvent(&'a Resolvent),
 }
 
 impl Emission<'_> {
@@ -49,6 +53,10 @@ impl Emission<'_> {
         bindings.insert(model.time, time.to_owned());
         bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
         bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());
+        if let Origin::Resolvent(resolvent) = origin {
+            bindings.insert(resolvent.lambda, "lambda".to_owned());
+            bindings.insert(resolvent.inverse, "inverse".to_owned());
+        }
         let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
             for (k, &symbol) in symbols.iter().enumerate() {
                 bindings.insert(symbol, format!("{array}[{}]", offset + k));
@@ -62,15 +70,23 @@ impl Emission<'_> {
         };
         match origin {
             Origin::Pose => {}
+            Origin::Resolvent(Resolvent { c, e, r, .. }) => {
+                bind(c, "c", 0);
+                bind(e, "e", 0);
+                bind(r, "r", 0);
+            }
             Origin::State => bind(&equations.x, x, self.sizes.second_order),
-            Origin::Arguments => bind(&equations.x, x, 2 * nq),
+            Origin::Arguments | Origin::Linearised => bind(&equations.x, x, 2 * nq),
             Origin::Chart(chart) => {
                 let freedom = chart.y.len();
                 bind(&chart.y, x, 0);
                 bind(&chart.y_dot, x, freedom);
                 bind(&equations.x, x, 2 * freedom);
-                if let Some(augmented) = &chart.augmented {
-                    bind(&augmented.accelerations, "dx", freedom);
+                let linearised =
+                    chart.linearised.as_ref().map(|linearised| &linearised.augmented.accelerations);
+                let jacobian = chart.jacobian.as_ref().map(|jacobian| &jacobian.accelerations);
+                for accelerations in linearised.into_iter().chain(jacobian) {
+                    bind(accelerations, "dx", freedom);
                 }
                 if let Form::Loops(reduced) = self.form {
                     bind(&reduced.memory, "m", 0);
@@ -81,7 +97,8 @@ impl Emission<'_> {
             bind(&equations.q, q.0, q.1);
             bind(&equations.v, v.0, v.1);
         }
-        bind(&equations.a, "a", 0);
+        let a = if matches!(origin, Origin::Linearised) { ("dx", nq) } else { ("a", 0) };
+        bind(&equations.a, a.0, a.1);
         bind(&equations.lambda, "lambda", 0);
         bind(&self.program.weights, "w", 0);
         bind(&self.program.residual, "r", 0);

@@ -243,7 +243,18 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
             (survey, Origin::Pose),
         )
     });
-    quote!(#motion #place #switching #project #look #survey)
+    let name = named("jacobian");
+    let jacobian =
+        chart.jacobian.as_ref().filter(|_| reduced.charts.iter().all(|chart| chart.jacobian.is_some()));
+    let jacobian = jacobian.map(|jacobian| {
+        function(
+            emission,
+            "The derivatives of the rate by the state; `dx` is the rate there.",
+            &quote!(fn #name(&self, #state, dx: &[S; #length], by_x: &mut [[S; #length]; #length])),
+            (&jacobian.entries, origin),
+        )
+    });
+    quote!(#motion #place #switching #project #look #survey #jacobian)
 }
 
 /// When conditions on the time alone change.

@@ -14,6 +14,7 @@ mod item;
 mod lower;
 mod print;
 
+use plm_cas::algebra;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -149,6 +150,7 @@ fn module(emission: &Emission) -> TokenStream {
         function::dynamics,
         function::motion,
         contract::linear::augmented,
+        item::step::steps,
         function::instants,
     ];
     let items = items.iter().map(|item| item(emission));
@@ -252,6 +254,16 @@ impl Emission<'_> {
             Form::Tree(chart) => chart.reactions.as_ref(),
             _ => None,
         }
+    }
+
+    /// Does the rate depend on the time?
+    fn rate_knows_time(&self) -> bool {
+        let rates: Vec<&Function> = match self.form {
+            Form::Absolute => vec![&self.program.dynamics],
+            Form::Tree(chart) => vec![&chart.rate],
+            Form::Loops(reduced) => reduced.charts.iter().map(|chart| &chart.rate).collect(),
+        };
+        rates.iter().any(|rate| algebra::symbols(&rate.roots()).contains(&self.model.time))
     }
 
     /// Does an output read accelerations or multipliers?

@@ -8,11 +8,12 @@ mod shape;
 
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Graph};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use crate::front::Reading;
 use crate::library::Library;
-use crate::model::{Body, Input, Model, Name, Output, Param, Stabilisation, Start, State};
+use crate::model::{Body, Input, Model, Name, Output, Param, Stabilisation, Start, State, Step};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
@@ -56,6 +57,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         agreement: Expr::symbol("agreement"),
         gravity: Vec2::ZERO,
         rung: None,
+        steps: steps(&mechanism.items),
         stabilisation: Stabilisation::Projection,
         params,
         inputs,
@@ -76,6 +78,15 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         kinks: Vec::new(),
         allowed: Vec::new(),
     })
+}
+
+/// The steps that are ordered, as far as they can be read.
+fn steps(items: &[Item]) -> BTreeSet<Step> {
+    let methods = items.iter().filter_map(|item| match &item.kind {
+        ItemKind::Emit(methods) => Some(methods),
+        _ => None,
+    });
+    methods.flatten().filter_map(|method| Step::named(&method.text)).collect()
 }
 
 /// What was found so far.

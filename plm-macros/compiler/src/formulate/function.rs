@@ -7,6 +7,8 @@ use plm_cas::{Expr, Tape, algebra};
 pub(crate) enum Place {
     /// An element of an array, `dx[3]`.
     Element(&'static str, usize),
+    /// An entry of a matrix, `by_x[3][1]`.
+    Entry(&'static str, usize, usize),
     /// The value that the function returns.
     Value,
 }

@@ -7,14 +7,18 @@
 mod absolute;
 mod function;
 mod ldl;
+mod linearised;
 mod order;
 mod outputs;
 mod pattern;
 mod program;
 mod reduced;
+mod resolvent;
 mod sides;
 
 pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use function::{Function, Place};
+pub(crate) use linearised::Linearised;
 pub(crate) use program::{Program, reduce};
 pub(crate) use reduced::{Augmented, Chart, Part, Reduced, Term};
+pub(crate) use resolvent::Resolvent;

@@ -10,17 +10,30 @@ pub(crate) type Pivot = (usize, Vec<usize>);
 /// `neighbours[i]` holds the rows that share an entry with row `i`; fill is followed. Along a chain the fill is none and the operations
 /// grow linearly (W. F. Tinney, J. W. Walker, Direct solutions of sparse network equations by optimally ordered
 /// triangular factorization, Proc. IEEE 55, 1967, scheme 2).
-pub(crate) fn minimum_degree(mut neighbours: Vec<BTreeSet<usize>>) -> impl Iterator<Item = Pivot> {
-    let mut waiting: BTreeSet<(usize, usize)> =
-        neighbours.iter().enumerate().map(|(row, near)| (near.len(), row)).collect();
+pub(crate) fn minimum_degree(neighbours: Vec<BTreeSet<usize>>) -> impl Iterator<Item = Pivot> {
+    let behind = vec![BTreeSet::new(); neighbours.len()];
+    minimum_degree_behind(neighbours, behind)
+}
+
+/// The same where row `i` has to wait until those of `behind[i]` are eliminated, all of which are its neighbours and wait for
+/// nothing.
+pub(crate) fn minimum_degree_behind(
+    mut neighbours: Vec<BTreeSet<usize>>,
+    mut behind: Vec<BTreeSet<usize>>,
+) -> impl Iterator<Item = Pivot> {
+    let free = behind.iter().enumerate().filter(|(_, behind)| behind.is_empty());
+    let mut waiting: BTreeSet<(usize, usize)> = free.map(|(row, _)| (neighbours[row].len(), row)).collect();
     std::iter::from_fn(move || {
         let (_, row) = waiting.pop_first()?;
         let near: Vec<usize> = std::mem::take(&mut neighbours[row]).into_iter().collect();
         for &other in &near {
             waiting.remove(&(neighbours[other].len(), other));
             neighbours[other].remove(&row);
+            behind[other].remove(&row);
             neighbours[other].extend(near.iter().copied().filter(|&third| third != other));
-            waiting.insert((neighbours[other].len(), other));
+            if behind[other].is_empty() {
+                waiting.insert((neighbours[other].len(), other));
+            }
         }
         Some((row, near))
     })

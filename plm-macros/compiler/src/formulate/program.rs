@@ -5,7 +5,7 @@ use super::function::Function;
 use super::outputs;
 use super::reduced::{self, Assembled, Known, Reduced};
 use crate::derive::{Equations, feeds_back};
-use crate::model::{Output, Rung, Stabilisation};
+use crate::model::{Model, Output, Rung, Stabilisation};
 use crate::numeric::{Assembly, Scene, add_sides, assemble, freedom, varied};
 
 /// Values of parameters that are tried until the joints close.
@@ -21,6 +21,19 @@ pub(crate) struct Program {
 }
 
 impl Program {
+    /// A program; of absolute coordinates that are taken, with what implicit methods need.
+    pub(crate) fn new(
+        model: &Model,
+        equations: &Equations,
+        mut absolute: Absolute,
+        reduced: Result<Reduced, String>,
+    ) -> Program {
+        if reduced.is_err() {
+            absolute.linearise(model, equations);
+        }
+        Program { absolute, reduced }
+    }
+
     /// Joint coordinates, if they are taken.
     pub(crate) fn reduced(&self) -> Option<&Reduced> {
         self.reduced.as_ref().ok()

@@ -38,6 +38,8 @@ pub enum ItemKind {
     Gravity(Expr),
     /// `rung: tree;`
     Rung(Ident),
+    /// `emit: step(rk4, linearly_implicit);`
+    Emit(Vec<Ident>),
     /// `stabilisation: projection;` or `baumgarte(expr);`
     Stabilisation(Ident, Option<Expr>),
     /// `allow(W0002, …);`
@@ -124,6 +126,7 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("rung", Some(Mechanism), |input, _| {
         input.field_name("`tree`, `loops` or `absolute`").map(ItemKind::Rung)
     }),
+    ("emit", Some(Mechanism), |input, _| steps(input)),
     ("allow", Some(Mechanism), |input, _| allow(input)),
     ("joint", Some(Mechanism), |input, Head { docs, .. }| {
         Definition::parse(input, true, docs.clone()).map(ItemKind::Definition)
@@ -293,6 +296,16 @@ fn allow(input: Input) -> Result<ItemKind> {
     })?;
     input.semicolon()?;
     Ok(ItemKind::Allow(codes))
+}
+
+/// `: step(rk4, linearly_implicit);`
+fn steps(input: Input) -> Result<ItemKind> {
+    input.expect(Token![:], "`:`")?;
+    input.expect(kw::step, "`step(…)`")?;
+    let methods = input
+        .group(Delimiter::Parenthesis, "`(`", |input| input.list(|input| Ident::parse(input, "a method")))?;
+    input.semicolon()?;
+    Ok(ItemKind::Emit(methods))
 }
 
 /// `name: condition;`

@@ -4,7 +4,7 @@ macro_rules! words {
     ($($word:ident)*) => { $(syn::custom_keyword!($word);)* };
 }
 
-words! { across and angle axis depth domain from joint locked not on or part parts port start then through }
+words! { across and angle axis depth domain from joint locked not on or part parts port start step then through }
 
 // `**`, which other languages have.
 syn::custom_punctuation!(Power, **);

@@ -63,7 +63,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
 }
 
 /// A call that depends on the chart; none to choose from costs nothing.
-pub(super) fn chosen(
+pub(crate) fn chosen(
     reduced: &Reduced,
     chart: &TokenStream,
     call: impl Fn(usize) -> TokenStream,

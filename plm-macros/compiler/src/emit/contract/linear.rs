@@ -1,21 +1,23 @@
 //! `Linear`: the mechanism and what it holds as constants with derivatives; of a large tree, its linearised equations.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, number};
-use crate::formulate::{Augmented, Chart, Part, Term};
+use super::charted::chosen;
+use crate::formulate::{Augmented, Chart, Linearised, Part, Reduced, Term};
 
 /// `Linear`.
 pub(crate) fn linear(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let [held, lifted] = [quote!(S), quote!(rt::Dual<S, K>)].map(|scalar| emission.held(&scalar));
-    let (derivatives, differentiate) = match of_tree(emission) {
-        Some((_, augmented)) => of_augmented(emission, augmented),
+    let (derivatives, differentiate) = match emission.sparse() {
+        Some(augmented) => of_augmented(emission, augmented),
         None => (quote!([[S; #length]; #length]), TokenStream::new()),
     };
+    let jacobian = emission.loops().and_then(|reduced| of_charts(emission, reduced));
     let constraints = (!emission.is_reduced()).then(|| {
         quote! {
             fn constraints(&self, t: S, x: &[S; #length], row: &mut impl FnMut(S)) {
@@ -35,15 +37,101 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
             }
             #constraints
             #differentiate
+            #jacobian
         }
     }
 }
 
-/// The linearised equations of a large tree.
-fn of_tree<'a>(emission: &Emission<'a>) -> Option<(&'a Chart, &'a Augmented)> {
+/// The full matrix in the chart that is held, where every chart has it entry by entry.
+fn of_charts(emission: &Emission, reduced: &Reduced) -> Option<TokenStream> {
+    if reduced.charts.iter().any(|chart| chart.jacobian.is_none()) {
+        return None;
+    }
+    let length = &emission.sizes.length;
+    let entries = chosen(reduced, &quote!(u.chart), |k| {
+        let function = format_ident!("jacobian_{k}");
+        quote!(self.#function(t, &u.input, &u.memory, x, &dx, by_x))
+    });
+    Some(quote! {
+        fn jacobian(
+            &self,
+            t: S,
+            u: &Self::U,
+            x: &[S; #length],
+            by_x: &mut [[S; #length]; #length],
+            by_t: Option<&mut [S; #length]>,
+        ) -> rt::Health<S> {
+            let mut dx = [S::lit(0.0); #length];
+            let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+            *by_x = [[S::lit(0.0); #length]; #length];
+            #entries;
+            if let Some(by_t) = by_t {
+                let _ = self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); #length]), by_t);
+            }
+            rt::linear::finite(health, by_x)
+        }
+    })
+}
+
+/// The linearised equations of a formulation, or of one of its charts.
+#[derive(Clone, Copy)]
+pub(crate) struct System<'a> {
+    /// Where its functions find their arguments.
+    origin: Origin<'a>,
+    /// The equations.
+    pub(crate) linearised: &'a Linearised,
+}
+
+impl Emission<'_> {
+    /// The linearised equations, chart by chart; none where they are not wanted.
+    pub(crate) fn systems(&self) -> Vec<System<'_>> {
+        fn of_chart(chart: &Chart) -> Option<System<'_>> {
+            Some(System { origin: Origin::Chart(chart), linearised: chart.linearised.as_ref()? })
+        }
+        match self.form {
+            Form::Absolute => {
+                let linearised = self.program.linearised.as_ref();
+                let system = |linearised| System { origin: Origin::Linearised, linearised };
+                linearised.map(system).into_iter().collect()
+            }
+            Form::Tree(chart) => of_chart(chart).into_iter().collect(),
+            Form::Loops(reduced) => reduced.charts.iter().filter_map(of_chart).collect(),
+        }
+    }
+
+    /// The equations that implicit methods solve in place of df/dx.
+    fn sparse(&self) -> Option<&Augmented> {
+        let system = self.systems().into_iter().find(|system| system.linearised.sparse)?;
+        Some(&system.linearised.augmented)
+    }
+
+    /// Numbers that coefficients of linearised equations need.
+    pub(crate) fn coefficients(&self) -> Literal {
+        let count = |system: &System| system.linearised.augmented.coefficients.results.len();
+        number(self.systems().iter().map(count).max().unwrap_or(0))
+    }
+}
+
+/// The rate `dx` at a state with its `health`, and the coefficients, to `c`, of the equations linearised there.
+pub(crate) fn at_state(emission: &Emission, c: &TokenStream) -> (TokenStream, TokenStream) {
+    let nc = &emission.sizes.nc;
+    let by_rate = quote!(let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx););
     match emission.form {
-        Form::Tree(chart) => Some((chart, chart.augmented.as_ref()?)),
-        _ => None,
+        Form::Absolute => (
+            quote! {
+                let mut multipliers = [S::lit(0.0); #nc];
+                let health = rt::Health(self.dynamics(t, u, x, &mut dx, &mut multipliers));
+            },
+            quote!(self.linearised(t, u, x, &dx, &multipliers, #c)),
+        ),
+        Form::Tree(_) => (by_rate, quote!(self.linearised(t, u, x, &dx, #c))),
+        Form::Loops(reduced) => {
+            let call = |k| {
+                let function = format_ident!("linearised_{k}");
+                quote!(self.#function(t, &u.input, &u.memory, x, &dx, #c))
+            };
+            (by_rate, chosen(reduced, &quote!(u.chart), call))
+        }
     }
 }
 
@@ -53,6 +141,19 @@ fn of_augmented(emission: &Emission, augmented: &Augmented) -> (TokenStream, Tok
     let pattern = &augmented.pattern;
     let [coefficients, places, pivots] =
         [augmented.coefficients.results.len(), pattern.places.len(), pattern.pivots.len()].map(number);
+    let sparse = quote!(rt::linalg::Sparse<S, Augmented, #coefficients, #places, #pivots>);
+    let (kind, begin, end, c) = if emission.is_reduced() {
+        (sparse, None, None, quote!(&mut by_x.coefficients))
+    } else {
+        // Where elimination is not healthy there is the matrix.
+        let begin = quote! {
+            let mut sparse = <#sparse as rt::linalg::Derivatives<S, [S; #length]>>::zeros();
+        };
+        let end = quote!(*by_x = rt::linalg::Mixed::Sparse(sparse););
+        let kind = quote!(rt::linalg::Mixed<#sparse, [[S; #length]; #length]>);
+        (kind, Some(begin), Some(end), quote!(&mut sparse.coefficients))
+    };
+    let (rate, linearise) = at_state(emission, &c);
     let differentiate = quote! {
         fn differentiate(
             &self,
@@ -63,38 +164,58 @@ fn of_augmented(emission: &Emission, augmented: &Augmented) -> (TokenStream, Tok
             by_t: Option<&mut [S; #length]>,
         ) -> rt::Health<S> {
             let mut dx = [S::lit(0.0); #length];
-            let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
-            self.linearised(t, u, x, &dx, &mut by_x.coefficients);
+            #rate
+            #begin
+            #linearise;
+            #end
             match by_t {
                 Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); #length]), by_t),
                 None => health,
             }
         }
     };
-    (quote!(rt::linalg::Sparse<S, Augmented, #coefficients, #places, #pivots>), differentiate)
+    (kind, differentiate)
 }
 
-/// The coefficients of the linearised equations of a large tree as a function, their pattern as constants.
+/// The coefficients of linearised equations as functions, and the pattern of those that implicit methods solve as constants.
 pub(crate) fn augmented(emission: &Emission) -> TokenStream {
-    let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let Some((chart, augmented)) = of_tree(emission) else { return TokenStream::new() };
-    let inputs = emission.inputs(&quote!(S));
-    let count = number(augmented.coefficients.results.len());
-    let linearised = function(
-        emission,
-        "The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.",
-        &quote! {
-            fn linearised(&self, t: S, u: &#inputs, x: &[S; #length], dx: &[S; #length], c: &mut [S; #count])
-        },
-        (&augmented.coefficients, Origin::Chart(chart)),
-    );
-    let (coordinates, states) = (number(chart.y.len()), &emission.sizes.nx);
+    let Emission { name, sizes: Sizes { nc, length, .. }, .. } = emission;
+    let systems = emission.systems();
+    if systems.is_empty() {
+        return TokenStream::new();
+    }
+    let (inputs, count) = (emission.inputs(&quote!(S)), emission.coefficients());
+    let memory = emission.loops().map(|reduced| number(reduced.memory_length));
+    let memory = memory.map(|memory| quote!(m: &[S; #memory],));
+    let multipliers = (!emission.is_reduced()).then(|| quote!(lambda: &[S; #nc],));
+    let functions = systems.iter().enumerate().map(|(k, system)| {
+        let suffix = if emission.loops().is_some() { format!("_{k}") } else { String::new() };
+        let name = format_ident!("linearised{suffix}");
+        function(
+            emission,
+            "The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.",
+            &quote! {
+                fn #name(
+                    &self, t: S, u: &#inputs, #memory x: &[S; #length], dx: &[S; #length], #multipliers c: &mut [S; #count]
+                )
+            },
+            (&system.linearised.augmented.coefficients, system.origin),
+        )
+    });
+    let pattern = emission.sparse().map(|augmented| pattern(emission, augmented));
+    quote! {
+        impl<S: Scalar> #name<S> { #(#functions)* }
+        #pattern
+    }
+}
+
+/// Where coefficients stand, and in which order unknowns are eliminated.
+fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
+    let (coordinates, states) = (number(augmented.accelerations.len()), number(augmented.states));
     let Tables { terms, pivots, below, right, targets } = Tables::of(augmented);
     let [terms, pivots, below, right, targets] =
         [terms, pivots, below, right, targets].map(|entries| emission.text(listed(&entries)));
     quote! {
-        impl<S: Scalar> #name<S> { #linearised }
-
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]

@@ -219,7 +219,7 @@ fn part_of_state(emission: &Emission) -> TokenStream {
 }
 
 /// Names of the numbers of the state; a coordinate has one in every chart.
-fn names_of_state(emission: &Emission) -> Vec<String> {
+pub(crate) fn names_of_state(emission: &Emission) -> Vec<String> {
     let Emission { model, equations, .. } = emission;
     let charts: Vec<Vec<String>> = match emission.form {
         Form::Absolute => vec![(0..equations.q.len()).map(|k| coordinate_name(model, k)).collect()],

@@ -16,6 +16,7 @@
 //! (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1, 1972, eq. (2.7)).
 
 mod feedback;
+mod linearised;
 mod motion;
 mod normal;
 
@@ -26,6 +27,7 @@ use plm_cas::{Expr, algebra};
 use self::motion::motion;
 use self::normal::min_norm;
 use super::function::{Function, stored};
+use super::linearised::{Linearised, orders_step};
 use super::order::minimum_degree;
 use super::outputs::{self, Outputs};
 use super::sides;
@@ -61,6 +63,8 @@ pub(crate) struct Absolute {
     pub(crate) jumps: Function,
     /// What the user reads.
     pub(crate) outputs: Outputs,
+    /// The linearised equations, where they are wanted.
+    pub(crate) linearised: Option<Linearised>,
     /// Symbols of the weights of [`Absolute::min_norm`].
     pub(crate) weights: Vec<Expr>,
     /// Symbols of `r` in [`Absolute::min_norm`].
@@ -98,6 +102,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         guards: sides::guards(model, &[]),
         instants: sides::instants(model),
         outputs: outputs::formulate(model, equations, &read),
+        linearised: None,
         weights,
         residual,
     }
@@ -139,6 +144,22 @@ impl Absolute {
             at_rest: self.at_rest.optimise(),
             ..self
         }
+    }
+}
+
+/// States up to which implicit methods take the full matrix of derivatives.
+const MOST_FULL: usize = 24;
+
+impl Absolute {
+    /// Adds the linearised equations where they are wanted.
+    pub(crate) fn linearise(&mut self, model: &Model, equations: &Equations) {
+        let large = 2 * equations.q.len() + equations.x.len() > MOST_FULL;
+        if !(large || orders_step(model)) {
+            return;
+        }
+        let Some(augmented) = linearised::linearised(model, equations) else { return };
+        let sparse = large && augmented.is_cheaper(self.dynamics.tape().count().total());
+        self.linearised = Linearised::wanted(model, augmented, sparse);
     }
 }
 

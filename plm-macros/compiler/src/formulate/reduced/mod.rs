@@ -7,6 +7,7 @@ mod dense;
 mod forms;
 mod groups;
 mod inertia;
+mod jacobian;
 mod joints;
 mod layout;
 mod motion;
@@ -19,14 +20,16 @@ use self::charts::kinematics::kinematics;
 pub(crate) use self::charts::redundant::{Assembled, Known};
 use self::groups::Group;
 use self::inertia::Dense;
+use self::jacobian::Jacobian;
 use self::joints::coordinates::{Coordinates, Unknown};
 use self::layout::{Layout, loads};
 use self::motion::Motion;
 use self::motion::memory::Memory;
 use self::motion::solution::measure;
 use self::tree::augmented::augmented;
-pub(crate) use self::tree::augmented::{Augmented, Part, Term};
+pub(crate) use self::tree::augmented::{Augmented, Part, Term, placed};
 use super::function::{Function, Place, Section, stored};
+use super::linearised::{Linearised, orders_step};
 use super::sides;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -98,8 +101,10 @@ pub(crate) struct Chart {
     pub(crate) method: &'static str,
     /// `dx`; with loops, returning Health: the smallest square of a dyad's measure.
     pub(crate) rate: Function,
-    /// What implicit methods solve in place of df/dx; for trees of many bodies.
-    pub(crate) augmented: Option<Augmented>,
+    /// The linearised equations, where they are wanted.
+    pub(crate) linearised: Option<Linearised>,
+    /// df/dx, where it takes fewer operations than dual numbers; of loops alone.
+    pub(crate) jacobian: Option<Jacobian>,
     /// `g`, the guards of conditions.
     pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
@@ -231,8 +236,11 @@ impl Layout<'_> {
         let pose = pose(model, &motion).optimise();
         let project =
             project(model, equations, coordinates, &motion.drivers).substitute(&model.released).optimise();
-        // Where loops may come to a singular pose, implicit methods take the full matrix: it can be had by rank.
-        let augmented = large.or_else(|| if loops { None } else { self.linearised(&motion, &rate) });
+        let linearised = match large {
+            Some(augmented) => Linearised::wanted(model, augmented, true),
+            None => self.linearised(&motion, &rate, loops),
+        };
+        let jacobian = loops.then(|| self.by_state(&motion, &rate)).flatten();
         Chart {
             parts: parts.collect(),
             names,
@@ -242,7 +250,8 @@ impl Layout<'_> {
             method,
             rate,
             reactions,
-            augmented,
+            linearised,
+            jacobian,
             guards,
             pose,
             project,
@@ -259,15 +268,25 @@ impl Layout<'_> {
         forms.min_by_key(|(_, form)| form.tape().count().total()).unwrap_or_default()
     }
 
-    /// The linearised equations of a mechanism whose mass matrix is set up, if they are worth it.
-    fn linearised(&self, motion: &Motion, rate: &Function) -> Option<Augmented> {
-        if motion.drivers.len() > MOST_DENSE {
+    /// The linearised equations of a mechanism whose mass matrix is set up. Where loops may come to a singular pose, implicit
+    /// methods take the full matrix: it can be had by rank.
+    fn linearised(&self, motion: &Motion, rate: &Function, loops: bool) -> Option<Linearised> {
+        if motion.drivers.len() > MOST_DENSE || loops && !orders_step(self.model) {
             return None;
         }
         let dense = self.dense(motion, &loads(self.model, motion));
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let operations = rate.tape().count().total();
-        tree::linearised::linearised(motion, &dense, (&self.equations.x, &x_dot), operations)
+        let found = tree::linearised::laid_out(motion, &dense, &self.equations.x, &x_dot);
+        let sparse = !loops && found.is_cheaper(rate.tape().count().total());
+        Linearised::wanted(self.model, found, sparse)
+    }
+
+    /// df/dx, entry by entry, if dual numbers take more.
+    fn by_state(&self, motion: &Motion, rate: &Function) -> Option<Jacobian> {
+        let dense = self.dense(motion, &loads(self.model, motion));
+        let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
+        let found = jacobian::jacobian(motion, &dense, &self.equations.x, &x_dot);
+        found.is_cheaper(rate.tape().count().total()).then_some(found)
     }
 
     /// `M a = Q` along the coordinates.

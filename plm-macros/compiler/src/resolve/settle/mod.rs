@@ -57,6 +57,7 @@ impl<'a> Resolver<'a> {
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
             rung: self.draft.settings.rung,
+            steps: self.draft.settings.steps.keys().copied().collect(),
             params: params.ok()?,
             inputs: inputs.ok()?,
             bodies: bodies.ok()?,

@@ -1,10 +1,12 @@
 //! What is said once of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
 
+use std::collections::BTreeMap;
+
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use crate::diag::Code;
-use crate::model::{Rung, Stabilisation};
+use crate::model::{Rung, Stabilisation, Step};
 use crate::resolve::Resolver;
 use crate::resolve::names::{ScopeId, SlotId, Thunk};
 use crate::resolve::values::expect::Wanted;
@@ -20,6 +22,8 @@ pub(crate) struct Settings<'a> {
     /// The method and its time constant.
     stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
     pub(crate) rung: Option<(Rung, Span)>,
+    /// Steps that the code is to hold, and where they are asked for.
+    pub(crate) steps: BTreeMap<Step, Span>,
     /// Codes of warnings.
     pub(crate) allowed: Vec<String>,
 }
@@ -63,6 +67,20 @@ impl<'a> Resolver<'a> {
             self.draft.settings.rung = Some((known, rung.span));
         } else {
             self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map(|(name, _)| name));
+        }
+    }
+
+    /// `emit: step(rk4);`
+    pub(crate) fn declare_steps(&mut self, scope: ScopeId, methods: &'a [Ident]) {
+        for method in methods {
+            let Some(step) = Step::named(&method.text) else {
+                let known = Step::NAMES.map(|(name, _)| name);
+                self.unknown_option(scope, &method.text, method.span, &known);
+                continue;
+            };
+            if let Some(first) = self.draft.settings.steps.insert(step, method.span) {
+                self.said_twice(scope, method.span, &format!("a step of `{}`", method.text), first);
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-//! The equations of a small tree, linearised by the joint coordinates where the accelerations are known.
+//! The equations of few coordinates, linearised by the joint coordinates where the accelerations are known.
 //!
 //! `r = M a - Q` is zero along the motion, so `M da + (dr/dy) dy - (dQ/dy') dy' - (dQ/dx) dx = 0`: every coefficient is a
 //! derivative of the mass matrix or of a force, none of a quotient, and most of them are zero: what acts between two parts
@@ -16,25 +16,8 @@ use crate::formulate::pattern::Pattern;
 use crate::formulate::reduced::inertia::Dense;
 use crate::formulate::reduced::motion::Motion;
 
-/// The linearised equations, if they take fewer operations than the derivatives of the rate in dual numbers and the
-/// decomposition of the full matrix, where `rate` is the number of operations of the rate.
-pub(crate) fn linearised(
-    motion: &Motion,
-    dense: &Dense,
-    (x, x_dot): (&[Expr], &[Expr]),
-    rate: usize,
-) -> Option<Augmented> {
-    let found = laid_out(motion, dense, x, x_dot);
-    let pivots = &found.pattern.pivots;
-    let products: usize = pivots.iter().map(|pivot| pivot.below.len() * (1 + pivot.right.len())).sum();
-    let sparse = found.coefficients.tape().count().total() + products;
-    let (n, k) = (motion.drivers.len(), x.len());
-    // A direction of dual numbers costs about what the rate does (measured: 9.2 rates for 10 states, 14 for 20).
-    let full = rate * (2 * n + k) * 7 / 10 + (n + k).pow(3) / 3;
-    (sparse < full).then_some(found)
-}
-
-fn laid_out(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Augmented {
+/// Lays out the linearised equations of first-order states `x`, whose rates are `x_dot`, and of the coordinates.
+pub(crate) fn laid_out(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Augmented {
     let n = motion.drivers.len();
     let of_drivers = |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
     let (y, y_dot) = (of_drivers(&motion.value), of_drivers(&motion.rate));
@@ -68,7 +51,7 @@ fn laid_out(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Augme
     let sections =
         vec![Section::new("Derivatives of M a - Q and of the rates of the states", different.clone())];
     let coefficients = Function { sections, results: stored("c", different.iter()) }.optimise();
-    Augmented { coefficients, accelerations, terms, pattern }
+    Augmented { coefficients, accelerations, states: x.len(), terms, pattern }
 }
 
 /// Minimum degree of the symmetric pattern that holds these entries.

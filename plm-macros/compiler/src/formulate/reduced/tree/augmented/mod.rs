@@ -60,6 +60,8 @@ pub(crate) struct Augmented {
     pub(crate) coefficients: Function,
     /// Symbols of the second derivatives of the coordinates.
     pub(crate) accelerations: Vec<Expr>,
+    /// Number of first-order states.
+    pub(crate) states: usize,
     /// Where they stand.
     pub(crate) terms: Vec<Term>,
     /// How they are eliminated.
@@ -90,7 +92,13 @@ pub(crate) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) ->
         Pattern::new(&unknowns.order(coordinates), terms.iter().map(|term| (term.row, term.column)));
     let results = stored("c", different.iter());
     let coefficients = Function { sections, results }.optimise();
-    Augmented { coefficients, accelerations: unknowns.accelerations, terms, pattern }
+    Augmented {
+        coefficients,
+        accelerations: unknowns.accelerations,
+        states: equations.x.len(),
+        terms,
+        pattern,
+    }
 }
 
 /// What stands for the symbols of accelerations of bodies, outwards, and forces in joints, inwards.

@@ -1,0 +1,154 @@
+//! The linearly implicit step: the equations linearised where it begins, eliminated entry by entry, solved four times.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::super::bindings::Origin;
+use super::super::contract::charted::chosen;
+use super::super::contract::linear::at_state;
+use super::super::function::function;
+use super::super::{Emission, Form, Sizes, number};
+use crate::formulate::Resolvent;
+
+/// `step_linearly_implicit` and the linear algebra that belongs to it.
+pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
+    let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
+    let systems = emission.systems();
+    let resolvents: Vec<&Resolvent> =
+        systems.iter().filter_map(|system| system.linearised.resolvent.as_ref()).collect();
+    if resolvents.is_empty() {
+        return by_matrix(emission);
+    }
+    let most =
+        |count: fn(&Resolvent) -> usize| number(resolvents.iter().map(|of| count(of)).max().unwrap_or(0));
+    let (coefficients, entries) = (most(|of| of.c.len()), most(|of| of.e.len()));
+    let algebra: TokenStream = resolvents
+        .iter()
+        .enumerate()
+        .map(|(k, resolvent)| linear_algebra(emission, (k, resolvent), (&coefficients, &entries)))
+        .collect();
+    let (rate, linearise) = at_state(emission, &quote!(&mut c));
+    let (eliminate, solve) = calls(emission);
+    let (held, by_t) = (emission.held(&quote!(S)), by_time(emission));
+    quote! {
+        impl<S: Real> #name<S> {
+            /// The equations are linearised once; their elimination serves the four stages.
+            fn step_linearly_implicit(
+                &self, t: S, u: &#held, x: &mut [S; #length], h: S
+            ) -> Result<rt::Health<S>, Fault> {
+                use rt::lanes::Rate;
+                use rt::method::Ros34Pw2Formula as Formula;
+                let zero = [S::lit(0.0); #length];
+                let mut dx = zero;
+                #rate
+                let (mut c, mut e) = ([S::lit(0.0); #coefficients], [S::lit(0.0); #entries]);
+                let lambda = Formula::lambda(h);
+                let inverse = S::lit(1.0) / lambda;
+                #linearise;
+                let growth = #eliminate;
+                rt::step::solvable(t, growth, #length)?;
+                #by_t
+                let mut worst = health;
+                let rates = |stage, t, x: &[S; #length], k: &mut [S; #length]| match stage {
+                    0 => *k = dx,
+                    _ => worst = worst.worst(self.rate(t, u, x, k)),
+                };
+                let solve = |r: &[S; #length], k: &mut [S; #length]| #solve;
+                let trial = Formula::step((t, h), (x, &by_t), rates, solve);
+                rt::step::take(self, (t, h), x, &trial)?;
+                Ok(worst)
+            }
+        }
+        impl<S: Scalar> #name<S> { #algebra }
+    }
+}
+
+/// How elimination and solution are called, in the chart that is held.
+fn calls(emission: &Emission) -> (TokenStream, TokenStream) {
+    let (eliminate, solve) = (quote!(&c, lambda, inverse, &mut e), quote!(&c, &e, inverse, r, k));
+    let Form::Loops(reduced) = emission.form else {
+        return (quote!(self.eliminated(#eliminate)), quote!(self.solved(#solve)));
+    };
+    let of = |function: &str, arguments: &TokenStream| {
+        chosen(reduced, &quote!(u.chart), |k| {
+            let function = format_ident!("{function}_{k}");
+            quote!(self.#function(#arguments))
+        })
+    };
+    (of("eliminated", &eliminate), of("solved", &solve))
+}
+
+/// The derivative of the rate by the time, where it depends on it.
+fn by_time(emission: &Emission) -> TokenStream {
+    if emission.rate_knows_time() {
+        quote! {
+            let mut by_t = zero;
+            let _ = rt::Linear::jvp(self, t, u, x, (S::lit(1.0), &zero), &mut by_t);
+        }
+    } else {
+        quote!(let by_t = zero;)
+    }
+}
+
+/// Elimination and solution of the linear systems of a chart.
+fn linear_algebra(
+    emission: &Emission,
+    (chart, resolvent): (usize, &Resolvent),
+    (coefficients, entries): (&proc_macro2::Literal, &proc_macro2::Literal),
+) -> TokenStream {
+    let length = &emission.sizes.length;
+    let suffix = if emission.loops().is_some() { format!("_{chart}") } else { String::new() };
+    let name = format_ident!("eliminated{suffix}");
+    let eliminated = function(
+        emission,
+        "Eliminates the linearised equations for a lambda; returns the largest growth, by which a product was larger than the\npivot that it was taken from.",
+        &quote! {
+            fn #name(&self, c: &[S; #coefficients], lambda: S, inverse: S, e: &mut [S; #entries]) -> S
+        },
+        (&resolvent.eliminate, Origin::Resolvent(resolvent)),
+    );
+    let name = format_ident!("solved{suffix}");
+    let solved = function(
+        emission,
+        "Solves `(lambda I - df/dx) k = r`.",
+        &quote! {
+            fn #name(
+                &self, c: &[S; #coefficients], e: &[S; #entries], inverse: S, r: &[S; #length], k: &mut [S; #length]
+            )
+        },
+        (&resolvent.solve, Origin::Resolvent(resolvent)),
+    );
+    quote!(#eliminated #solved)
+}
+
+/// The same with the full matrix of derivatives, where the equations are not linearised: forces that read reactions.
+fn by_matrix(emission: &Emission) -> TokenStream {
+    let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
+    let held = emission.held(&quote!(S));
+    quote! {
+        impl<S: Real> #name<S> {
+            /// The matrix of derivatives is decomposed once for the four stages.
+            fn step_linearly_implicit(
+                &self, t: S, u: &#held, x: &mut [S; #length], h: S
+            ) -> Result<rt::Health<S>, Fault> {
+                use rt::lanes::Rate;
+                use rt::linalg::Derivatives;
+                use rt::method::Ros34Pw2Formula as Formula;
+                let (mut by_x, mut by_t) = (<[[S; #length]; #length]>::zeros(), [S::lit(0.0); #length]);
+                let mut health = rt::Linear::jacobian(self, t, u, x, &mut by_x, Some(&mut by_t));
+                let freedom = <Self as rt::System>::NQ;
+                let resolvent = by_x.resolvent(Formula::lambda(h), freedom);
+                let resolvent = resolvent.ok_or_else(|| rt::step::singular(t, #length))?;
+                let rates = |_, t, x: &[S; #length], k: &mut [S; #length]| {
+                    health = health.worst(self.rate(t, u, x, k));
+                };
+                let solve = |r: &[S; #length], k: &mut [S; #length]| {
+                    by_x.resolve(&resolvent, freedom, |i| r[i], |i, s| k[i] = s);
+                };
+                let trial = Formula::step((t, h), (x, &by_t), rates, solve);
+                rt::step::take(self, (t, h), x, &trial)?;
+                Ok(health)
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! df/dx in independent coordinates, entry by entry.
+//!
+//! `M a - Q = 0` along the motion, so `M da = -(d(M a - Q)/dy) dy - ...` with the accelerations as they are: derivatives of
+//! sums, none of a solution, and one factorisation for all columns.
+
+use plm_cas::{Expr, algebra};
+
+use super::inertia::Dense;
+use super::motion::Motion;
+use crate::formulate::function::{Function, Place};
+use crate::formulate::ldl::factorise;
+
+/// The matrix of derivatives.
+#[derive(Debug)]
+pub(crate) struct Jacobian {
+    /// `by_x`: its entries that are not zero.
+    pub(crate) entries: Function,
+    /// Symbols of the second derivatives of the coordinates.
+    pub(crate) accelerations: Vec<Expr>,
+    /// Numbers of the state.
+    length: usize,
+}
+
+impl Jacobian {
+    /// Does it take fewer operations than derivatives in dual numbers, where `rate` is the number of operations of the rate? A
+    /// direction costs about what the rate does.
+    pub(crate) fn is_cheaper(&self, rate: usize) -> bool {
+        rate + self.entries.tape().count().total() < rate * self.length * 7 / 10
+    }
+}
+
+/// Lays it out; `x` are the first-order states and `x_dot` their rates.
+pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Jacobian {
+    let n = motion.drivers.len();
+    let of_drivers = |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
+    let state = [of_drivers(&motion.value), of_drivers(&motion.rate), x.to_vec()].concat();
+    let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
+    let mut residuals: Vec<Expr> = dense.right_hand_side(motion).into_iter().map(|force| -force).collect();
+    let mut mass = dense.mass.clone();
+    for (&(i, j), mass) in &mut mass {
+        *mass = mass.named(format!("m_{i}_{j}"));
+        residuals[i] += *mass * accelerations[j];
+        if i != j {
+            residuals[j] += *mass * accelerations[i];
+        }
+    }
+    let mut results: Vec<(Place, Expr)> =
+        (0..n).map(|i| (Place::Entry("by_x", i, n + i), Expr::ONE)).collect();
+    let factor = factorise(n, &mass, None);
+    let mut columns = vec![vec![Expr::ZERO; n]; state.len()];
+    for (i, &residual) in residuals.iter().enumerate() {
+        for (column, slope) in algebra::gradient(residual, &state) {
+            columns[column][i] = -slope;
+        }
+    }
+    for (j, column) in
+        columns.iter().enumerate().filter(|(_, column)| column.iter().any(|slope| !slope.is_zero()))
+    {
+        let names: Vec<String> = (0..n).map(|i| format!("by_{i}_{j}")).collect();
+        let (solution, _) = factor.solve(column, &names);
+        results.extend(
+            solution.into_iter().enumerate().map(|(i, entry)| (Place::Entry("by_x", n + i, j), entry)),
+        );
+    }
+    for (k, &rate) in x_dot.iter().enumerate() {
+        let slopes = algebra::gradient(rate, &state).into_iter();
+        results.extend(slopes.map(|(j, slope)| (Place::Entry("by_x", 2 * n + k, j), slope)));
+    }
+    let entries = Function::of_results(results).optimise();
+    Jacobian { entries, accelerations, length: state.len() }
+}

@@ -1,0 +1,54 @@
+//! Derivatives that are sparse where elimination is healthy, and a full matrix where it is not.
+
+use super::complex::Entry;
+use super::resolvent::{Dense, Derivatives};
+use crate::scalar::Real;
+
+/// One of two forms of derivatives; the second holds the full matrix.
+#[derive(Clone, Copy, Debug)]
+pub enum Mixed<A, B> {
+    /// What costs less.
+    Sparse(A),
+    /// What can be had by rank too.
+    Full(B),
+}
+
+impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivatives<S, X> for Mixed<A, B> {
+    type Resolvent<T: Entry<S>> = Mixed<A::Resolvent<T>, B::Resolvent<T>>;
+
+    fn zeros() -> Self {
+        Mixed::Sparse(A::zeros())
+    }
+
+    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>> {
+        Some(match self {
+            Mixed::Sparse(sparse) => Mixed::Sparse(sparse.resolvent(lambda, nq)?),
+            Mixed::Full(full) => Mixed::Full(full.resolvent(lambda, nq)?),
+        })
+    }
+
+    fn resolve<T: Entry<S>>(
+        &self,
+        resolvent: &Self::Resolvent<T>,
+        nq: usize,
+        r: impl FnMut(usize) -> T,
+        each: impl FnMut(usize, T),
+    ) {
+        match (self, resolvent) {
+            (Mixed::Sparse(sparse), Mixed::Sparse(resolvent)) => sparse.resolve(resolvent, nq, r, each),
+            (Mixed::Full(full), Mixed::Full(resolvent)) => full.resolve(resolvent, nq, r, each),
+            // A resolvent of the other form belongs to other derivatives.
+            _ => {}
+        }
+    }
+
+    fn full(&mut self) -> Option<&mut X::Matrix> {
+        if let Mixed::Sparse(_) = self {
+            *self = Mixed::Full(B::zeros());
+        }
+        match self {
+            Mixed::Full(full) => full.full(),
+            Mixed::Sparse(_) => None,
+        }
+    }
+}
