@@ -12,7 +12,7 @@ mod outputs;
 mod pattern;
 mod program;
 mod reduced;
-mod sides;
+mod switches;
 
 pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use function::{Function, Place};

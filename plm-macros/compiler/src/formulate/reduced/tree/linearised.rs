@@ -28,16 +28,17 @@ pub(crate) fn linearised(
     let pivots = &found.pattern.pivots;
     let products: usize = pivots.iter().map(|pivot| pivot.below.len() * (1 + pivot.right.len())).sum();
     let sparse = found.coefficients.tape().count().total() + products;
-    let (n, k) = (motion.drivers.len(), x.len());
+    let (n, k) = (motion.independent.len(), x.len());
     // A direction of dual numbers costs about what the rate does (measured: 9.2 rates for 10 states, 14 for 20).
     let full = rate * (2 * n + k) * 7 / 10 + (n + k).pow(3) / 3;
     (sparse < full).then_some(found)
 }
 
 fn laid_out(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Augmented {
-    let n = motion.drivers.len();
-    let of_drivers = |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
-    let (y, y_dot) = (of_drivers(&motion.value), of_drivers(&motion.rate));
+    let n = motion.independent.len();
+    let of_independent =
+        |of: &[Expr]| motion.independent.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
+    let (y, y_dot) = (of_independent(&motion.value), of_independent(&motion.rate));
     let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
     let mut residuals: Vec<Expr> = dense.right_hand_side(motion).into_iter().map(|force| -force).collect();
     let mut terms: BTreeMap<(usize, usize, Part), Expr> = BTreeMap::new();
