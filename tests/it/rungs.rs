@@ -324,7 +324,7 @@ where
         sim.step(0.05).unwrap();
         let (state, n) = (*sim.state(), L::NQ);
         let (t, held) = (state.time(), state.held());
-        let (q, v, _) = least.place(t, &held, state.x());
+        let (q, v, _) = least.pose(t, &held, state.x());
         let half = N / 2;
         let x: [f64; N] = std::array::from_fn(|k| if k < half { q.at(k) } else { v.at(k - half) });
         let (mut of_5, mut own) = (x, *state.x());

@@ -91,7 +91,7 @@ mod plm_arm_on_jack_ {
         pub struct Held<S = f64> {
             /// The inputs.
             pub input: Input<S>,
-            sides: [S; 8],
+            switches: [S; 8],
         }
 
         /// The mechanism at one moment; its methods read poses and outputs.
@@ -103,7 +103,7 @@ mod plm_arm_on_jack_ {
             pub input: Input<S>,
             time: S,
             x: [S; 10],
-            sides: [S; 8],
+            switches: [S; 8],
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -302,7 +302,7 @@ mod plm_arm_on_jack_ {
         impl<S: Scalar> ArmOnJack<S> {
             /// The inputs as declared.
             fn declared_input(&self) -> Held<S> {
-                Held { input: Input { none: core::marker::PhantomData }, sides: [S::lit(1.0); 8] }
+                Held { input: Input { none: core::marker::PhantomData }, switches: [S::lit(1.0); 8] }
             }
         }
 
@@ -379,7 +379,7 @@ mod plm_arm_on_jack_ {
                 if self.must_hold(index) {
                     return;
                 }
-                if let Some(side) = u.sides.get_mut(index) {
+                if let Some(side) = u.switches.get_mut(index) {
                     *side = -*side;
                 }
             }
@@ -403,7 +403,7 @@ mod plm_arm_on_jack_ {
             fn pass(&self, t: S, u: &mut Self::U) {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
                 self.instants(&u, &mut at, &mut slope);
-                for ((side, at), slope) in u.sides.iter_mut().skip(4).zip(at).zip(slope) {
+                for ((side, at), slope) in u.switches.iter_mut().skip(4).zip(at).zip(slope) {
                     *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
                 }
             }
@@ -474,9 +474,9 @@ mod plm_arm_on_jack_ {
             #[inline]
             fn pose_(&self) -> ([S; 3], [S; 3]) {
                 let (mut q, mut v) = ([S::lit(0.0); 3], [S::lit(0.0); 3]);
-                self.mechanism.place(
+                self.mechanism.pose(
                     self.time,
-                    &Held { input: self.input, sides: self.sides },
+                    &Held { input: self.input, switches: self.switches },
                     &self.x,
                     &mut q,
                     &mut v,
@@ -502,7 +502,7 @@ mod plm_arm_on_jack_ {
             type M = ArmOnJack<S>;
 
             fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
-                State { mechanism, time, x, input: held.input, sides: held.sides }
+                State { mechanism, time, x, input: held.input, switches: held.switches }
             }
 
             fn mechanism(&self) -> &ArmOnJack<S> {
@@ -510,7 +510,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn held(&self) -> Held<S> {
-                Held { input: self.input, sides: self.sides }
+                Held { input: self.input, switches: self.switches }
             }
 
             fn time(&self) -> S {
@@ -525,7 +525,7 @@ mod plm_arm_on_jack_ {
                 let held = *held;
                 self.time = time;
                 self.input = held.input;
-                self.sides = held.sides;
+                self.switches = held.switches;
                 self.x = *x;
             }
         }
@@ -578,7 +578,7 @@ mod plm_arm_on_jack_ {
             ///
             /// 2 mul, 1 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
                 let [_, _, arm_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
@@ -626,7 +626,7 @@ mod plm_arm_on_jack_ {
             fn phi_q(&self, t: S, q: &[S; 3], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[[0, 0], [0, 2], [1, 1], [1, 2]];
                 let mut entries = [S::lit(0.0); 4];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -639,7 +639,7 @@ mod plm_arm_on_jack_ {
             fn min_norm(&self, t: S, q: &[S; 3], w: &[S; 3], r: &[S; 2], dq: &mut [S; 3]) -> rt::Health<S> {
                 rt::Health({
                     let [_, _, arm_angle, ..] = *q;
-                    let [residual_0, residual_1, ..] = *r;
+                    let [dphi_0, dphi_1, ..] = *r;
                     let [w_0, w_1, w_2, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
@@ -656,8 +656,8 @@ mod plm_arm_on_jack_ {
                     let most_growth = lit(S::MOST_GROWTH);
                     let t3 = most_growth.lt(growth_1);
                     // (phi_q W phi_q^T) mu = r
-                    let mu_1 = (-residual_0).mul_add(l_1_0, residual_1) * S::select(t3, lit(0.0), r_1);
-                    let mu_0 = (-l_1_0).mul_add(mu_1, residual_0 * r_0);
+                    let mu_1 = (-dphi_0).mul_add(l_1_0, dphi_1) * S::select(t3, lit(0.0), r_1);
+                    let mu_0 = (-l_1_0).mul_add(mu_1, dphi_0 * r_0);
                     // Results
                     dq[0] = w_0 * mu_0;
                     dq[1] = w_1 * mu_1;
@@ -736,8 +736,8 @@ mod plm_arm_on_jack_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let sides = core::array::from_fn(|k| number(all.map(|held| held.sides[k])));
-                let input = Held { input, sides };
+                let switches = core::array::from_fn(|k| number(all.map(|held| held.switches[k])));
+                let input = Held { input, switches };
                 input
             }
 
@@ -969,21 +969,21 @@ mod plm_arm_on_jack_ {
                 x_dot[5] = t40;
                 let valve_servo_swing = x[13];
                 x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
-                let side_7 = u.sides[7];
-                let side_6 = u.sides[6];
-                let side_5 = u.sides[5];
-                let side_4 = u.sides[4];
+                let switch_7 = u.switches[7];
+                let switch_6 = u.switches[6];
+                let switch_5 = u.switches[5];
+                let switch_4 = u.switches[4];
                 let t41 = S::select(
-                    side_6.lt(lit(0.0)),
+                    switch_6.lt(lit(0.0)),
                     lit(2.0).mul_add(t, lit(-1.0)),
                     S::select(
-                        side_5.lt(lit(0.0)),
+                        switch_5.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
+                        S::select(switch_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t42 = lit(-25.132741228718345).mul_add(
-                    S::select(side_7.lt(lit(0.0)), lit(0.0), t41),
+                    S::select(switch_7.lt(lit(0.0)), lit(0.0), t41),
                     lit(-201.06192982974676)
                         .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
                 );
@@ -1122,21 +1122,21 @@ mod plm_arm_on_jack_ {
                 dx[7] = t42;
                 let valve_servo_swing = x[9];
                 dx[8] = lit(125.66370614359172) * valve_servo_swing;
-                let side_7 = u.sides[7];
-                let side_6 = u.sides[6];
-                let side_5 = u.sides[5];
-                let side_4 = u.sides[4];
+                let switch_7 = u.switches[7];
+                let switch_6 = u.switches[6];
+                let switch_5 = u.switches[5];
+                let switch_4 = u.switches[4];
                 let t43 = S::select(
-                    side_6.lt(lit(0.0)),
+                    switch_6.lt(lit(0.0)),
                     lit(2.0).mul_add(t, lit(-1.0)),
                     S::select(
-                        side_5.lt(lit(0.0)),
+                        switch_5.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(side_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
+                        S::select(switch_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t44 = lit(-25.132741228718345).mul_add(
-                    S::select(side_7.lt(lit(0.0)), lit(0.0), t43),
+                    S::select(switch_7.lt(lit(0.0)), lit(0.0), t43),
                     lit(-201.06192982974676)
                         .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
                 );
@@ -1147,7 +1147,7 @@ mod plm_arm_on_jack_ {
             ///
             /// 6 mul, 1 sin_cos.
             #[inline]
-            fn place(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 3], v: &mut [S; 3]) {
+            fn pose(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 3], v: &mut [S; 3]) {
                 let [arm_angle, arm_omega, ..] = *x;
                 let lit = S::lit;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
@@ -1171,17 +1171,17 @@ mod plm_arm_on_jack_ {
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
                 let lit = S::lit;
                 let press_chamber1_pressure = x[2];
-                let side_0 = u.sides[0];
-                g[0] = (press_chamber1_pressure + lit(101325.0)) * side_0;
+                let switch_0 = u.switches[0];
+                g[0] = (press_chamber1_pressure + lit(101325.0)) * switch_0;
                 let press_chamber2_pressure = x[3];
-                let side_1 = u.sides[1];
-                g[1] = (press_chamber2_pressure + lit(101325.0)) * side_1;
+                let switch_1 = u.switches[1];
+                g[1] = (press_chamber2_pressure + lit(101325.0)) * switch_1;
                 let line1_inlet_pressure = x[5];
-                let side_2 = u.sides[2];
-                g[2] = (line1_inlet_pressure + lit(101325.0)) * side_2;
+                let switch_2 = u.switches[2];
+                g[2] = (line1_inlet_pressure + lit(101325.0)) * switch_2;
                 let line2_inlet_pressure = x[7];
-                let side_3 = u.sides[3];
-                g[3] = (line2_inlet_pressure + lit(101325.0)) * side_3;
+                let switch_3 = u.switches[3];
+                g[3] = (line2_inlet_pressure + lit(101325.0)) * switch_3;
                 g[4] = lit(-101324.0) - press_chamber1_pressure;
                 g[5] = lit(-101324.0) - press_chamber2_pressure;
                 let arm_angle = x[0];

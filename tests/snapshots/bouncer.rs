@@ -71,7 +71,7 @@ mod plm_bouncer_ {
         pub struct Held<S = f64> {
             /// The inputs.
             pub input: Input<S>,
-            sides: [S; 4],
+            switches: [S; 4],
         }
 
         /// The mechanism at one moment; its methods read poses and outputs.
@@ -83,7 +83,7 @@ mod plm_bouncer_ {
             pub input: Input<S>,
             time: S,
             x: [S; 4],
-            sides: [S; 4],
+            switches: [S; 4],
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -152,18 +152,18 @@ mod plm_bouncer_ {
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
                 let [_, _, _, clock_x, ..] = q;
-                let [_, side_1, side_2, side_3, ..] = self.sides;
+                let [_, switch_1, switch_2, switch_3, ..] = self.switches;
                 let [block_vx, _, _, clock_vx, ..] = v;
                 let lit = S::lit;
                 let push = self.input.push;
                 let t1 = S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
                     + (push
                         + S::select(
-                            side_3.lt(lit(0.0)),
+                            switch_3.lt(lit(0.0)),
                             lit(0.0),
-                            S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                            S::select(switch_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
                         ));
-                clock_vx.mul_add(t1, block_vx * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
+                clock_vx.mul_add(t1, block_vx * S::select(switch_1.lt(lit(0.0)), lit(4.0), lit(-2.0)))
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
@@ -254,7 +254,7 @@ mod plm_bouncer_ {
             /// The inputs as declared.
             fn declared_input(&self) -> Held<S> {
                 let lit = S::lit;
-                Held { input: Input { push: lit(0.0) }, sides: [S::lit(1.0); 4] }
+                Held { input: Input { push: lit(0.0) }, switches: [S::lit(1.0); 4] }
             }
         }
 
@@ -331,7 +331,7 @@ mod plm_bouncer_ {
                 if self.must_hold(index) {
                     return;
                 }
-                if let Some(side) = u.sides.get_mut(index) {
+                if let Some(side) = u.switches.get_mut(index) {
                     *side = -*side;
                 }
             }
@@ -350,7 +350,7 @@ mod plm_bouncer_ {
             fn pass(&self, t: S, u: &mut Self::U) {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
                 self.instants(&u, &mut at, &mut slope);
-                for ((side, at), slope) in u.sides.iter_mut().skip(2).zip(at).zip(slope) {
+                for ((side, at), slope) in u.switches.iter_mut().skip(2).zip(at).zip(slope) {
                     *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
                 }
             }
@@ -388,9 +388,9 @@ mod plm_bouncer_ {
             #[inline]
             fn pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
-                self.mechanism.place(
+                self.mechanism.pose(
                     self.time,
-                    &Held { input: self.input, sides: self.sides },
+                    &Held { input: self.input, switches: self.switches },
                     &self.x,
                     &mut q,
                     &mut v,
@@ -413,7 +413,7 @@ mod plm_bouncer_ {
             type M = Bouncer<S>;
 
             fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
-                State { mechanism, time, x, input: held.input, sides: held.sides }
+                State { mechanism, time, x, input: held.input, switches: held.switches }
             }
 
             fn mechanism(&self) -> &Bouncer<S> {
@@ -421,7 +421,7 @@ mod plm_bouncer_ {
             }
 
             fn held(&self) -> Held<S> {
-                Held { input: self.input, sides: self.sides }
+                Held { input: self.input, switches: self.switches }
             }
 
             fn time(&self) -> S {
@@ -436,7 +436,7 @@ mod plm_bouncer_ {
                 let held = *held;
                 self.time = time;
                 self.input = held.input;
-                self.sides = held.sides;
+                self.switches = held.switches;
                 self.x = *x;
             }
         }
@@ -488,7 +488,7 @@ mod plm_bouncer_ {
         impl<S: Scalar> Bouncer<S> {
             /// The Jacobian of the constraints: its entries that are not zero, row by row.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
                 let lit = S::lit;
                 phi_q[0] = lit(-1.0);
                 phi_q[1] = lit(-1.0);
@@ -533,7 +533,7 @@ mod plm_bouncer_ {
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[[0, 1], [1, 2], [2, 4], [3, 5]];
                 let mut entries = [S::lit(0.0); 4];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -545,18 +545,18 @@ mod plm_bouncer_ {
             /// 8 mul, 4 div, 4 neg.
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
                 rt::Health({
-                    let [residual_0, residual_1, residual_2, residual_3, ..] = *r;
+                    let [dphi_0, dphi_1, dphi_2, dphi_3, ..] = *r;
                     let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
                     let lit = S::lit;
                     // phi_q W phi_q^T = L D L^T
                     // (phi_q W phi_q^T) mu = r
                     // Results
                     dq[0] = lit(0.0);
-                    dq[1] = -(w_1 * (residual_0 * (lit(1.0) / w_1)));
-                    dq[2] = -(w_2 * (residual_1 * (lit(1.0) / w_2)));
+                    dq[1] = -(w_1 * (dphi_0 * (lit(1.0) / w_1)));
+                    dq[2] = -(w_2 * (dphi_1 * (lit(1.0) / w_2)));
                     dq[3] = lit(0.0);
-                    dq[4] = -(w_4 * (residual_2 * (lit(1.0) / w_4)));
-                    dq[5] = -(w_5 * (residual_3 * (lit(1.0) / w_5)));
+                    dq[4] = -(w_4 * (dphi_2 * (lit(1.0) / w_4)));
+                    dq[5] = -(w_5 * (dphi_3 * (lit(1.0) / w_5)));
                     lit(1.0)
                 })
             }
@@ -627,8 +627,8 @@ mod plm_bouncer_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { push: number(all.map(|held| held.input.push)) };
-                let sides = core::array::from_fn(|k| number(all.map(|held| held.sides[k])));
-                let input = Held { input, sides };
+                let switches = core::array::from_fn(|k| number(all.map(|held| held.switches[k])));
+                let input = Held { input, switches };
                 input
             }
 
@@ -751,19 +751,19 @@ mod plm_bouncer_ {
             #[cold]
             fn equations(&self, t: S, u: &Self::U, x: &[S; 12], lambda: &[S; 4], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 6], [S::lit(0.0); 0]);
-                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, switch_1, switch_2, switch_3, ..] = u.switches;
                 let [_, _, _, clock_x, ..] = *x;
                 let lit = S::lit;
-                force[0] = S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                force[0] = S::select(switch_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
                 force[1] = lit(0.0);
                 force[2] = lit(0.0);
                 let push = u.input.push;
                 let t1 = push
                     + S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
                     + S::select(
-                        side_3.lt(lit(0.0)),
+                        switch_3.lt(lit(0.0)),
                         lit(0.0),
-                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                        S::select(switch_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
                     );
                 force[3] = t1;
                 force[4] = lit(0.0);
@@ -799,27 +799,27 @@ mod plm_bouncer_ {
             /// 3 add, 2 mul, 8 select.
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &mut [S; 4]) {
-                let [_, side_1, side_2, side_3, ..] = u.sides;
+                let [_, switch_1, switch_2, switch_3, ..] = u.switches;
                 let [_, s_other, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
                 let push = u.input.push;
                 let force_1 =
                     push + S::select(
-                        side_3.lt(lit(0.0)),
+                        switch_3.lt(lit(0.0)),
                         lit(0.0),
-                        S::select(side_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
+                        S::select(switch_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
                     ) + S::select(s_other.lt(lit(100.0)), lit(0.0), lit(-10.0).mul_add(s_other, lit(1000.0)));
                 // Results
                 dx[0] = x[2];
                 dx[1] = x[3];
-                dx[2] = lit(0.5) * S::select(side_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                dx[2] = lit(0.5) * S::select(switch_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
                 dx[3] = force_1;
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             #[inline]
-            fn place(&self, t: S, u: &Held<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
+            fn pose(&self, t: S, u: &Held<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
                 let lit = S::lit;
                 q[0] = x[0];
                 q[1] = lit(0.0);
@@ -847,11 +847,11 @@ mod plm_bouncer_ {
             ///
             /// 2 add, 2 mul.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 4], g: &mut [S; 3]) {
-                let [side_0, side_1, ..] = u.sides;
+                let [switch_0, switch_1, ..] = u.switches;
                 let [s_rail, s_other, ..] = *x;
                 let lit = S::lit;
-                g[0] = side_0 * (lit(10.0) - s_rail);
-                g[1] = side_1 * s_rail;
+                g[0] = switch_0 * (lit(10.0) - s_rail);
+                g[1] = switch_1 * s_rail;
                 g[2] = s_other - lit(100.0);
             }
         }

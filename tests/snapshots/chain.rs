@@ -467,7 +467,7 @@ mod plm_chain_ {
             #[inline]
             fn pose_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, mut v) = ([S::lit(0.0); 15], [S::lit(0.0); 15]);
-                self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &self.input, &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -542,7 +542,7 @@ mod plm_chain_ {
             ///
             /// 10 mul, 5 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
                 let bar_0_angle = q[2];
@@ -767,7 +767,7 @@ mod plm_chain_ {
                     [9, 14],
                 ];
                 let mut entries = [S::lit(0.0); 36];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -941,27 +941,27 @@ mod plm_chain_ {
                     let growth_9 = (t40 * r_9).abs();
                     let t41 = most_growth.lt(growth_9);
                     // (phi_q W phi_q^T) mu = r
-                    let residual_0 = r[0];
-                    let residual_1 = r[1];
-                    let t42 = residual_0 * l_1_0;
-                    let b_1 = residual_1 - t42;
-                    let residual_2 = r[2];
-                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                    let residual_3 = r[3];
-                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t42));
-                    let residual_4 = r[4];
-                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                    let residual_5 = r[5];
-                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
-                    let residual_6 = r[6];
-                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
-                    let residual_7 = r[7];
-                    let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
-                    let residual_8 = r[8];
-                    let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, residual_8));
-                    let residual_9 = r[9];
+                    let dphi_0 = r[0];
+                    let dphi_1 = r[1];
+                    let t42 = dphi_0 * l_1_0;
+                    let b_1 = dphi_1 - t42;
+                    let dphi_2 = r[2];
+                    let b_2 = (-b_1).mul_add(l_2_1, (-dphi_0).mul_add(l_2_0, dphi_2));
+                    let dphi_3 = r[3];
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, dphi_3 - t42));
+                    let dphi_4 = r[4];
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, dphi_4));
+                    let dphi_5 = r[5];
+                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, dphi_5)));
+                    let dphi_6 = r[6];
+                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, dphi_6));
+                    let dphi_7 = r[7];
+                    let b_7 = (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, dphi_7)));
+                    let dphi_8 = r[8];
+                    let b_8 = (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, dphi_8));
+                    let dphi_9 = r[9];
                     let mu_9 = S::select(t41, lit(0.0), r_9)
-                        * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, residual_9)));
+                        * (-l_9_8).mul_add(b_8, (-l_9_7).mul_add(b_7, (-l_9_6).mul_add(b_6, dphi_9)));
                     let mu_8 = (-l_9_8).mul_add(mu_9, kept_8 * b_8);
                     let mu_7 = (-l_9_7).mul_add(mu_9, (-l_8_7).mul_add(mu_8, kept_7 * b_7));
                     let mu_6 =
@@ -974,7 +974,7 @@ mod plm_chain_ {
                         (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
                     let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
                     let t43 = mu_3 + mu_1;
-                    let mu_0 = (-l_1_0).mul_add(t43, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    let mu_0 = (-l_1_0).mul_add(t43, (-l_2_0).mul_add(mu_2, dphi_0 * r_0));
                     // Results
                     dq[0] = w_0 * (mu_0 - mu_2);
                     dq[1] = w_1 * (mu_1 - mu_3);
@@ -1469,7 +1469,7 @@ mod plm_chain_ {
             ///
             /// 32 add, 30 mul, 5 sin_cos.
             #[inline]
-            fn place(&self, t: S, u: &Input<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
+            fn pose(&self, t: S, u: &Input<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
                 let lit = S::lit;
                 let bar_0_angle = x[0];
                 let bar_1_angle = x[1];

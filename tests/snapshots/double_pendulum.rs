@@ -340,7 +340,7 @@ mod plm_double_pendulum_ {
             #[inline]
             fn pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
-                self.mechanism.place(self.time, &self.input, &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &self.input, &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -415,7 +415,7 @@ mod plm_double_pendulum_ {
             ///
             /// 2 mul, 1 neg, 2 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
                 let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
@@ -497,7 +497,7 @@ mod plm_double_pendulum_ {
                     [3, 5],
                 ];
                 let mut entries = [S::lit(0.0); 12];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -559,19 +559,19 @@ mod plm_double_pendulum_ {
                     let growth_3 = (r_3 * (t4 + t9)).abs();
                     let t10 = most_growth.lt(growth_3);
                     // (phi_q W phi_q^T) mu = r
-                    let residual_0 = r[0];
-                    let residual_1 = r[1];
-                    let t11 = residual_0 * l_1_0;
-                    let b_1 = residual_1 - t11;
-                    let residual_2 = r[2];
-                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                    let residual_3 = r[3];
+                    let dphi_0 = r[0];
+                    let dphi_1 = r[1];
+                    let t11 = dphi_0 * l_1_0;
+                    let b_1 = dphi_1 - t11;
+                    let dphi_2 = r[2];
+                    let b_2 = (-b_1).mul_add(l_2_1, (-dphi_0).mul_add(l_2_0, dphi_2));
+                    let dphi_3 = r[3];
                     let mu_3 = S::select(t10, lit(0.0), r_3)
-                        * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t11));
+                        * (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, dphi_3 - t11));
                     let mu_2 = (-l_3_2).mul_add(mu_3, kept_2 * b_2);
                     let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
                     let t12 = mu_3 + mu_1;
-                    let mu_0 = (-l_1_0).mul_add(t12, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    let mu_0 = (-l_1_0).mul_add(t12, (-l_2_0).mul_add(mu_2, dphi_0 * r_0));
                     // Results
                     dq[0] = w_0 * (mu_0 - mu_2);
                     dq[1] = w_1 * (mu_1 - mu_3);
@@ -849,7 +849,7 @@ mod plm_double_pendulum_ {
             ///
             /// 8 add, 8 mul, 2 sin_cos.
             #[inline]
-            fn place(&self, t: S, u: &Input<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
+            fn pose(&self, t: S, u: &Input<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =

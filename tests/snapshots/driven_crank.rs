@@ -305,21 +305,21 @@ mod plm_driven_crank_ {
             const BEFORE_FOLLOWED: usize = 9;
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
-            fn place(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
+            fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
-                let measure = self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v);
+                let measure = self.pose_0(t, &held.input, &held.memory, x, &mut q, &mut v);
                 (q, v, measure)
             }
 
-            fn look(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 18], S) {
+            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
-                let measure = self.look_0(t, &held.input, &held.memory, x, &mut memory);
+                let measure = self.remember_0(t, &held.input, &held.memory, x, &mut memory);
                 (memory, measure)
             }
 
-            fn survey(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
+            fn remember_pose(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
-                let measure = self.survey_0(t, q, v, &mut memory);
+                let measure = self.remember_pose_0(t, q, v, &mut memory);
                 (memory, measure)
             }
 
@@ -556,7 +556,7 @@ mod plm_driven_crank_ {
             ///
             /// 4 mul, 2 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 21]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 9], phi_q: &mut [S; 21]) {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
@@ -725,7 +725,7 @@ mod plm_driven_crank_ {
                     [8, 2],
                 ];
                 let mut entries = [S::lit(0.0); 21];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -839,36 +839,29 @@ mod plm_driven_crank_ {
                     let growth_8 = (w_2 * r_8).abs();
                     let t18 = most_growth.lt(growth_8);
                     // (phi_q W phi_q^T) mu = r
-                    let residual_7 = r[7];
-                    let residual_6 = r[6];
-                    let residual_4 = r[4];
-                    let residual_5 = r[5];
-                    let b_5 = (-residual_4).mul_add(l_5_4, (-residual_6).mul_add(l_5_6, residual_5));
-                    let residual_0 = r[0];
-                    let residual_1 = r[1];
-                    let t19 = residual_0 * l_1_0;
-                    let b_1 = residual_1 - t19;
-                    let residual_2 = r[2];
+                    let dphi_7 = r[7];
+                    let dphi_6 = r[6];
+                    let dphi_4 = r[4];
+                    let dphi_5 = r[5];
+                    let b_5 = (-dphi_4).mul_add(l_5_4, (-dphi_6).mul_add(l_5_6, dphi_5));
+                    let dphi_0 = r[0];
+                    let dphi_1 = r[1];
+                    let t19 = dphi_0 * l_1_0;
+                    let b_1 = dphi_1 - t19;
+                    let dphi_2 = r[2];
                     let b_2 = (-b_1).mul_add(
                         l_2_1,
-                        (-l_2_5).mul_add(
-                            b_5,
-                            (-residual_4).mul_add(l_2_4, (-residual_0).mul_add(l_2_0, residual_2)),
-                        ),
+                        (-l_2_5).mul_add(b_5, (-dphi_4).mul_add(l_2_4, (-dphi_0).mul_add(l_2_0, dphi_2))),
                     );
-                    let residual_3 = r[3];
+                    let dphi_3 = r[3];
                     let b_3 = (-l_3_2).mul_add(
                         b_2,
-                        (-b_1).mul_add(
-                            l_3_1,
-                            (-l_3_5).mul_add(b_5, (-residual_4).mul_add(l_3_4, residual_3 - t19)),
-                        ),
+                        (-b_1).mul_add(l_3_1, (-l_3_5).mul_add(b_5, (-dphi_4).mul_add(l_3_4, dphi_3 - t19))),
                     );
-                    let residual_8 = r[8];
+                    let dphi_8 = r[8];
                     let b_8 = (-l_8_3).mul_add(
                         b_3,
-                        (-l_8_2)
-                            .mul_add(b_2, (-b_1).mul_add(l_8_1, (-residual_0).mul_add(l_8_0, residual_8))),
+                        (-l_8_2).mul_add(b_2, (-b_1).mul_add(l_8_1, (-dphi_0).mul_add(l_8_0, dphi_8))),
                     );
                     let mu_8 = S::select(t18, lit(0.0), r_8) * b_8;
                     let mu_3 = (-l_8_3).mul_add(mu_8, kept_3 * b_3);
@@ -876,11 +869,11 @@ mod plm_driven_crank_ {
                     let mu_1 =
                         (-l_8_1).mul_add(mu_8, (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1)));
                     let t20 = mu_3 + mu_1;
-                    let mu_0 = (-l_1_0)
-                        .mul_add(t20, (-l_8_0).mul_add(mu_8, (-l_2_0).mul_add(mu_2, residual_0 * r_0)));
+                    let mu_0 =
+                        (-l_1_0).mul_add(t20, (-l_8_0).mul_add(mu_8, (-l_2_0).mul_add(mu_2, dphi_0 * r_0)));
                     let mu_5 = (-l_3_5).mul_add(mu_3, (-l_2_5).mul_add(mu_2, kept_5 * b_5));
-                    let mu_4 = (-l_5_4)
-                        .mul_add(mu_5, (-l_3_4).mul_add(mu_3, (-l_2_4).mul_add(mu_2, residual_4 * r_4)));
+                    let mu_4 =
+                        (-l_5_4).mul_add(mu_5, (-l_3_4).mul_add(mu_3, (-l_2_4).mul_add(mu_2, dphi_4 * r_4)));
                     // Results
                     dq[0] = w_0 * (mu_0 - mu_2);
                     dq[1] = w_1 * (mu_1 - mu_3);
@@ -889,8 +882,8 @@ mod plm_driven_crank_ {
                     dq[4] = w_4 * (mu_3 - mu_5);
                     dq[5] = y_3_5.mul_add(mu_3 + mu_5, y_2_5 * (mu_2 + mu_4));
                     dq[6] = w_6 * mu_4;
-                    dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, residual_6 * r_6));
-                    dq[8] = -(w_8 * (residual_7 * (lit(1.0) / w_8)));
+                    dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, dphi_6 * r_6));
+                    dq[8] = -(w_8 * (dphi_7 * (lit(1.0) / w_8)));
                     let t21 = S::select(t7, lit(0.0), growth_5)
                         .max(S::select(t13, lit(0.0), growth_1))
                         .max(S::select(t16, lit(0.0), growth_2));
@@ -954,7 +947,7 @@ mod plm_driven_crank_ {
                 self.free(t, u, x, &mut force, &mut gamma);
                 let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
-                    absolute::jacobian(self, t, &q, rows)
+                    absolute::phi_q_matrix(self, t, &q, rows)
                 })
             }
         }
@@ -1412,7 +1405,7 @@ mod plm_driven_crank_ {
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
             /// 19 add, 29 mul, 1 div, 2 neg, 1 sqrt, 2 sin_cos, 3 select, 1 other.
-            fn place_0(
+            fn pose_0(
                 &self,
                 t: S,
                 u: &Input<S>,
@@ -1465,10 +1458,10 @@ mod plm_driven_crank_ {
                 v[2] = lit(3.0);
                 let reciprocal_0 = lit(1.0) / area_0;
                 let t9 = lit(0.6).mul_add(cos_crank_angle, t7);
-                let drift_0_0 = -(reciprocal_0 * t9);
-                v[3] = t5.mul_add(drift_0_0, crank_vx + crank_vx);
-                v[4] = t4.mul_add(drift_0_0, t8 + crank_vy);
-                v[5] = drift_0_0;
+                let time_rate_0_0 = -(reciprocal_0 * t9);
+                v[3] = t5.mul_add(time_rate_0_0, crank_vx + crank_vx);
+                v[4] = t4.mul_add(time_rate_0_0, t8 + crank_vy);
+                v[5] = time_rate_0_0;
                 v[6] = reciprocal_0 * (-loop_0_y).mul_add(t9, lit(-0.6) * sin_crank_angle * area_0);
                 v[7] = lit(0.0);
                 v[8] = lit(0.0);
@@ -1481,7 +1474,7 @@ mod plm_driven_crank_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 7 add, 17 mul, 3 div, 1 neg, 2 sqrt, 3 sin_cos, 5 select, 1 other.
-            fn look_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], memory: &mut [S; 18]) -> S {
+            fn remember_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], memory: &mut [S; 18]) -> S {
                 let [_, _, _, _, _, last_angle_2, last_cosine_2, last_sine_2, last_area_0, ..] = *m;
                 let lit = S::lit;
                 memory[0] = t;
@@ -1519,7 +1512,7 @@ mod plm_driven_crank_ {
             ///
             /// 2 mul, 2 sin_cos.
             #[cold]
-            fn survey_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
                 memory[0] = t;

@@ -316,32 +316,32 @@ mod plm_four_bar_ {
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] =
                 &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
-            fn place(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
+            fn pose(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match held.chart {
-                    0 => self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v),
-                    1 => self.place_1(t, &held.input, &held.memory, x, &mut q, &mut v),
-                    _ => self.place_2(t, &held.input, &held.memory, x, &mut q, &mut v),
+                    0 => self.pose_0(t, &held.input, &held.memory, x, &mut q, &mut v),
+                    1 => self.pose_1(t, &held.input, &held.memory, x, &mut q, &mut v),
+                    _ => self.pose_2(t, &held.input, &held.memory, x, &mut q, &mut v),
                 };
                 (q, v, measure)
             }
 
-            fn look(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 18], S) {
+            fn remember(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = match held.chart {
-                    0 => self.look_0(t, &held.input, &held.memory, x, &mut memory),
-                    1 => self.look_1(t, &held.input, &held.memory, x, &mut memory),
-                    _ => self.look_2(t, &held.input, &held.memory, x, &mut memory),
+                    0 => self.remember_0(t, &held.input, &held.memory, x, &mut memory),
+                    1 => self.remember_1(t, &held.input, &held.memory, x, &mut memory),
+                    _ => self.remember_2(t, &held.input, &held.memory, x, &mut memory),
                 };
                 (memory, measure)
             }
 
-            fn survey(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
+            fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
                 let mut memory = [S::lit(0.0); 18];
                 let measure = match chart {
-                    0 => self.survey_0(t, q, v, &mut memory),
-                    1 => self.survey_1(t, q, v, &mut memory),
-                    _ => self.survey_2(t, q, v, &mut memory),
+                    0 => self.remember_pose_0(t, q, v, &mut memory),
+                    1 => self.remember_pose_1(t, q, v, &mut memory),
+                    _ => self.remember_pose_2(t, q, v, &mut memory),
                 };
                 (memory, measure)
             }
@@ -584,7 +584,7 @@ mod plm_four_bar_ {
             ///
             /// 8 mul, 3 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 24]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 9], phi_q: &mut [S; 24]) {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
@@ -767,7 +767,7 @@ mod plm_four_bar_ {
                     [7, 8],
                 ];
                 let mut entries = [S::lit(0.0); 24];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -891,23 +891,23 @@ mod plm_four_bar_ {
                     let growth_7 = (t28 * r_7).abs();
                     let t29 = most_growth.lt(growth_7);
                     // (phi_q W phi_q^T) mu = r
-                    let residual_0 = r[0];
-                    let residual_1 = r[1];
-                    let t30 = residual_0 * l_1_0;
-                    let b_1 = residual_1 - t30;
-                    let residual_2 = r[2];
-                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                    let residual_3 = r[3];
-                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t30));
-                    let residual_4 = r[4];
-                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                    let residual_5 = r[5];
-                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, residual_5)));
-                    let residual_6 = r[6];
-                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, residual_6));
-                    let residual_7 = r[7];
+                    let dphi_0 = r[0];
+                    let dphi_1 = r[1];
+                    let t30 = dphi_0 * l_1_0;
+                    let b_1 = dphi_1 - t30;
+                    let dphi_2 = r[2];
+                    let b_2 = (-b_1).mul_add(l_2_1, (-dphi_0).mul_add(l_2_0, dphi_2));
+                    let dphi_3 = r[3];
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, dphi_3 - t30));
+                    let dphi_4 = r[4];
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, dphi_4));
+                    let dphi_5 = r[5];
+                    let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, dphi_5)));
+                    let dphi_6 = r[6];
+                    let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, dphi_6));
+                    let dphi_7 = r[7];
                     let mu_7 = S::select(t29, lit(0.0), r_7)
-                        * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, residual_7)));
+                        * (-l_7_6).mul_add(b_6, (-l_7_5).mul_add(b_5, (-l_7_4).mul_add(b_4, dphi_7)));
                     let mu_6 = (-l_7_6).mul_add(mu_7, kept_6 * b_6);
                     let mu_5 = (-l_7_5).mul_add(mu_7, (-l_6_5).mul_add(mu_6, kept_5 * b_5));
                     let mu_4 =
@@ -917,7 +917,7 @@ mod plm_four_bar_ {
                         (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
                     let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
                     let t31 = mu_3 + mu_1;
-                    let mu_0 = (-l_1_0).mul_add(t31, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    let mu_0 = (-l_1_0).mul_add(t31, (-l_2_0).mul_add(mu_2, dphi_0 * r_0));
                     // Results
                     dq[0] = w_0 * (mu_0 - mu_2);
                     dq[1] = w_1 * (mu_1 - mu_3);
@@ -994,7 +994,7 @@ mod plm_four_bar_ {
                 self.free(t, u, x, &mut force, &mut gamma);
                 let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
-                    absolute::jacobian(self, t, &q, rows)
+                    absolute::phi_q_matrix(self, t, &q, rows)
                 })
             }
         }
@@ -1520,7 +1520,7 @@ mod plm_four_bar_ {
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
             /// 26 add, 50 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
-            fn place_0(
+            fn pose_0(
                 &self,
                 t: S,
                 u: &Input<S>,
@@ -1607,7 +1607,7 @@ mod plm_four_bar_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
-            fn look_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+            fn remember_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
                 let lit = S::lit;
                 let crank_angle = x[0];
                 memory[0] = crank_angle;
@@ -1672,7 +1672,7 @@ mod plm_four_bar_ {
             ///
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
-            fn survey_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
@@ -1756,7 +1756,7 @@ mod plm_four_bar_ {
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
             /// 26 add, 52 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
-            fn place_1(
+            fn pose_1(
                 &self,
                 t: S,
                 u: &Input<S>,
@@ -1843,7 +1843,7 @@ mod plm_four_bar_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
-            fn look_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+            fn remember_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
                 let lit = S::lit;
                 let rocker_angle = x[0];
                 memory[0] = rocker_angle;
@@ -1908,7 +1908,7 @@ mod plm_four_bar_ {
             ///
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
-            fn survey_1(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_1(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
@@ -1997,7 +1997,7 @@ mod plm_four_bar_ {
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
             /// 26 add, 51 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
-            fn place_2(
+            fn pose_2(
                 &self,
                 t: S,
                 u: &Input<S>,
@@ -2084,7 +2084,7 @@ mod plm_four_bar_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
-            fn look_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+            fn remember_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
                 let lit = S::lit;
                 let coupler_angle = x[0];
                 memory[0] = coupler_angle;
@@ -2150,7 +2150,7 @@ mod plm_four_bar_ {
             ///
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
-            fn survey_2(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_2(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];

@@ -399,21 +399,21 @@ mod plm_plate_on_three_pins_ {
             const BEFORE_FOLLOWED: usize = 15;
             const FOLLOWED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
             const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
-            fn place(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
+            fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
-                let measure = self.place_0(t, &held.input, &held.memory, x, &mut q, &mut v);
+                let measure = self.pose_0(t, &held.input, &held.memory, x, &mut q, &mut v);
                 (q, v, measure)
             }
 
-            fn look(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 28], S) {
+            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 28], S) {
                 let mut memory = [S::lit(0.0); 28];
-                let measure = self.look_0(t, &held.input, &held.memory, x, &mut memory);
+                let measure = self.remember_0(t, &held.input, &held.memory, x, &mut memory);
                 (memory, measure)
             }
 
-            fn survey(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> ([S; 28], S) {
+            fn remember_pose(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> ([S; 28], S) {
                 let mut memory = [S::lit(0.0); 28];
-                let measure = self.survey_0(t, q, v, &mut memory);
+                let measure = self.remember_pose_0(t, q, v, &mut memory);
                 (memory, measure)
             }
 
@@ -628,7 +628,7 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 40 add, 37 mul, 6 neg, 4 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
                 let crank_0_angle = q[2];
@@ -962,7 +962,7 @@ mod plm_plate_on_three_pins_ {
                     [11, 8],
                 ];
                 let mut entries = [S::lit(0.0); 33];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -1177,52 +1177,48 @@ mod plm_plate_on_three_pins_ {
                     let growth_11 = (w_8 * r_11).abs();
                     let t44 = most_growth.lt(growth_11);
                     // (phi_q W phi_q^T) mu = r
-                    let residual_0 = r[0];
-                    let residual_1 = r[1];
-                    let b_1 = (-residual_0).mul_add(l_1_0, residual_1);
-                    let residual_9 = r[9];
-                    let b_9 = (-b_1).mul_add(l_9_1, (-residual_0).mul_add(l_9_0, residual_9));
-                    let residual_6 = r[6];
-                    let b_6 = (-l_6_9)
-                        .mul_add(b_9, (-b_1).mul_add(l_6_1, (-residual_0).mul_add(l_6_0, residual_6)));
-                    let residual_2 = r[2];
-                    let residual_3 = r[3];
-                    let b_3 = (-residual_2).mul_add(l_3_2, residual_3);
-                    let residual_10 = r[10];
-                    let b_10 = (-b_3).mul_add(l_10_3, (-residual_2).mul_add(l_10_2, residual_10));
-                    let residual_7 = r[7];
+                    let dphi_0 = r[0];
+                    let dphi_1 = r[1];
+                    let b_1 = (-dphi_0).mul_add(l_1_0, dphi_1);
+                    let dphi_9 = r[9];
+                    let b_9 = (-b_1).mul_add(l_9_1, (-dphi_0).mul_add(l_9_0, dphi_9));
+                    let dphi_6 = r[6];
+                    let b_6 = (-l_6_9).mul_add(b_9, (-b_1).mul_add(l_6_1, (-dphi_0).mul_add(l_6_0, dphi_6)));
+                    let dphi_2 = r[2];
+                    let dphi_3 = r[3];
+                    let b_3 = (-dphi_2).mul_add(l_3_2, dphi_3);
+                    let dphi_10 = r[10];
+                    let b_10 = (-b_3).mul_add(l_10_3, (-dphi_2).mul_add(l_10_2, dphi_10));
+                    let dphi_7 = r[7];
                     let b_7 = (-l_7_10).mul_add(
                         b_10,
-                        (-b_3)
-                            .mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-residual_2).mul_add(l_7_2, residual_7))),
+                        (-b_3).mul_add(l_7_3, (-l_7_6).mul_add(b_6, (-dphi_2).mul_add(l_7_2, dphi_7))),
                     );
-                    let residual_4 = r[4];
-                    let residual_5 = r[5];
-                    let b_5 = (-residual_4).mul_add(l_5_4, residual_5);
-                    let residual_8 = r[8];
+                    let dphi_4 = r[4];
+                    let dphi_5 = r[5];
+                    let b_5 = (-dphi_4).mul_add(l_5_4, dphi_5);
+                    let dphi_8 = r[8];
                     let b_8 = (-b_5).mul_add(
                         l_8_5,
-                        (-l_8_7)
-                            .mul_add(b_7, (-l_8_6).mul_add(b_6, (-residual_4).mul_add(l_8_4, residual_8))),
+                        (-l_8_7).mul_add(b_7, (-l_8_6).mul_add(b_6, (-dphi_4).mul_add(l_8_4, dphi_8))),
                     );
-                    let residual_11 = r[11];
+                    let dphi_11 = r[11];
                     let mu_11 = S::select(t44, lit(0.0), r_11)
-                        * (-l_11_8)
-                            .mul_add(b_8, (-b_5).mul_add(l_11_5, (-residual_4).mul_add(l_11_4, residual_11)));
+                        * (-l_11_8).mul_add(b_8, (-b_5).mul_add(l_11_5, (-dphi_4).mul_add(l_11_4, dphi_11)));
                     let mu_8 = (-l_11_8).mul_add(mu_11, kept_8 * b_8);
                     let mu_5 = (-l_11_5).mul_add(mu_11, (-l_8_5).mul_add(mu_8, b_5 * kept_5));
                     let mu_4 = (-l_11_4)
-                        .mul_add(mu_11, (-l_8_4).mul_add(mu_8, (-l_5_4).mul_add(mu_5, residual_4 * r_4)));
+                        .mul_add(mu_11, (-l_8_4).mul_add(mu_8, (-l_5_4).mul_add(mu_5, dphi_4 * r_4)));
                     let mu_7 = (-l_8_7).mul_add(mu_8, kept_7 * b_7);
                     let mu_10 = (-l_7_10).mul_add(mu_7, kept_10 * b_10);
                     let mu_3 = (-l_10_3).mul_add(mu_10, (-l_7_3).mul_add(mu_7, b_3 * kept_3));
                     let mu_2 = (-l_10_2)
-                        .mul_add(mu_10, (-l_7_2).mul_add(mu_7, (-l_3_2).mul_add(mu_3, residual_2 * r_2)));
+                        .mul_add(mu_10, (-l_7_2).mul_add(mu_7, (-l_3_2).mul_add(mu_3, dphi_2 * r_2)));
                     let mu_6 = (-l_8_6).mul_add(mu_8, (-l_7_6).mul_add(mu_7, kept_6 * b_6));
                     let mu_9 = (-l_6_9).mul_add(mu_6, kept_9 * b_9);
                     let mu_1 = (-l_9_1).mul_add(mu_9, (-l_6_1).mul_add(mu_6, b_1 * kept_1));
-                    let mu_0 = (-l_9_0)
-                        .mul_add(mu_9, (-l_6_0).mul_add(mu_6, (-l_1_0).mul_add(mu_1, residual_0 * r_0)));
+                    let mu_0 =
+                        (-l_9_0).mul_add(mu_9, (-l_6_0).mul_add(mu_6, (-l_1_0).mul_add(mu_1, dphi_0 * r_0)));
                     // Results
                     dq[0] = y_6_0.mul_add(mu_6, w_0 * mu_0);
                     dq[1] = y_6_1.mul_add(mu_6, w_1 * mu_1);
@@ -1311,7 +1307,7 @@ mod plm_plate_on_three_pins_ {
                 self.free(t, u, x, &mut force, &mut gamma);
                 let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
-                    absolute::jacobian(self, t, &q, rows)
+                    absolute::phi_q_matrix(self, t, &q, rows)
                 })
             }
         }
@@ -2439,10 +2435,10 @@ mod plm_plate_on_three_pins_ {
                 let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
                 let last_cosine_3 = m[12];
                 let last_0 = m[0];
-                let since_look = t - last_0;
+                let since_remembered = t - last_0;
                 let last_rate_3 = m[16];
                 let last_bend_3 = m[17];
-                let t1 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
+                let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
@@ -2466,13 +2462,15 @@ mod plm_plate_on_three_pins_ {
                 let last_value_4 = m[18];
                 let last_rate_4 = m[19];
                 let last_bend_4 = m[20];
-                let slot_0_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
+                let slot_0_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = m[21];
                 let last_rate_5 = m[22];
                 let last_bend_5 = m[23];
-                let slot_1_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
+                let slot_1_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
                 let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
                 let t7 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
                 let t8 = lit(0.573576436351046) * slot_0_displacement_expected;
@@ -2488,8 +2486,9 @@ mod plm_plate_on_three_pins_ {
                 let last_value_6 = m[24];
                 let last_rate_6 = m[25];
                 let last_bend_6 = m[26];
-                let slot_2_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
+                let slot_2_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
                 let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
                 let t13 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
                 let arm0_1_4_x = (-t12).mul_add(plate_angle_expected_cos, t13 * plate_angle_expected_sin);
@@ -2701,7 +2700,7 @@ mod plm_plate_on_three_pins_ {
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
             /// 211 add, 328 mul, 8 div, 21 neg, 6 sin_cos, 2 select, 1 other.
-            fn place_0(
+            fn pose_0(
                 &self,
                 t: S,
                 u: &Input<S>,
@@ -2738,10 +2737,10 @@ mod plm_plate_on_three_pins_ {
                 q[8] = crank_2_angle;
                 let last_cosine_3 = m[12];
                 let last_0 = m[0];
-                let since_look = t - last_0;
+                let since_remembered = t - last_0;
                 let last_rate_3 = m[16];
                 let last_bend_3 = m[17];
-                let t6 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
+                let t6 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t6 * (lit(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
@@ -2765,13 +2764,15 @@ mod plm_plate_on_three_pins_ {
                 let last_value_4 = m[18];
                 let last_rate_4 = m[19];
                 let last_bend_4 = m[20];
-                let slot_0_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
+                let slot_0_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = m[21];
                 let last_rate_5 = m[22];
                 let last_bend_5 = m[23];
-                let slot_1_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
+                let slot_1_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
                 let t11 = lit(0.8191520442889918) * slot_0_displacement_expected;
                 let t12 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t11) - lit(0.8);
                 let t13 = lit(0.573576436351046) * slot_0_displacement_expected;
@@ -2787,8 +2788,9 @@ mod plm_plate_on_three_pins_ {
                 let last_value_6 = m[24];
                 let last_rate_6 = m[25];
                 let last_bend_6 = m[26];
-                let slot_2_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
+                let slot_2_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
                 let t17 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t11) - lit(0.4);
                 let t18 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t13) - lit(0.7);
                 let arm0_1_4_x = (-t17).mul_add(plate_angle_expected_cos, t18 * plate_angle_expected_sin);
@@ -2977,7 +2979,7 @@ mod plm_plate_on_three_pins_ {
                 let t47 = lit(0.24) * (cos_t1 * sin_crank_0_angle);
                 let t48 = lit(-0.766044443118978)
                     .mul_add(plate_angle_2_sin, lit(0.6427876096865393) * plate_angle_2_cos);
-                let j_0_drift_across_0 = (-t45.mul_add(cos_crank_1_angle, t44))
+                let j_0_time_rate_across_0 = (-t45.mul_add(cos_crank_1_angle, t44))
                     .mul_add(t46, t45.mul_add(sin_crank_1_angle, t47) * t48);
                 let t49 = lit(0.984807753012208)
                     .mul_add(plate_angle_2_sin, lit(0.17364817766693033) * plate_angle_2_cos);
@@ -3015,29 +3017,29 @@ mod plm_plate_on_three_pins_ {
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
                 let j_0_reciprocal = lit(1.0) / j_0_determinant;
                 let t59 = lit(0.16) * cos_t4;
-                let j_0_drift_across_1 = (-(-t59).mul_add(cos_crank_2_angle, t44))
+                let j_0_time_rate_across_1 = (-(-t59).mul_add(cos_crank_2_angle, t44))
                     .mul_add(t49, (-t59).mul_add(sin_crank_2_angle, t47) * t53);
-                let j_0_drift_1 = j_0_drift_across_1.mul_add(
+                let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
                     j_0_across_0_0 * j_0_reciprocal,
-                    j_0_drift_across_0 * -(j_0_across_1_0 * j_0_reciprocal),
+                    j_0_time_rate_across_0 * -(j_0_across_1_0 * j_0_reciprocal),
                 );
-                let t60 = plate_angle_2_cos * j_0_drift_1;
-                let t61 = plate_angle_2_sin * j_0_drift_1;
-                let j_0_drift_0 = j_0_drift_across_1.mul_add(
+                let t60 = plate_angle_2_cos * j_0_time_rate_1;
+                let t61 = plate_angle_2_sin * j_0_time_rate_1;
+                let j_0_time_rate_0 = j_0_time_rate_across_1.mul_add(
                     -(j_0_across_0_1 * j_0_reciprocal),
-                    j_0_drift_across_0 * (j_0_across_1_1 * j_0_reciprocal),
+                    j_0_time_rate_across_0 * (j_0_across_1_1 * j_0_reciprocal),
                 );
                 v[9] = (-t42).mul_add(
-                    j_0_drift_0,
+                    j_0_time_rate_0,
                     lit(-0.573576436351046)
                         .mul_add(t61, lit(0.8191520442889918).mul_add(t60, crank_0_vx + crank_0_vx)),
                 );
                 v[10] = t41.mul_add(
-                    j_0_drift_0,
+                    j_0_time_rate_0,
                     lit(0.8191520442889918)
                         .mul_add(t61, lit(0.573576436351046).mul_add(t60, crank_0_vy + crank_0_vy)),
                 );
-                v[11] = -j_0_drift_0;
+                v[11] = -j_0_time_rate_0;
                 let gap_0_x = loop_0_x + arm_0_4_x;
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
@@ -3058,15 +3060,15 @@ mod plm_plate_on_three_pins_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 11 select, 1 other.
-            fn look_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], memory: &mut [S; 28]) -> S {
+            fn remember_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], memory: &mut [S; 28]) -> S {
                 let lit = S::lit;
                 memory[0] = t;
                 let last_cosine_3 = m[12];
                 let last_0 = m[0];
-                let since_look = t - last_0;
+                let since_remembered = t - last_0;
                 let last_rate_3 = m[16];
                 let last_bend_3 = m[17];
-                let t1 = since_look * last_bend_3.mul_add(since_look, last_rate_3);
+                let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
@@ -3090,13 +3092,15 @@ mod plm_plate_on_three_pins_ {
                 let last_value_4 = m[18];
                 let last_rate_4 = m[19];
                 let last_bend_4 = m[20];
-                let slot_0_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_4.mul_add(since_look, last_rate_4), last_value_4);
+                let slot_0_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = m[21];
                 let last_rate_5 = m[22];
                 let last_bend_5 = m[23];
-                let slot_1_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_5.mul_add(since_look, last_rate_5), last_value_5);
+                let slot_1_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
                 let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
                 let t7 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
                 let t8 = lit(0.573576436351046) * slot_0_displacement_expected;
@@ -3112,8 +3116,9 @@ mod plm_plate_on_three_pins_ {
                 let last_value_6 = m[24];
                 let last_rate_6 = m[25];
                 let last_bend_6 = m[26];
-                let slot_2_displacement_expected =
-                    lit(0.4) * since_look.mul_add(last_bend_6.mul_add(since_look, last_rate_6), last_value_6);
+                let slot_2_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
                 let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
                 let t13 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
                 let arm0_1_4_x = (-t12).mul_add(plate_angle_expected_cos, t13 * plate_angle_expected_sin);
@@ -3325,14 +3330,16 @@ mod plm_plate_on_three_pins_ {
                 let t51 = t50.mul_add(cos_crank_1_angle, t49);
                 let t52 = lit(0.24) * (cos_t14 * sin_crank_0_angle);
                 let t53 = t50.mul_add(sin_crank_1_angle, t52);
-                let j_0_drift_across_0 = (-t51).mul_add(t44, t53 * t45);
+                let j_0_time_rate_across_0 = (-t51).mul_add(t44, t53 * t45);
                 let t54 = lit(0.16) * cos_t16;
                 let t55 = (-t54).mul_add(cos_crank_2_angle, t49);
                 let t56 = (-t54).mul_add(sin_crank_2_angle, t52);
-                let j_0_drift_across_1 = (-t55).mul_add(t36, t56 * t38);
-                let j_0_drift_0 = (-(j_0_across_0_1 * j_0_reciprocal))
-                    .mul_add(j_0_drift_across_1, j_0_across_1_1 * j_0_reciprocal * j_0_drift_across_0);
-                let t57 = j_0_drift_0.abs();
+                let j_0_time_rate_across_1 = (-t55).mul_add(t36, t56 * t38);
+                let j_0_time_rate_0 = (-(j_0_across_0_1 * j_0_reciprocal)).mul_add(
+                    j_0_time_rate_across_1,
+                    j_0_across_1_1 * j_0_reciprocal * j_0_time_rate_across_0,
+                );
+                let t57 = j_0_time_rate_0.abs();
                 let gap_0_x = loop_0_x + arm_0_4_x;
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
@@ -3346,27 +3353,27 @@ mod plm_plate_on_three_pins_ {
                         * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
                 let t60 = S::select(t58, t59, lit(-1.0));
                 let t61 = lit(1.0) / t60.sqrt();
-                let j_0_drift_1 = j_0_drift_across_1.mul_add(
+                let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
                     j_0_across_0_0 * j_0_reciprocal,
-                    j_0_drift_across_0 * -(j_0_across_1_0 * j_0_reciprocal),
+                    j_0_time_rate_across_0 * -(j_0_across_1_0 * j_0_reciprocal),
                 );
-                let t62 = (-j_0_drift_0).mul_add(
+                let t62 = (-j_0_time_rate_0).mul_add(
                     lit(1.0000000000000002) * arm_1_4_x.mul_add(t38, arm_1_4_y * t36),
                     lit(1.0000000000000002) * t55.mul_add(t38, t56 * t36),
                 );
-                let j_0_drift_3 =
-                    (-(lit(1.0000000000000002) * (-t35).mul_add(t38, t36 * t37))).mul_add(j_0_drift_1, t62);
+                let j_0_time_rate_3 = (-(lit(1.0000000000000002) * (-t35).mul_add(t38, t36 * t37)))
+                    .mul_add(j_0_time_rate_1, t62);
                 let t63 = lit(2.5) * t61;
-                let t64 = (-j_0_drift_0).mul_add(
+                let t64 = (-j_0_time_rate_0).mul_add(
                     lit(1.0000000000000002) * arm_0_4_x.mul_add(t45, arm_0_4_y * t44),
                     lit(1.0000000000000002) * t51.mul_add(t45, t53 * t44),
                 );
-                let j_0_drift_2 =
-                    (-j_0_drift_1).mul_add(lit(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t64);
-                let t65 = t57.max(
-                    (t63 * j_0_drift_3.abs())
-                        .max((t63 * j_0_drift_2.abs()).max((t57 * t61).max(t63 * j_0_drift_1.abs()))),
-                );
+                let j_0_time_rate_2 =
+                    (-j_0_time_rate_1).mul_add(lit(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t64);
+                let t65 = t57
+                    .max((t63 * j_0_time_rate_3.abs()).max(
+                        (t63 * j_0_time_rate_2.abs()).max((t57 * t61).max(t63 * j_0_time_rate_1.abs())),
+                    ));
                 memory[1] = lit(-0.1) / t65;
                 memory[2] = crank_0_angle;
                 memory[3] = cos_crank_0_angle;
@@ -3388,16 +3395,16 @@ mod plm_plate_on_three_pins_ {
                 memory[13] = sin_t66;
                 memory[14] = S::select(t58, lit(1.0), lit(0.0));
                 memory[15] = t66;
-                memory[16] = -j_0_drift_0;
+                memory[16] = -j_0_time_rate_0;
                 memory[17] = lit(0.0);
                 memory[18] = lit(2.5) * slot_0_displacement_2;
-                memory[19] = lit(-2.5) * j_0_drift_1;
+                memory[19] = lit(-2.5) * j_0_time_rate_1;
                 memory[20] = lit(0.0);
                 memory[21] = lit(2.5) * slot_1_displacement_2;
-                memory[22] = lit(-2.5) * j_0_drift_2;
+                memory[22] = lit(-2.5) * j_0_time_rate_2;
                 memory[23] = lit(0.0);
                 memory[24] = lit(2.5) * slot_2_displacement_2;
-                memory[25] = lit(-2.5) * j_0_drift_3;
+                memory[25] = lit(-2.5) * j_0_time_rate_3;
                 memory[26] = lit(0.0);
                 memory[27] = lit(0.0);
                 t60
@@ -3407,7 +3414,7 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 84 add, 105 mul, 1 div, 2 neg, 4 sin_cos.
             #[cold]
-            fn survey_0(&self, t: S, q: &[S; 12], v: &[S; 12], memory: &mut [S; 28]) -> S {
+            fn remember_pose_0(&self, t: S, q: &[S; 12], v: &[S; 12], memory: &mut [S; 28]) -> S {
                 let lit = S::lit;
                 memory[0] = t;
                 memory[1] = lit(0.0);

@@ -473,7 +473,7 @@ mod plm_slider_crank_ {
             ///
             /// 4 mul, 2 sin_cos.
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; 9], phi_q: &mut [S; 20]) {
+            fn phi_q_entries(&self, t: S, q: &[S; 9], phi_q: &mut [S; 20]) {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
                 phi_q[0] = lit(1.0);
@@ -626,7 +626,7 @@ mod plm_slider_crank_ {
                     [7, 8],
                 ];
                 let mut entries = [S::lit(0.0); 20];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
@@ -720,23 +720,22 @@ mod plm_slider_crank_ {
                     let growth_5 = (t17 * r_5).abs();
                     let t18 = most_growth.lt(growth_5);
                     // (phi_q W phi_q^T) mu = r
-                    let residual_7 = r[7];
-                    let residual_6 = r[6];
-                    let residual_0 = r[0];
-                    let residual_1 = r[1];
-                    let t19 = residual_0 * l_1_0;
-                    let b_1 = residual_1 - t19;
-                    let residual_2 = r[2];
-                    let b_2 = (-b_1).mul_add(l_2_1, (-residual_0).mul_add(l_2_0, residual_2));
-                    let residual_3 = r[3];
-                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, residual_3 - t19));
-                    let residual_4 = r[4];
-                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, residual_4));
-                    let residual_5 = r[5];
+                    let dphi_7 = r[7];
+                    let dphi_6 = r[6];
+                    let dphi_0 = r[0];
+                    let dphi_1 = r[1];
+                    let t19 = dphi_0 * l_1_0;
+                    let b_1 = dphi_1 - t19;
+                    let dphi_2 = r[2];
+                    let b_2 = (-b_1).mul_add(l_2_1, (-dphi_0).mul_add(l_2_0, dphi_2));
+                    let dphi_3 = r[3];
+                    let b_3 = (-l_3_2).mul_add(b_2, (-b_1).mul_add(l_3_1, dphi_3 - t19));
+                    let dphi_4 = r[4];
+                    let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, dphi_4));
+                    let dphi_5 = r[5];
                     let b_5 = (-l_5_4).mul_add(
                         b_4,
-                        (-l_5_3)
-                            .mul_add(b_3, (-l_5_2).mul_add(b_2, (-residual_6).mul_add(l_5_6, residual_5))),
+                        (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, (-dphi_6).mul_add(l_5_6, dphi_5))),
                     );
                     let mu_5 = S::select(t18, lit(0.0), r_5) * b_5;
                     let mu_4 = (-l_5_4).mul_add(mu_5, kept_4 * b_4);
@@ -745,7 +744,7 @@ mod plm_slider_crank_ {
                         (-l_5_2).mul_add(mu_5, (-l_4_2).mul_add(mu_4, (-l_3_2).mul_add(mu_3, kept_2 * b_2)));
                     let mu_1 = (-l_3_1).mul_add(mu_3, (-l_2_1).mul_add(mu_2, b_1 * kept_1));
                     let t20 = mu_3 + mu_1;
-                    let mu_0 = (-l_1_0).mul_add(t20, (-l_2_0).mul_add(mu_2, residual_0 * r_0));
+                    let mu_0 = (-l_1_0).mul_add(t20, (-l_2_0).mul_add(mu_2, dphi_0 * r_0));
                     // Results
                     dq[0] = w_0 * (mu_0 - mu_2);
                     dq[1] = w_1 * (mu_1 - mu_3);
@@ -754,8 +753,8 @@ mod plm_slider_crank_ {
                     dq[4] = w_4 * (mu_3 - mu_5);
                     dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
                     dq[6] = w_6 * mu_4;
-                    dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, residual_6 * r_6));
-                    dq[8] = -(w_8 * (residual_7 * (lit(1.0) / w_8)));
+                    dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, dphi_6 * r_6));
+                    dq[8] = -(w_8 * (dphi_7 * (lit(1.0) / w_8)));
                     let t21 = S::select(t6, lit(0.0), growth_1)
                         .max(S::select(t10, lit(0.0), growth_2))
                         .max(S::select(t14, lit(0.0), growth_3));
@@ -819,7 +818,7 @@ mod plm_slider_crank_ {
                 self.free(t, u, x, &mut force, &mut gamma);
                 let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
                 absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
-                    absolute::jacobian(self, t, &q, rows)
+                    absolute::phi_q_matrix(self, t, &q, rows)
                 })
             }
         }

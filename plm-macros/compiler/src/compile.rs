@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::check;
-use crate::derive::{derive, hold};
+use crate::derive::{derive, hold_switches};
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code, Place};
 use crate::fallback;
@@ -90,7 +90,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     check::check_reach(&model, sink);
     sound(sink)?;
 
-    let held = hold(&mut model);
+    let held = hold_switches(&mut model);
     let equations = derive(&model);
     check::check_size(&model, &equations, sink);
     sound(sink)?;

@@ -2,7 +2,7 @@
 //!
 //! Every name is bound, every part is taken apart into constraint rows, loads, states and outputs, every quantity is
 //! in SI, and every expression stands in one [`Graph`]. After `resolve` a
-//! `Model` changes once: derivation puts the sides of conditions in their places.
+//! `Model` changes once: derivation puts switches in their places.
 //!
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
@@ -19,7 +19,7 @@ use plm_cas::{Expr, Graph};
 
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;
-pub use switch::{Jump, Side, Steady};
+pub use switch::{Jump, Steady, Switch};
 
 use crate::diag::Use;
 use crate::span::Span;
@@ -74,7 +74,7 @@ pub struct Model {
     pub states: Vec<State>,
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
-    pub sides: Vec<Side>,
+    pub switches: Vec<Switch>,
     /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
     pub kinks: Vec<Expr>,
     /// Where rows jump or may jump; derivation finds them.
@@ -321,7 +321,7 @@ pub struct State {
 }
 
 impl Model {
-    /// Number of sides that depend on the state, and of kinks: what is looked at in every step.
+    /// Number of switches that depend on the state, and of kinks: what is looked at in every step.
     pub fn watched(&self) -> usize {
         self.guards() + self.kinks.len()
     }
@@ -335,9 +335,9 @@ impl Model {
         }
     }
 
-    /// Number of sides that depend on the state.
+    /// Number of switches that depend on the state.
     pub fn guards(&self) -> usize {
-        self.sides.iter().filter(|side| side.instant.is_none()).count()
+        self.switches.iter().filter(|switch| switch.instant.is_none()).count()
     }
 }
 

@@ -7,7 +7,7 @@ use plm_cas::{Expr, Graph, algebra};
 use crate::derive::Equations;
 use crate::formulate::{Chart, Function, Program, Reduced};
 use crate::model::Model;
-use crate::numeric::{add_sides, defaults, run};
+use crate::numeric::{add_switches, defaults, run};
 
 /// A state in a chart.
 #[derive(Clone, Debug)]
@@ -69,8 +69,9 @@ impl Oracle {
     }
 
     fn in_chart(&self, reduced: &Reduced, chart: &Chart, time: f64, x: &[f64]) -> Option<InChart> {
-        let survey = chart.survey.as_ref().map(|survey| self.run(survey, time, &self.state(), x));
-        let mut remembered = survey.unwrap_or_else(|| vec![1.0]);
+        let remember_pose =
+            chart.remember_pose.as_ref().map(|remember_pose| self.run(remember_pose, time, &self.state(), x));
+        let mut remembered = remember_pose.unwrap_or_else(|| vec![1.0]);
         let square = remembered.pop()?;
         if let Some(precision) = remembered.last_mut().filter(|_| reduced.iterates()) {
             *precision = f64::EPSILON;
@@ -128,7 +129,7 @@ impl Oracle {
             values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
             values.push((self.model.time, time));
             values.extend(symbols.iter().copied().zip(x.iter().copied()));
-            add_sides(&self.model, &mut values);
+            add_switches(&self.model, &mut values);
             let mut all = run(&algebra::tape(&function.roots()), &values);
             all.split_off(all.len() - function.results.len())
         })

@@ -4,7 +4,7 @@ use plm_cas::{Count, Expr, algebra};
 
 use crate::formulate::{Chart, Function, Program, Reduced};
 use crate::model::{Model, Stabilisation};
-use crate::numeric::{Assembly, Scene, add_sides, run, value};
+use crate::numeric::{Assembly, Scene, add_switches, run, value};
 
 /// Degrees per radian.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
@@ -80,7 +80,7 @@ impl Report {
     /// Adds what assembly found: ranks, how far it moved the bodies, branches, and how far charts are from flat.
     pub(crate) fn add_start(&mut self, scene: &Scene, found: &Assembly, reduced: Option<&Reduced>) {
         let mut values = scene.moving(&found.q, &found.v);
-        add_sides(scene.model, &mut values);
+        add_switches(scene.model, &mut values);
         self.add_rank(found);
         self.add_moves(scene, found);
         self.add_branches(scene, &values);
@@ -261,9 +261,11 @@ fn counted(function: &Function) -> Count {
 
 /// How far each chart is from flat at the start: 1 at best, 0 where a loop lies in one line.
 fn measures(reduced: Option<&Reduced>, values: &[(Expr, f64)]) -> Vec<f64> {
-    let surveys =
-        reduced.into_iter().flat_map(|reduced| &reduced.charts).filter_map(|chart| chart.survey.as_ref());
-    let squares = surveys.filter_map(|survey| survey.results.last());
+    let remembered = reduced
+        .into_iter()
+        .flat_map(|reduced| &reduced.charts)
+        .filter_map(|chart| chart.remember_pose.as_ref());
+    let squares = remembered.filter_map(|function| function.results.last());
     squares.map(|&(_, square)| value(square, values).max(0.0).sqrt()).collect()
 }
 

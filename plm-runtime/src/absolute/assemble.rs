@@ -67,7 +67,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
         status,
         singular: neighbour.of_joints < here.of_joints || here.of_locks > 0,
         iterations: pose.iterations,
-        gap: largest(&pose.residual),
+        gap: largest(&pose.phi),
         coordinates: &M::COORDINATES,
         row_names: &M::ROWS,
     })
@@ -77,12 +77,12 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
 pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
     pub(super) q: [S; NQ],
     iterations: u32,
-    pub(super) residual: [S; NC],
+    pub(super) phi: [S; NC],
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
     pub(super) fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
-        Scale::of_position(m, &self.q).is_closed::<M, NQ, NC>(&self.residual)
+        Scale::of_position(m, &self.q).is_closed::<M, NQ, NC>(&self.phi)
     }
 }
 
@@ -103,7 +103,7 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
         reject_locks(m, t, &q0, free, &at_start, POSITION)?;
     }
-    let open = || open(t, &pose.residual, &M::PARTS, |gap| Cause::Open { gap });
+    let open = || open(t, &pose.phi, &M::PARTS, |gap| Cause::Open { gap });
     Err(refused(m, (t, &pose.q), free).unwrap_or_else(open))
 }
 
@@ -114,13 +114,13 @@ pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     q0: &[S; NQ],
     free: &[S; NQ],
 ) -> Pose<S, NQ, NC> {
-    let mut pose = Pose { q: *q0, iterations: 0, residual: m.phi(t, q0) };
+    let mut pose = Pose { q: *q0, iterations: 0, phi: m.phi(t, q0) };
     while pose.iterations < ITERATIONS && !pose.is_closed(m) {
-        let Some(dq) = assembly_step(m, t, &pose.q, free, &pose.residual) else { return pose };
+        let Some(dq) = assembly_step(m, t, &pose.q, free, &pose.phi) else { return pose };
         for i in 0..NQ {
             pose.q[i] = pose.q[i] - dq[i];
         }
-        pose.residual = m.phi(t, &pose.q);
+        pose.phi = m.phi(t, &pose.q);
         pose.iterations += 1;
         if largest(&dq) <= S::EPSILON * largest(&pose.q) {
             return pose;
@@ -129,8 +129,7 @@ pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     if pose.is_closed(m) {
         let scale = Scale::of_position(m, &pose.q);
         let measure = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
-        pose.residual =
-            descend(measure, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
+        pose.phi = descend(measure, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
     }
     pose
 }

@@ -81,7 +81,7 @@ impl<S: Real> Branch<S> {
     /// Far end of the first body, pivot, far end of the second.
     fn corners<const NQ: usize>(&self, q: &[S; NQ]) -> [[S; 2]; 3] {
         let ([[from, middle], [_, to]], [first, second]) = (self.ends, self.bodies);
-        [place(q, first, from), place(q, first, middle), place(q, second, to)]
+        [position(q, first, from), position(q, first, middle), position(q, second, to)]
     }
 
     /// How far the second body turns from the first, rad.
@@ -114,7 +114,7 @@ impl<S: Real> Branch<S> {
 }
 
 /// A point of a body in absolute axes.
-fn place<S: Real, const NQ: usize>(q: &[S; NQ], body: usize, [x, y]: [S; 2]) -> [S; 2] {
+fn position<S: Real, const NQ: usize>(q: &[S; NQ], body: usize, [x, y]: [S; 2]) -> [S; 2] {
     let (sin, cos) = q.at(3 * body + 2).sin_cos();
     [q.at(3 * body) + cos * x - sin * y, q.at(3 * body + 1) + sin * x + cos * y]
 }
@@ -150,7 +150,7 @@ mod tests {
     fn knee(thigh: f64, shin: f64) -> [f64; 6] {
         let mut q = [0.0, 0.0, shin, 0.0, 0.0, thigh];
         for (body, pivot) in [(1, BARS.ends[0][1]), (0, BARS.ends[1][0])] {
-            let at = place(&q, body, pivot);
+            let at = position(&q, body, pivot);
             q[3 * body] += 0.3 - at[0];
             q[3 * body + 1] += 0.2 - at[1];
         }
@@ -160,7 +160,7 @@ mod tests {
     /// Far end and pivot of the thigh, pivot and far end of the shin.
     fn points(q: &[f64; 6]) -> [[f64; 2]; 4] {
         let [thigh, shin] = BARS.ends;
-        [place(q, 1, thigh[0]), place(q, 1, thigh[1]), place(q, 0, shin[0]), place(q, 0, shin[1])]
+        [position(q, 1, thigh[0]), position(q, 1, thigh[1]), position(q, 0, shin[0]), position(q, 0, shin[1])]
     }
 
     fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -15,7 +15,7 @@ const NEAR: f64 = 1e-6;
 pub struct Crossing<S> {
     /// The row's index.
     pub row: usize,
-    /// The residual on one side less that on the other, its first and its second derivative along the motion; what
+    /// The value of phi on one side less that on the other, its first and its second derivative along the motion; what
     /// vanishes on the boundary, and its derivative.
     pub terms: [S; 5],
     /// Its condition changes now; else it is only looked whether a boundary is near.

@@ -85,7 +85,7 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
 }
 
 /// Puts the entries of phi_q into a matrix of zeros.
-pub fn jacobian<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+pub fn phi_q_matrix<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     q: &[S; NQ],

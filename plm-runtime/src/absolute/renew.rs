@@ -23,18 +23,18 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
 ) -> Result<(), Fault> {
     let free = [S::lit(1.0); NQ];
     let is_closed = |q: &[S; NQ], r: &[S; NC]| Scale::of_position(m, q).is_closed::<M, NQ, NC>(r);
-    let residual = m.phi(t, q);
-    if !is_closed(q, &residual) {
+    let phi = m.phi(t, q);
+    if !is_closed(q, &phi) {
         let pose = newton(m, t, q, &free);
-        if !is_closed(&pose.q, &pose.residual) {
-            let open = || open(t, &residual, &M::PARTS, |gap| Cause::Open { gap });
+        if !is_closed(&pose.q, &pose.phi) {
+            let open = || open(t, &phi, &M::PARTS, |gap| Cause::Open { gap });
             return Err(refused(m, (t, &pose.q), &free).unwrap_or_else(open));
         }
         *q = pose.q;
     }
     let scale = Scale::of_velocity(m, q, v);
-    let residual = m.phi_dot(t, q, v);
-    if !scale.is_closed::<M, NQ, NC>(&residual) {
+    let phi_dot = m.phi_dot(t, q, v);
+    if !scale.is_closed::<M, NQ, NC>(&phi_dot) {
         let (least, worst) = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
         let left =
             descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
@@ -46,14 +46,14 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     Ok(())
 }
 
-/// The fault of joints that stay open by a residual.
+/// The fault of joints that stay open by a violation.
 pub(super) fn open<S: Real, const NC: usize>(
     t: S,
-    residual: &[S; NC],
+    violation: &[S; NC],
     parts: &[&'static str; NC],
     cause: impl Fn(f64) -> Cause,
 ) -> Fault {
-    let finite = residual.iter().all(|r| r.is_finite());
-    let cause = if finite { cause(largest(residual).to_f64()) } else { Cause::NotFinite };
-    Fault::of_part(t.to_f64(), widest(residual, parts), cause)
+    let finite = violation.iter().all(|r| r.is_finite());
+    let cause = if finite { cause(largest(violation).to_f64()) } else { Cause::NotFinite };
+    Fault::of_part(t.to_f64(), widest(violation, parts), cause)
 }

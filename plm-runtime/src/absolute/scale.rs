@@ -41,24 +41,24 @@ impl<S: Real> Scale<S> {
         if angular { self.angle } else { self.length }
     }
 
-    /// The largest residual over its size; NaN if one is not a number.
+    /// The largest violation over its size; NaN if one is not a number.
     pub(super) fn worst<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         &self,
-        residual: &[S; NC],
+        violation: &[S; NC],
     ) -> S {
-        let mut scaled = *residual;
+        let mut scaled = *violation;
         for (r, angular) in scaled.iter_mut().zip(M::ANGULAR) {
             *r = *r / self.size(angular);
         }
         largest(&scaled)
     }
 
-    /// Is the residual small enough for joints to count as closed?
+    /// Is the violation small enough for joints to count as closed?
     pub(super) fn is_closed<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         &self,
-        residual: &[S; NC],
+        violation: &[S; NC],
     ) -> bool {
-        self.worst::<M, NQ, NC>(residual) <= S::lit(CLOSED).max(S::lit(16.0) * S::EPSILON)
+        self.worst::<M, NQ, NC>(violation) <= S::lit(CLOSED).max(S::lit(16.0) * S::EPSILON)
     }
 }
 

@@ -29,9 +29,9 @@ pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
     let phi = descend(rounding(length), q, |q| m.phi(t, q), |q, r| projection_step(m, t, q, &w, r));
     let speed = largest(v).max(S::lit(1.0)) * length.max(S::lit(1.0));
     let phi_dot = descend(rounding(speed), v, |v| m.phi_dot(t, q, v), |_, r| projection_step(m, t, q, &w, r));
-    for (residual, size) in [(&phi, length), (&phi_dot, speed)] {
-        if !is_closed(residual, size) {
-            let part = widest(residual, &M::PARTS);
+    for (violation, size) in [(&phi, length), (&phi_dot, speed)] {
+        if !is_closed(violation, size) {
+            let part = widest(violation, &M::PARTS);
             let (phi, phi_dot) = (largest(&phi).to_f64(), largest(&phi_dot).to_f64());
             let drift = Fault::of_part(t.to_f64(), part, Cause::Drift { phi, phi_dot });
             return Err(refused(m, (t, q), &w).unwrap_or(drift));
@@ -103,19 +103,19 @@ pub fn balance<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
     left
 }
 
-/// Is the residual small enough for joints of the given size (m, or m/s) to count as closed?
-pub(super) fn is_closed<S: Real, const NC: usize>(residual: &[S; NC], size: S) -> bool {
+/// Is the violation small enough for joints of the given size (m, or m/s) to count as closed?
+pub(super) fn is_closed<S: Real, const NC: usize>(violation: &[S; NC], size: S) -> bool {
     let tolerance = S::lit(1e-10).max(S::lit(16.0) * S::EPSILON);
-    largest(residual) <= tolerance * size.max(S::lit(1.0))
+    largest(violation) <= tolerance * size.max(S::lit(1.0))
 }
 
-/// The name that belongs to the largest residual.
+/// The name that belongs to the largest violation.
 pub(super) fn widest<S: Real, const NC: usize>(
-    residual: &[S; NC],
+    violation: &[S; NC],
     names: &[&'static str; NC],
 ) -> &'static str {
     let mut widest = ("", S::lit(-1.0));
-    for (r, name) in residual.iter().zip(names) {
+    for (r, name) in violation.iter().zip(names) {
         let size = if r.is_finite() { r.abs() } else { S::INFINITY };
         if size > widest.1 {
             widest = (name, size);
@@ -129,14 +129,14 @@ fn rounding<S: Real, const NC: usize>(size: S) -> (S, impl Fn(&[S; NC]) -> S) {
     (S::EPSILON * size, |r: &[S; NC]| largest(r))
 }
 
-/// Corrects `u` until its residual is at most `least` in a measure, or falls no more. Returns the residual.
+/// Corrects `u` until its violation is at most `least` in a measure, or falls no more. Returns it.
 pub(super) fn descend<S: Real, const NQ: usize, const NC: usize>(
     (least, measure): (S, impl Fn(&[S; NC]) -> S),
     u: &mut [S; NQ],
-    residual: impl Fn(&[S; NQ]) -> [S; NC],
+    violation: impl Fn(&[S; NQ]) -> [S; NC],
     correction: impl Fn(&[S; NQ], &[S; NC]) -> Option<[S; NQ]>,
 ) -> [S; NC] {
-    let mut r = residual(u);
+    let mut r = violation(u);
     for _ in 0..ITERATIONS {
         if measure(&r) <= least {
             break;
@@ -146,7 +146,7 @@ pub(super) fn descend<S: Real, const NQ: usize, const NC: usize>(
         for i in 0..NQ {
             next[i] = next[i] - du[i];
         }
-        let after = residual(&next);
+        let after = violation(&next);
         if measure(&after) < measure(&r) {
             (*u, r) = (next, after);
         } else {

@@ -79,7 +79,7 @@ fn turned<M: Charted>(held: &M::U, memory: &M::Memory) -> (M::S, &'static str) {
 }
 
 /// Writes the memory of a state, with what two states tell together.
-pub(super) fn remember<M: Charted>(t: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<(), Fault> {
+pub(super) fn keep<M: Charted>(t: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<(), Fault> {
     let (angle, body) = turned::<M>(held, &memory);
     if angle > M::S::lit(FARTHEST) {
         return Err(Fault::of_part(t.to_f64(), body, Cause::TurnedTooFar { angle: angle.to_f64() }));

@@ -12,7 +12,7 @@
 
 mod memory;
 
-use memory::{check_followed, check_near, flattest, locked, precise, remember};
+use memory::{check_followed, check_near, flattest, keep, locked, precise};
 
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -74,13 +74,13 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
     const CLOSING: &'static [&'static [&'static str]];
 
     /// Pose and velocity of all bodies, and the square of the measure; negative where a loop cannot be closed.
-    fn place(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Q, Self::Q, Self::S);
+    fn pose(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Q, Self::Q, Self::S);
 
     /// What is to be remembered of a state, and the square of the measure.
-    fn look(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Memory, Self::S);
+    fn remember(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Memory, Self::S);
 
     /// The same of a pose and velocity in some chart, but for how far the coordinates may move.
-    fn survey(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q) -> (Self::Memory, Self::S);
+    fn remember_pose(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q) -> (Self::Memory, Self::S);
 
     /// Writes the coordinates of a chart and their rates; first-order states stay.
     fn project(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
@@ -88,7 +88,7 @@ pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
 
 /// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
 pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
-    let (_, first) = system.survey(0, t, q, v);
+    let (_, first) = system.remember_pose(0, t, q, v);
     let (chart, measure) = if first < square(FLAT) { best(system, t, q, v) } else { (0, first) };
     if measure < regular() {
         free::<M>(held, (q, v), x);
@@ -108,7 +108,7 @@ pub fn pose<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> (M::Q, M:
     if is_free::<M>(held) {
         return (Vector::from_fn(|i| held.memory.at(i)), Vector::from_fn(|i| held.memory.at(M::Q::LEN + i)));
     }
-    let (q, v, _) = system.place(t, held, x);
+    let (q, v, _) = system.pose(t, held, x);
     (q, v)
 }
 
@@ -173,18 +173,18 @@ pub fn is_sharp<M: Charted>(system: &M, t: M::S, held: &M::U, before: &M::X, x: 
 /// A fault for a state at which the rate cannot be computed in the chart that is held.
 #[cold]
 pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fault {
-    locked::<M>(t, held, &system.look(t, held, x).0)
+    locked::<M>(t, held, &system.remember(t, held, x).0)
 }
 
 /// Looks at a state; whether its chart was left.
 fn watch<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<bool, Fault> {
-    let (memory, measure) = system.look(t, held, x);
+    let (memory, measure) = system.remember(t, held, x);
     if is_open(measure) || !memory.is_finite() {
         return Err(locked::<M>(t, held, &memory));
     }
     check_followed::<M>(t, held, &memory, measure)?;
     check_near::<M>(t, held, &memory)?;
-    remember::<M>(t, held, memory)?;
+    keep::<M>(t, held, memory)?;
     if measure < square(FLAT) {
         return Ok(leave(system, t, held, measure, x));
     }
@@ -205,13 +205,13 @@ fn regular<S: Real>() -> S {
 
 /// The part that closes the loop which is nearest to flat at a pose.
 pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'static str {
-    flattest::<M>(0, &system.survey(0, t, q, v).0)
+    flattest::<M>(0, &system.remember_pose(0, t, q, v).0)
 }
 
 /// Leaves a chart for one that is better by far, or if it is not good.
 #[cold]
 fn leave<M: Charted>(system: &M, t: M::S, held: &mut M::U, measure: M::S, x: &mut M::X) -> bool {
-    let (q, v, _) = system.place(t, held, x);
+    let (q, v, _) = system.pose(t, held, x);
     if !(q.is_finite() && v.is_finite()) {
         return false;
     }
@@ -238,7 +238,7 @@ fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> 
     let (alone, rest) = (*held, *x);
     change(system, t, held, (chart, &q, &v), x);
     // Lengths that repeat each other may disagree in what a pose does not tell.
-    let closed = !is_open(system.look(t, held, x).1);
+    let closed = !is_open(system.remember(t, held, x).1);
     if !closed {
         (*held, *x) = (alone, rest);
     }
@@ -259,9 +259,9 @@ fn free<M: Charted>(held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
 
 /// The chart with the largest measure at a pose, and its square.
 fn best<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> (usize, M::S) {
-    let mut best = (0, system.survey(0, t, q, v).1);
+    let mut best = (0, system.remember_pose(0, t, q, v).1);
     for chart in 1..M::CHARTS {
-        let (_, measure) = system.survey(chart, t, q, v);
+        let (_, measure) = system.remember_pose(chart, t, q, v);
         if best.1 < measure {
             best = (chart, measure);
         }
@@ -277,9 +277,9 @@ fn change<M: Charted>(
     x: &mut M::X,
 ) {
     held.chart = chart;
-    held.memory = precise::<M>(system.survey(chart, t, q, v).0);
+    held.memory = precise::<M>(system.remember_pose(chart, t, q, v).0);
     system.project(chart, t, q, v, x);
-    let (memory, measure) = system.look(t, held, x);
+    let (memory, measure) = system.remember(t, held, x);
     if !is_open(measure) && memory.is_finite() {
         held.memory = precise::<M>(memory);
     }

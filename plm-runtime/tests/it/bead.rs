@@ -45,7 +45,7 @@ impl Charted for Bead {
     const FOLLOWED: &'static [&'static str] = &[];
     const CLOSING: &'static [&'static [&'static str]] = &[&["ring"], &["hoop"]];
 
-    fn place(&self, _t: f64, held: &Bound, x: &[f64; 3]) -> ([f64; 2], [f64; 2], f64) {
+    fn pose(&self, _t: f64, held: &Bound, x: &[f64; 3]) -> ([f64; 2], [f64; 2], f64) {
         let square = 1.0 - x[0] * x[0];
         let other = square.sqrt().copysign(held.memory[4]);
         let (mut q, mut v) = ([other, x[0]], [-x[0] * x[1] / other, x[1]]);
@@ -54,11 +54,11 @@ impl Charted for Bead {
         }
         (q, v, self.poorer * self.poorer * square)
     }
-    fn look(&self, t: f64, held: &Bound, x: &[f64; 3]) -> (Memory, f64) {
-        let (q, _, measure) = self.place(t, held, x);
+    fn remember(&self, t: f64, held: &Bound, x: &[f64; 3]) -> (Memory, f64) {
+        let (q, _, measure) = self.pose(t, held, x);
         ([x[0], REACH, t, WHILE, q[held.chart]], measure)
     }
-    fn survey(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Memory, f64) {
+    fn remember_pose(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Memory, f64) {
         ([q[1 - chart], REACH, t, WHILE, q[chart]], (self.poorer * q[chart]).powi(2))
     }
     fn project(&self, chart: usize, _t: f64, q: &[f64; 2], v: &[f64; 2], x: &mut [f64; 3]) {

@@ -40,19 +40,19 @@ impl Charted for Link {
     const FOLLOWED: &'static [&'static str] = &["link"];
     const CLOSING: &'static [&'static [&'static str]] = &[&["pin"]];
 
-    fn place(&self, _t: f64, _held: &Self::U, x: &[f64; 2]) -> ([f64; 1], [f64; 1], f64) {
+    fn pose(&self, _t: f64, _held: &Self::U, x: &[f64; 2]) -> ([f64; 1], [f64; 1], f64) {
         ([x[0]], [x[1]], self.measure * self.measure)
     }
-    fn look(&self, t: f64, _held: &Self::U, x: &[f64; 2]) -> (Memory, f64) {
+    fn remember(&self, t: f64, _held: &Self::U, x: &[f64; 2]) -> (Memory, f64) {
         // Nothing but the link limits how far it may go.
         (
             [x[0], 1e3, t, 1e3, self.measure, 2.0 * x[0] + self.astray, 2.0 * x[1], 0.0, f64::EPSILON],
             self.measure * self.measure,
         )
     }
-    fn survey(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Memory, f64) {
+    fn remember_pose(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Memory, f64) {
         let none = Held { input: (), chart: 0, memory: [0.0; 9] };
-        self.look(t, &none, &[q[0], v[0]])
+        self.remember(t, &none, &[q[0], v[0]])
     }
     fn project(&self, _chart: usize, _t: f64, q: &[f64; 1], v: &[f64; 1], x: &mut [f64; 2]) {
         *x = [q[0], v[0]];
@@ -63,7 +63,7 @@ impl Charted for Link {
 fn stepped(astray: f64, measure: f64) -> Result<Held<(), Memory>, Fault> {
     let mut x = [0.5, 3.0];
     let (memory, _) =
-        Link { astray: 0.0, measure }.look(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &x);
+        Link { astray: 0.0, measure }.remember(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &x);
     let mut held = Held { input: (), chart: 0, memory };
     x[0] += 0.3;
     accept(&Link { astray, measure }, 0.1, &mut held, &mut x)?;
@@ -94,7 +94,7 @@ fn an_unknown_that_leaves_its_rates_is_refused() {
 #[test]
 fn the_rate_of_a_rate_is_remembered() {
     let link = Link { astray: 0.0, measure: 0.8 };
-    let (memory, _) = link.look(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &[0.5, 3.0]);
+    let (memory, _) = link.remember(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &[0.5, 3.0]);
     let mut held = Held { input: (), chart: 0, memory };
     accept(&link, 0.1, &mut held, &mut [0.83, 3.6]).unwrap();
     assert!((held.memory[7] - 6.0).abs() < 1e-13, "{:?}", held.memory);

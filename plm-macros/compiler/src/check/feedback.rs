@@ -19,10 +19,10 @@ pub(crate) fn check_feedback(model: &Model, diagnostics: &mut Diagnostics) {
             .error(Code::Feedback, part.span, message)
             .help("feed it back in proportion, or through a `state` that follows it with a lag");
     }
-    for side in &model.sides {
-        let held = algebra::symbols(&[side.difference]);
+    for switch in &model.switches {
+        let held = algebra::symbols(&[switch.difference]);
         if let Some((_, name)) = unknowns.iter().find(|(symbol, _)| held.contains(symbol)) {
-            let message = format!("`{}` jumps on a condition that reads {name}", side.name);
+            let message = format!("`{}` jumps on a condition that reads {name}", switch.name);
             diagnostics
                 .error(Code::Feedback, model.name.span, message)
                 .help("let the condition read a `state` that follows it with a lag");

@@ -5,13 +5,13 @@ use plm_cas::{Expr, Node, algebra};
 use crate::derive::{causes, feeds_back};
 use crate::diag::{Code, Diagnostics};
 use crate::formulate::Place;
-use crate::numeric::{self, Assembly, Scene, add_sides, value};
+use crate::numeric::{self, Assembly, Scene, add_switches, value};
 use crate::span::Span;
 
 /// Reports the constraints that are not a number at the pose where assembly ended.
 pub(super) fn check_rows(scene: &Scene, found: &Assembly, diagnostics: &mut Diagnostics) {
     let mut values = scene.at(&found.q);
-    add_sides(scene.model, &mut values);
+    add_switches(scene.model, &mut values);
     let rows = scene.model.rows.iter().zip(&found.phi);
     for (row, _) in rows.filter(|(_, residual)| !residual.is_finite()) {
         report(&values, &row.name, row.span, row.phi, diagnostics);
@@ -21,7 +21,7 @@ pub(super) fn check_rows(scene: &Scene, found: &Assembly, diagnostics: &mut Diag
 /// Reports loads and rates that are not finite at the start, where they were declared.
 pub(super) fn check_forces(scene: &Scene, found: &Assembly, diagnostics: &mut Diagnostics) {
     let mut values = scene.moving(&found.q, &found.v);
-    add_sides(scene.model, &mut values);
+    add_switches(scene.model, &mut values);
     if feeds_back(scene.model) {
         add_unknowns(scene, &mut values);
     }

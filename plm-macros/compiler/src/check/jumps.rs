@@ -42,10 +42,10 @@ fn report(model: &Model, index: usize, steady: &[Steady], diagnostics: &mut Diag
 /// Ports of the ground on which the part of a row stands and whose place reads what jumps in it.
 fn moving_ports(model: &Model, row: usize) -> impl Iterator<Item = &Port> {
     let jumps = model.jumps.iter().filter(move |jump| jump.row == row && jump.steady.is_some());
-    let sides: Vec<Expr> = jumps.map(|jump| model.sides[jump.side].symbol).collect();
+    let switches: Vec<Expr> = jumps.map(|jump| model.switches[jump.switch].symbol).collect();
     let frames = model.parts[model.rows[row].part].frames.iter().filter(|frame| frame.body.is_none());
     frames.filter_map(|frame| model.ground.get(frame.port)).filter(move |port| {
         let read = algebra::symbols(&[port.at.x, port.at.y, port.angle]);
-        sides.iter().any(|side| read.contains(side))
+        switches.iter().any(|switch| read.contains(switch))
     })
 }

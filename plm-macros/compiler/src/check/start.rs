@@ -50,7 +50,7 @@ fn has_parameters(model: &Model) -> bool {
     let mut roots: Vec<Expr> = starts.map(|start| start.value).collect();
     roots.extend(model.rows.iter().map(|row| row.phi));
     roots.extend(model.bodies.iter().flat_map(|body| body.centre.components()));
-    roots.extend(model.sides.iter().filter(|side| !side.must_hold).map(|side| side.difference));
+    roots.extend(model.switches.iter().filter(|switch| !switch.must_hold).map(|switch| switch.difference));
     let held = algebra::symbols(&roots);
     model.params.iter().any(|param| held.contains(&param.symbol))
 }

@@ -107,7 +107,7 @@ fn kink(model: &Model, condition: Expr, difference: Expr) -> Option<Kink> {
             let steady = boundary.jump(gap, rate, sides);
             let [along, _] = derivatives(model, difference);
             let terms = [gap, rate, bend, difference, along];
-            kink.jumps.push(Jump { side: 0, row: index, terms, steady });
+            kink.jumps.push(Jump { switch: 0, row: index, terms, steady });
         }
     }
     (kink.row < model.rows.len()).then_some(kink)

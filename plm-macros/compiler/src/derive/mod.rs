@@ -17,14 +17,14 @@ mod branch;
 mod causes;
 mod feedback;
 mod kinks;
-mod sides;
+mod switches;
 
 use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
 pub(crate) use causes::causes;
 pub(crate) use feedback::{Signal, feeds_back};
-pub(crate) use sides::hold;
+pub(crate) use switches::hold_switches;
 
 use crate::model::Model;
 

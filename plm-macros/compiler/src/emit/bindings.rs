@@ -39,7 +39,7 @@ impl Emission<'_> {
         } else {
             ["self", "u", "x", "t"]
         };
-        let input = if of_state || self.has_sides() { ".input" } else { "" };
+        let input = if of_state || self.has_switches() { ".input" } else { "" };
         let mut bindings = Bindings::new();
         for (param, field) in model.params.iter().zip(&fields.params) {
             bindings.insert(param.symbol, format!("{mechanism}.{field}"));
@@ -47,8 +47,8 @@ impl Emission<'_> {
         for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
             bindings.insert(declared.symbol, format!("{held}{input}.{field}"));
         }
-        for (k, side) in model.sides.iter().enumerate() {
-            bindings.insert(side.symbol, format!("{held}.sides[{k}]"));
+        for (k, switch) in model.switches.iter().enumerate() {
+            bindings.insert(switch.symbol, format!("{held}.switches[{k}]"));
         }
         bindings.insert(model.time, time.to_owned());
         bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
@@ -101,7 +101,7 @@ impl Emission<'_> {
         bind(&equations.a, a.0, a.1);
         bind(&equations.lambda, "lambda", 0);
         bind(&self.program.weights, "w", 0);
-        bind(&self.program.residual, "r", 0);
+        bind(&self.program.r, "r", 0);
         bindings
     }
 }

@@ -153,12 +153,12 @@ fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
         },
         (&chart.rate, origin),
     );
-    let place = function(
+    let pose = function(
         emission,
-        PLACE,
+        POSE,
         &quote! {
             #[inline]
-            fn place(&self, #state, q: &mut [S; #nq], v: &mut [S; #nq])
+            fn pose(&self, #state, q: &mut [S; #nq], v: &mut [S; #nq])
         },
         (&chart.pose, origin),
     );
@@ -175,10 +175,10 @@ fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
     });
     let project = projection(emission, &quote!(project), chart);
     let switching = switching(emission, &quote!(switching), &state, (&chart.guards, origin));
-    quote!(#motion #place #reactions #project #switching)
+    quote!(#motion #pose #reactions #project #switching)
 }
 
-const PLACE: &str = "Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.";
+const POSE: &str = "Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.";
 
 /// The coordinates of a chart at a pose.
 fn projection(emission: &Emission, name: &TokenStream, chart: &Chart) -> TokenStream {
@@ -213,26 +213,26 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
         &quote!(#attribute fn #name(&self, #state, dx: &mut [S; #length]) -> S),
         (&chart.rate, origin),
     );
-    let name = named("place");
-    let place = function(
+    let name = named("pose");
+    let pose = function(
         emission,
-        PLACE,
+        POSE,
         &quote!(fn #name(&self, #state, q: &mut [S; #nq], v: &mut [S; #nq]) -> S),
         (&chart.pose, origin),
     );
     let switching = switching(emission, &named("switching"), &state, (&chart.guards, origin));
     let project = projection(emission, &named("project"), chart);
-    let name = named("look");
-    let look = chart.look.as_ref().map(|look| {
+    let name = named("remember");
+    let remember = chart.remember.as_ref().map(|remember| {
         function(
             emission,
             "What is to be remembered of a state, and the smallest square of a dyad's measure.",
             &quote!(fn #name(&self, #state, memory: &mut [S; #memory]) -> S),
-            (look, origin),
+            (remember, origin),
         )
     });
-    let name = named("survey");
-    let survey = chart.survey.as_ref().map(|survey| {
+    let name = named("remember_pose");
+    let remember_pose = chart.remember_pose.as_ref().map(|remember_pose| {
         function(
             emission,
             "The same of a pose and velocity.",
@@ -240,7 +240,7 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
                 #[cold]
                 fn #name(&self, t: S, q: &[S; #nq], v: &[S; #nq], memory: &mut [S; #memory]) -> S
             },
-            (survey, Origin::Pose),
+            (remember_pose, Origin::Pose),
         )
     });
     let name = named("jacobian");
@@ -254,13 +254,13 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
             (&jacobian.entries, origin),
         )
     });
-    quote!(#motion #place #switching #project #look #survey #jacobian)
+    quote!(#motion #pose #switching #project #remember #remember_pose #jacobian)
 }
 
 /// When conditions on the time alone change.
 pub(super) fn instants(emission: &Emission) -> TokenStream {
     let Emission { model, name, program, .. } = emission;
-    let count = model.sides.len() - model.guards();
+    let count = model.switches.len() - model.guards();
     if count == 0 {
         return TokenStream::new();
     }

@@ -271,14 +271,14 @@ impl Emission<'_> {
         self.program.outputs.user.iter().any(|output| output.solves)
     }
 
-    /// Are there sides of conditions beside the inputs? Users make and set values of `Input`, so that they stand apart.
-    fn has_sides(&self) -> bool {
-        !self.model.sides.is_empty()
+    /// Are there switches beside the inputs? Users make and set values of `Input`, so that they stand apart.
+    fn has_switches(&self) -> bool {
+        !self.model.switches.is_empty()
     }
 
-    /// The type of the inputs with the sides of conditions, of numbers `scalar`.
+    /// The type of the inputs with the switches, of numbers `scalar`.
     fn inputs(&self, scalar: &TokenStream) -> TokenStream {
-        if self.has_sides() { quote!(Held<#scalar>) } else { quote!(Input<#scalar>) }
+        if self.has_switches() { quote!(Held<#scalar>) } else { quote!(Input<#scalar>) }
     }
 
     /// The type of what is held over a step, of numbers `scalar`.
@@ -290,7 +290,7 @@ impl Emission<'_> {
         }
     }
 
-    /// Of a value `held` of that type, the inputs with the sides.
+    /// Of a value `held` of that type, the inputs with the switches.
     fn inputs_of(&self, held: &str) -> TokenStream {
         let held = format_ident!("{held}");
         if self.loops().is_some() { quote!(#held.input) } else { quote!(#held) }
@@ -299,13 +299,13 @@ impl Emission<'_> {
     /// Of the same, the inputs alone.
     fn input_of(&self, held: &str) -> TokenStream {
         let inputs = self.inputs_of(held);
-        if self.has_sides() { quote!(#inputs.input) } else { inputs }
+        if self.has_switches() { quote!(#inputs.input) } else { inputs }
     }
 
-    /// The inputs with the sides, where `self` is a `State`.
+    /// The inputs with the switches, where `self` is a `State`.
     fn inputs_of_state(&self) -> TokenStream {
-        if self.has_sides() {
-            quote!(Held { input: self.input, sides: self.sides })
+        if self.has_switches() {
+            quote!(Held { input: self.input, switches: self.switches })
         } else {
             quote!(self.input)
         }

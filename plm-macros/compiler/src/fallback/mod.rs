@@ -74,7 +74,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         outputs,
         sizes: Vec::new(),
         files: Vec::new(),
-        sides: Vec::new(),
+        switches: Vec::new(),
         kinks: Vec::new(),
         allowed: Vec::new(),
     })

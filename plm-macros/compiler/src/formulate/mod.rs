@@ -14,7 +14,7 @@ mod pattern;
 mod program;
 mod reduced;
 mod resolvent;
-mod sides;
+mod switches;
 
 pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use function::{Function, Place};

@@ -6,7 +6,7 @@ use super::outputs;
 use super::reduced::{self, Assembled, Known, Reduced};
 use crate::derive::{Equations, feeds_back};
 use crate::model::{Model, Output, Rung, Stabilisation};
-use crate::numeric::{Assembly, Scene, add_sides, assemble, freedom, varied};
+use crate::numeric::{Assembly, Scene, add_switches, assemble, freedom, varied};
 
 /// Values of parameters that are tried until the joints close.
 const VARIATIONS: u64 = 8;
@@ -69,7 +69,7 @@ pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced,
     let assembled = || {
         let start = start.filter(|start| start.is_closed())?;
         let mut values = scene.moving(&start.q, &start.v);
-        add_sides(model, &mut values);
+        add_switches(model, &mut values);
         Some(Assembled { length, freedom: freedom(scene, start), values })
     };
     // With other values of the parameters, dimensions do not make rows say what others say.

@@ -4,7 +4,7 @@ use plm_cas::Expr;
 
 /// A condition `difference < 0` whose side is held over a step.
 #[derive(Clone, Debug)]
-pub struct Side {
+pub struct Switch {
     /// Stands for the side: -1 where the condition holds, else 1.
     pub symbol: Expr,
     /// What changes its sign.
@@ -20,11 +20,11 @@ pub struct Side {
 /// A row whose place or speed may jump where a condition changes its side.
 #[derive(Clone, Debug)]
 pub struct Jump {
-    /// Index into [`Model::sides`](super::Model::sides).
-    pub side: usize,
+    /// Index into [`Model::switches`](super::Model::switches).
+    pub switch: usize,
     /// Index into [`Model::rows`](super::Model::rows).
     pub row: usize,
-    /// The row's residual on one side less that on the other, its first and second derivative along the motion; what
+    /// The row's phi on one side less that on the other, its first and second derivative along the motion; what
     /// changes its sign at the boundary, and its derivative.
     pub terms: [Expr; 5],
     /// What is known of it already.

@@ -61,7 +61,7 @@ impl Asked {
     fn corners(&self, q: &[f64]) -> [[f64; 2]; 3] {
         let [[from, middle], [_, to]] = self.ends;
         let [first, second] = self.bodies;
-        [place(q, first, from), place(q, first, middle), place(q, second, to)]
+        [position(q, first, from), position(q, first, middle), position(q, second, to)]
     }
 
     /// How far the second body turns from the first, rad.
@@ -94,7 +94,7 @@ impl Asked {
 }
 
 /// A point of a body in absolute axes.
-fn place(q: &[f64], body: usize, [x, y]: [f64; 2]) -> [f64; 2] {
+fn position(q: &[f64], body: usize, [x, y]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = sin_cos(q[3 * body + 2]);
     [q[3 * body] + cos * x - sin * y, q[3 * body + 1] + sin * x + cos * y]
 }

@@ -98,7 +98,7 @@ impl<'a> Constraints<'a> {
         let weights = locked.iter().map(|&lock| if lock { 0.0 } else { 1.0 });
         let absolute = self.scene.absolute;
         values.extend(absolute.weights.iter().copied().zip(weights));
-        values.extend(absolute.residual.iter().copied().zip(r.iter().copied()));
+        values.extend(absolute.r.iter().copied().zip(r.iter().copied()));
         let mut step = run(&self.min_norm, &values);
         match step.pop() {
             Some(health) if health > HEALTHY && step.iter().all(|dq| dq.is_finite()) => step,

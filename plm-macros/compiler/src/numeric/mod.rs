@@ -18,4 +18,4 @@ pub(crate) use freedom::freedom;
 pub(crate) use random::Random;
 pub(crate) use rank::{Row, rank};
 pub(crate) use scene::Scene;
-pub(crate) use values::{add_sides, defaults, run, value, values, varied};
+pub(crate) use values::{add_switches, defaults, run, value, values, varied};

@@ -56,10 +56,10 @@ pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
     (!model.params.is_empty()).then_some(values)
 }
 
-/// Adds the sides of the conditions at a state whose other symbols have values.
-pub(crate) fn add_sides(model: &Model, values: &mut Vec<(Expr, f64)>) {
-    for side in &model.sides {
-        let difference = value(side.difference, values);
-        values.push((side.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
+/// Adds the sides of the switches at a state whose other symbols have values.
+pub(crate) fn add_switches(model: &Model, values: &mut Vec<(Expr, f64)>) {
+    for switch in &model.switches {
+        let difference = value(switch.difference, values);
+        values.push((switch.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
     }
 }

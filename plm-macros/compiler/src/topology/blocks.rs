@@ -130,8 +130,8 @@ mod tests {
     #[test]
     fn four_bar_from_each_of_its_bars() {
         let closures = four_bar().closures();
-        for (driver, dyad) in [(0, [1, 2]), (1, [0, 2]), (2, [0, 1])] {
-            assert_eq!(solved_in_turn(3, &closures, &[driver]), [dyad]);
+        for (coordinate, dyad) in [(0, [1, 2]), (1, [0, 2]), (2, [0, 1])] {
+            assert_eq!(solved_in_turn(3, &closures, &[coordinate]), [dyad]);
         }
     }
 
@@ -176,8 +176,8 @@ mod tests {
     /// Its three loops must be solved at once, whichever bar drives (the reference is at the linkage).
     #[test]
     fn double_butterfly_is_one_block() {
-        for driver in 0..7 {
-            let found = blocks(7, &double_butterfly().closures(), &[driver]).unwrap();
+        for coordinate in 0..7 {
+            let found = blocks(7, &double_butterfly().closures(), &[coordinate]).unwrap();
             assert_eq!(found.len(), 1);
             assert_eq!((found[0].equations.len(), found[0].unknowns.len()), (3, 6));
         }
@@ -207,7 +207,7 @@ mod tests {
         assert_eq!(blocks(6, &both, &[0, 2]), Err(unsolved));
     }
 
-    /// Four rows hold four angles, so that no driver is left, although parallel cranks of one length turn.
+    /// Four rows hold four angles, so that no coordinate is left, although parallel cranks of one length turn.
     #[test]
     fn third_crank_is_one_row_too_many() {
         let mut closures = three_cranks().closures();

@@ -6,7 +6,7 @@
 
 mod blocks;
 mod cycles;
-mod drivers;
+mod independent;
 mod matching;
 #[cfg(test)]
 mod scenes;
@@ -14,4 +14,4 @@ mod strong;
 
 pub(crate) use blocks::{Block, Equation};
 pub(crate) use cycles::{Forest, shortest_cycle_basis, spanning_forest};
-pub(crate) use drivers::{Choice, drivers};
+pub(crate) use independent::{Choice, independent_sets};

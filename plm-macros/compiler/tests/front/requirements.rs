@@ -7,7 +7,7 @@ use crate::support::{assert_near, resolve};
 
 /// Names of the requirements that are looked at.
 fn required(model: &Model) -> Vec<&str> {
-    model.sides.iter().filter(|side| side.must_hold).map(|side| side.name.as_str()).collect()
+    model.switches.iter().filter(|switch| switch.must_hold).map(|switch| switch.name.as_str()).collect()
 }
 
 #[test]

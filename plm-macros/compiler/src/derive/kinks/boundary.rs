@@ -7,7 +7,7 @@
 use plm_cas::{Expr, algebra};
 
 use super::number;
-use crate::derive::sides::root;
+use crate::derive::switches::root;
 use crate::model::{Model, Steady};
 use crate::numeric::{Random, defaults, value};
 

@@ -36,12 +36,12 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let (phi_dot_docs, phi_dot) =
         of_pose("Their rates, `phi_q v - nu`, m/s or rad/s.", &["t", "q", "v", "phi_dot"], &program.phi_dot);
     // By itself, since `phi_q` is compiled for each of its callers.
-    let jacobian = function(
+    let phi_q = function(
         emission,
         "The Jacobian of the constraints: its entries that are not zero, row by row.",
         &quote! {
             #[cold]
-            fn jacobian(&self, t: S, q: &[S; #nq], phi_q: &mut [S; #entries])
+            fn phi_q_entries(&self, t: S, q: &[S; #nq], phi_q: &mut [S; #entries])
         },
         (&program.phi_q, Origin::Pose),
     );
@@ -58,7 +58,7 @@ Returns the smallest pivot ratio of the factorisation.",
     );
     // rustdoc shows a constant argument by its source, which is the whole declaration.
     quote! {
-        impl<S: Scalar> #name<S> { #jacobian }
+        impl<S: Scalar> #name<S> { #phi_q }
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for #name<S> {
@@ -84,7 +84,7 @@ Returns the smallest pivot ratio of the factorisation.",
             fn phi_q(&self, t: S, q: &[S; #nq], each: &mut impl FnMut(usize, usize, S)) {
                 const PLACES: &[[u32; 2]] = &[#places];
                 let mut entries = [S::lit(0.0); #entries];
-                self.jacobian(t, q, &mut entries);
+                self.phi_q_entries(t, q, &mut entries);
                 for (&[row, column], entry) in PLACES.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }

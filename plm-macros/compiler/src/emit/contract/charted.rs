@@ -24,9 +24,9 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
         })
     };
     let held = quote!(t, &held.input, &held.memory, x);
-    let place = of(quote!(held.chart), "place", quote!(#held, &mut q, &mut v));
-    let look = of(quote!(held.chart), "look", quote!(#held, &mut memory));
-    let survey = of(quote!(chart), "survey", quote!(t, q, v, &mut memory));
+    let pose = of(quote!(held.chart), "pose", quote!(#held, &mut q, &mut v));
+    let remember = of(quote!(held.chart), "remember", quote!(#held, &mut memory));
+    let remember_pose = of(quote!(chart), "remember_pose", quote!(t, q, v, &mut memory));
     let project = of(quote!(chart), "project", quote!(t, q, v, x));
     quote! {
         impl<S: Real> rt::charts::Charted for #name<S> {
@@ -40,19 +40,19 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
             const FOLLOWED: &'static [&'static str] = &[#followed];
             const CLOSING: &'static [&'static [&'static str]] = &[#closing];
 
-            fn place(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #nq], [S; #nq], S) {
+            fn pose(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #nq], [S; #nq], S) {
                 let (mut q, mut v) = ([S::lit(0.0); #nq], [S::lit(0.0); #nq]);
-                let measure = #place;
+                let measure = #pose;
                 (q, v, measure)
             }
-            fn look(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #memory], S) {
+            fn remember(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #memory], S) {
                 let mut memory = [S::lit(0.0); #memory];
-                let measure = #look;
+                let measure = #remember;
                 (memory, measure)
             }
-            fn survey(&self, #chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> ([S; #memory], S) {
+            fn remember_pose(&self, #chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> ([S; #memory], S) {
                 let mut memory = [S::lit(0.0); #memory];
-                let measure = #survey;
+                let measure = #remember_pose;
                 (memory, measure)
             }
             fn project(&self, #chart: usize, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length]) {

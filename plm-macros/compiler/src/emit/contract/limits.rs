@@ -93,8 +93,8 @@ fn shaping<'a>(emission: &'a Emission) -> Vec<&'a Ident> {
     let rows = model.rows.iter().map(|row| row.phi);
     let bodies = model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre.x, body.centre.y]);
     let limits = model.limits.iter().map(|limit| limit.value);
-    let sides = model.sides.iter().map(|side| side.difference);
-    let roots: Vec<Expr> = rows.chain(bodies).chain(limits).chain(sides).collect();
+    let switches = model.switches.iter().map(|switch| switch.difference);
+    let roots: Vec<Expr> = rows.chain(bodies).chain(limits).chain(switches).collect();
     let read = algebra::symbols(&roots);
     let params = model.params.iter().zip(&fields.params);
     params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field).collect()

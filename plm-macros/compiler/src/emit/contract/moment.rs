@@ -18,9 +18,9 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
     };
     // What the state keeps of what is held, field by field.
     let mut kept = vec![(quote!(input), emission.input_of("held"))];
-    if emission.has_sides() {
+    if emission.has_switches() {
         let inputs = emission.inputs_of("held");
-        kept.push((quote!(sides), quote!(#inputs.sides)));
+        kept.push((quote!(switches), quote!(#inputs.switches)));
     }
     if is_charted {
         kept.extend([(quote!(chart), quote!(held.chart)), (quote!(memory), quote!(held.memory))]);

@@ -18,10 +18,10 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let (inputs, input) = (&fields.inputs, emission.input_of("held"));
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
     let of_held = emission.inputs_of("held");
-    let sides = emission.has_sides().then(|| {
+    let switches = emission.has_switches().then(|| {
         quote! {
-            let sides = core::array::from_fn(|k| number(all.map(|held| #of_held.sides[k])));
-            let input = Held { input, sides };
+            let switches = core::array::from_fn(|k| number(all.map(|held| #of_held.switches[k])));
+            let input = Held { input, switches };
         }
     });
     let is_charted = emission.loops().is_some();
@@ -69,7 +69,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
                 #first: &#held, all: [&#held; N], number: impl Fn([S; N]) -> T
             ) -> #packed {
                 let input = Input { #(#inputs: number(all.map(|held| #input.#inputs)),)* #none };
-                #sides
+                #switches
                 #wrapped
             }
 

@@ -51,7 +51,7 @@ pub(crate) fn statics(emission: &Emission) -> TokenStream {
         emission.list(states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit))));
     let absolute = emission.absolute_of("state");
     let input = emission.input_of("held");
-    let given = match (emission.has_sides(), emission.loops().is_some()) {
+    let given = match (emission.has_switches(), emission.loops().is_some()) {
         (false, false) => quote!(*held),
         (false, true) => quote!(held.input),
         (true, _) => quote!(Held { input: #input, ..self.declared_input() }),

@@ -1,4 +1,4 @@
-//! Methods of `System` for conditions whose sides are held over a step: guards, switches, known times, jumps of rows.
+//! Methods of `System` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -87,13 +87,13 @@ fn switching(emission: &Emission, mechanism: &TokenStream) -> TokenStream {
     })
 }
 
-/// What happens at the sides that depend on the state. One that must hold does not change: it ends the run.
+/// What happens at the switches that depend on the state. One that must hold does not change: it ends the run.
 pub(super) fn switch(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let (guards, u) = (model.guards(), emission.inputs_of("u"));
-    let of_state = model.sides.iter().filter(|side| side.instant.is_none());
+    let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
     let required: Vec<_> =
-        of_state.enumerate().filter(|(_, side)| side.must_hold).map(|(index, _)| number(index)).collect();
+        of_state.enumerate().filter(|(_, switch)| switch.must_hold).map(|(index, _)| number(index)).collect();
     let is_required = !required.is_empty();
     let must_hold = is_required.then(|| {
         quote! {
@@ -109,13 +109,13 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let names = emission.text(quoted(model.sides.iter().take(guards).map(|side| &side.name)));
+    let names = emission.text(quoted(model.switches.iter().take(guards).map(|switch| &switch.name)));
     let guards = number(guards);
     quote! {
         #must_hold
         fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
             #only
-            if let Some(side) = #u.sides.get_mut(index) {
+            if let Some(side) = #u.switches.get_mut(index) {
                 *side = -*side;
             }
         }
@@ -127,10 +127,10 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
     }
 }
 
-/// When conditions on the time alone change, and which sides of them apply.
+/// When switches of the time alone change, and which sides of them apply.
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let guards = emission.model.guards();
-    let (count, u) = (number(emission.model.sides.len() - guards), emission.inputs_of("u"));
+    let (count, u) = (number(emission.model.switches.len() - guards), emission.inputs_of("u"));
     let guards = number(guards);
     quote! {
         fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
@@ -142,7 +142,7 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
         fn pass(&self, t: S, u: &mut Self::U) {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
             self.instants(&#u, &mut at, &mut slope);
-            for ((side, at), slope) in #u.sides.iter_mut().skip(#guards).zip(at).zip(slope) {
+            for ((side, at), slope) in #u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
                 *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
             }
         }
@@ -153,12 +153,12 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
 pub(super) fn jump(emission: &Emission) -> TokenStream {
     let (jumps, Sizes { nq, length, .. }) = (&emission.model.jumps, &emission.sizes);
     let [count, terms] = [jumps.len(), 5 * jumps.len()].map(number);
-    let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.side)));
+    let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.switch)));
     let [u, after] = ["u", "after"].map(|held| emission.inputs_of(held));
     let pose = emission.pose_at("u");
     let (jump_docs, jump) = body(
         emission,
-        "How rows differ on both sides of conditions: residual, rate, its rate; the distance, its rate.",
+        "How rows differ on both sides of conditions: phi, its rate, the rate of that; the distance, its rate.",
         &["t", "u", "x", "after", "q", "v", "jump"],
         (&emission.program.jumps, Origin::Pose),
     );
@@ -172,8 +172,8 @@ pub(super) fn jump(emission: &Emission) -> TokenStream {
             let mut jump = [S::lit(0.0); #terms];
             #jump
             let (terms, _) = jump.as_chunks::<5>();
-            let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, side), &terms)| {
-                let changes = after.is_some_and(|after| #after.sides[side] != #u.sides[side]);
+            let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, switch), &terms)| {
+                let changes = after.is_some_and(|after| #after.switches[switch] != #u.switches[switch]);
                 (changes || after.is_none()).then_some(absolute::Crossing { row, terms, changes })
             });
             absolute::jump::<S, Self, NQ, NC>(self, t, (q, v), crossings)

@@ -24,7 +24,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
     let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
     let watched = (model.watched() > 0).then(|| switches::watched(emission));
     let switch = (model.guards() > 0).then(|| switches::switch(emission));
-    let known_times = (model.sides.len() > model.guards()).then(|| switches::known_times(emission));
+    let known_times = (model.switches.len() > model.guards()).then(|| switches::known_times(emission));
     let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
     let energy = (!knows_time(emission)).then(|| {
         quote! {
@@ -158,9 +158,9 @@ fn stabilisation(emission: &Emission) -> TokenStream {
 fn knows_time(emission: &Emission) -> bool {
     let Emission { model, .. } = emission;
     let rows = model.rows.iter().map(|row| row.phi);
-    let sides = model.jumps.iter().map(|jump| model.sides[jump.side].difference);
+    let switches = model.jumps.iter().map(|jump| model.switches[jump.switch].difference);
     let released = model.released.iter().map(|(_, condition)| *condition);
-    let roots: Vec<Expr> = rows.chain(sides).chain(released).collect();
+    let roots: Vec<Expr> = rows.chain(switches).chain(released).collect();
     algebra::symbols(&roots).contains(&model.time)
 }
 

@@ -29,17 +29,17 @@ pub(crate) fn inputs(emission: &Emission) -> TokenStream {
 
 /// `Held`, where there are conditions.
 pub(crate) fn held(emission: &Emission) -> TokenStream {
-    if !emission.has_sides() {
+    if !emission.has_switches() {
         return TokenStream::new();
     }
-    let count = number(emission.model.sides.len());
+    let count = number(emission.model.switches.len());
     quote! {
         /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Held<S = f64> {
             /// The inputs.
             pub input: Input<S>,
-            sides: [S; #count],
+            switches: [S; #count],
         }
     }
 }
@@ -53,9 +53,9 @@ pub(crate) fn declared(emission: &Emission) -> TokenStream {
     let (literals, values) = emission.values(values.collect());
     let none = model.inputs.is_empty().then(|| quote!(none: core::marker::PhantomData));
     let mut value = quote!(Input { #values #none });
-    if emission.has_sides() {
-        let count = number(model.sides.len());
-        value = quote!(Held { input: #value, sides: [S::lit(1.0); #count] });
+    if emission.has_switches() {
+        let count = number(model.switches.len());
+        value = quote!(Held { input: #value, switches: [S::lit(1.0); #count] });
     }
     quote! {
         impl<S: Scalar> #name<S> {

@@ -56,7 +56,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
                 let (mut force, mut gamma) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
                 self.free(t, u, x, &mut force, &mut gamma);
                 let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
-                absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| absolute::jacobian(self, t, &q, rows))
+                absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| absolute::phi_q_matrix(self, t, &q, rows))
             }
         }
 

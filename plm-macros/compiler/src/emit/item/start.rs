@@ -118,9 +118,10 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
 /// From the assembled pose to the state, and the sides of conditions that apply there.
 fn begin(emission: &Emission) -> TokenStream {
     let model = emission.model;
-    let pass = emission.has_sides().then(|| quote!(rt::System::pass(self, t, &mut held);));
+    let pass = emission.has_switches().then(|| quote!(rt::System::pass(self, t, &mut held);));
     let switch = (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &x);));
-    let held = if emission.has_sides() { quote!(let mut held = input;) } else { quote!(let held = input;) };
+    let held =
+        if emission.has_switches() { quote!(let mut held = input;) } else { quote!(let held = input;) };
     match emission.form {
         Form::Loops(reduced) => {
             let memory = number(reduced.memory_length);

@@ -8,8 +8,8 @@ use super::super::{Emission, Form, Sizes, number};
 /// `State`.
 pub(crate) fn state(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let count = number(emission.model.sides.len());
-    let sides = emission.has_sides().then(|| quote!(sides: [S; #count],));
+    let count = number(emission.model.switches.len());
+    let switches = emission.has_switches().then(|| quote!(switches: [S; #count],));
     let memory = emission.loops().map(|reduced| number(reduced.memory_length));
     let memory = memory.map(|memory| quote!(chart: usize, memory: [S; #memory],));
     quote! {
@@ -22,7 +22,7 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
             pub input: Input<S>,
             time: S,
             x: [S; #length],
-            #sides
+            #switches
             #memory
         }
     }
@@ -36,7 +36,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
         Form::Absolute => return TokenStream::new(),
         Form::Tree(_) => quote! {
             let (mut q, mut v) = ([S::lit(0.0); #nq], [S::lit(0.0); #nq]);
-            self.mechanism.place(self.time, &#held, &self.x, &mut q, &mut v);
+            self.mechanism.pose(self.time, &#held, &self.x, &mut q, &mut v);
             (q, v)
         },
         Form::Loops(_) => {

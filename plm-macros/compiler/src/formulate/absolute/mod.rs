@@ -30,7 +30,7 @@ use super::function::{Function, stored};
 use super::linearised::{Linearised, orders_step};
 use super::order::minimum_degree;
 use super::outputs::{self, Outputs};
-use super::sides;
+use super::switches;
 use crate::derive::Equations;
 use crate::model::{Model, Stabilisation};
 
@@ -68,7 +68,7 @@ pub(crate) struct Absolute {
     /// Symbols of the weights of [`Absolute::min_norm`].
     pub(crate) weights: Vec<Expr>,
     /// Symbols of `r` in [`Absolute::min_norm`].
-    pub(crate) residual: Vec<Expr>,
+    pub(crate) r: Vec<Expr>,
 }
 
 /// Lays out absolute coordinates.
@@ -77,7 +77,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect()
     };
     let weights = symbols("w", equations.q.len());
-    let residual = symbols("residual", equations.phi.len());
+    let r = symbols("dphi", equations.phi.len());
     let entries: Vec<Expr> = equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
     let inverse_mass: Vec<Expr> = equations.mass.iter().map(|mass| mass.recip()).collect();
     let motion = motion(model, equations, &inverse_mass);
@@ -86,25 +86,25 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     let x_dot = algebra::substitute(&equations.x_dot, &read);
     let mut free = stored("force", equations.force.iter());
     free.extend(stored("gamma", stabilised(model, equations).iter()));
-    // Assembly and projection hold no sides.
+    // Assembly and projection hold no switches.
     let released = |function: Function| function.substitute(&model.released);
     Absolute {
         dynamics: motion.dynamics(equations, &x_dot),
         phi: released(Function::of_array("phi", &equations.phi)),
         phi_dot: released(Function::of_array("phi_dot", &equations.phi_dot)),
         phi_q: released(Function::of_array("phi_q", &entries)),
-        min_norm: released(min_norm(equations, &weights, &residual, model.most_growth)),
-        jumps: sides::jumps(model),
+        min_norm: released(min_norm(equations, &weights, &r, model.most_growth)),
+        jumps: switches::jumps(model),
         inverse_mass: Function::of_array("inverse_mass", &inverse_mass),
         free: Function::of_results(free),
         x_dot: Function::of_array("x_dot", &x_dot),
         at_rest: at_rest(equations),
-        guards: sides::guards(model, &[]),
-        instants: sides::instants(model),
+        guards: switches::guards(model, &[]),
+        instants: switches::instants(model),
         outputs: outputs::formulate(model, equations, &read),
         linearised: None,
         weights,
-        residual,
+        r,
     }
 }
 

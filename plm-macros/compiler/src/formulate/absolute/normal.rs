@@ -68,16 +68,11 @@ impl Normal {
 }
 
 /// The weighted minimum-norm step: of assembly with weights 0 and 1, of projection with weights 1 / mass.
-pub(super) fn min_norm(
-    equations: &Equations,
-    weights: &[Expr],
-    residual: &[Expr],
-    most_growth: Expr,
-) -> Function {
+pub(super) fn min_norm(equations: &Equations, weights: &[Expr], r: &[Expr], most_growth: Expr) -> Function {
     let normal = Normal::new(&equations.phi_q, weights);
     let factor = factorise(equations.phi.len(), &normal.s, Some(most_growth));
-    let names: Vec<String> = (0..residual.len()).map(|k| format!("mu_{k}")).collect();
-    let (mu, solution) = factor.solve(residual, &names); // (1)
+    let names: Vec<String> = (0..r.len()).map(|k| format!("mu_{k}")).collect();
+    let (mu, solution) = factor.solve(r, &names); // (1)
     let dq = normal.transposed(&mu, weights.len()); // (2)
     let mut results = stored("dq", dq.iter());
     results.push((Place::Value, factor.health));

@@ -10,7 +10,7 @@ use crate::formulate::reduced::motion::Motion;
 /// Solves `M a = Q`, and how a person would write that down.
 pub(crate) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<Section>) {
     let names: Vec<String> =
-        motion.drivers.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
+        motion.independent.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
     let mut mass = dense.mass.clone();
     for (&(i, j), entry) in &mut mass {
         *entry = (*entry).named(format!("m_{i}_{j}"));

@@ -31,7 +31,7 @@ fn laid_out<T>(model: &Model, then: impl FnOnce(Layout, &Motion, &Scheme) -> T) 
     let equations = derive(model);
     let coordinates = Coordinates::new(model).unwrap();
     let scheme = charts::schemes(model, &coordinates).unwrap().remove(0);
-    let memory = Memory::new(&coordinates, (scheme.drivers.len(), 0), &[]);
+    let memory = Memory::new(&coordinates, (scheme.independent.len(), 0), &[]);
     let length = Expr::ONE;
     let motion = kinematics(model, &coordinates, &scheme, &memory, length);
     let layout = Layout { model, equations: &equations, coordinates: &coordinates, memory: &memory, length };

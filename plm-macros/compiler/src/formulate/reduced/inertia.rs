@@ -100,16 +100,17 @@ impl Dense {
 }
 
 /// The equations of the coordinates alone: `K^T M K` and `K^T Q - (M K)^T b`.
-pub(crate) fn along_drivers(dense: &Dense, motion: &Motion) -> Dense {
-    let (n, drivers) = (dense.force.len(), motion.drivers.len());
-    let gains = |driver: usize| (0..n).map(|unknown| motion.gain[unknown][driver]).collect::<Vec<Expr>>();
+pub(crate) fn along_independent(dense: &Dense, motion: &Motion) -> Dense {
+    let (n, independent) = (dense.force.len(), motion.independent.len());
+    let gains =
+        |coordinate: usize| (0..n).map(|unknown| motion.gain[unknown][coordinate]).collect::<Vec<Expr>>();
     let (mut mass, mut force, mut turning) = (BTreeMap::new(), Vec::new(), Vec::new());
-    for j in 0..drivers {
+    for j in 0..independent {
         let column = gains(j);
         let moved = times(dense, &column).into_iter().enumerate();
         let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
         let moved: Vec<Expr> = moved.collect();
-        for i in j..drivers {
+        for i in j..independent {
             let entry = dot(&gains(i), &moved);
             if i == j || !entry.is_zero() {
                 mass.insert((i, j), entry);

@@ -31,9 +31,10 @@ impl Jacobian {
 
 /// Lays it out; `x` are the first-order states and `x_dot` their rates.
 pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Jacobian {
-    let n = motion.drivers.len();
-    let of_drivers = |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
-    let state = [of_drivers(&motion.value), of_drivers(&motion.rate), x.to_vec()].concat();
+    let n = motion.independent.len();
+    let of_independent =
+        |of: &[Expr]| motion.independent.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
+    let state = [of_independent(&motion.value), of_independent(&motion.rate), x.to_vec()].concat();
     let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
     let mut residuals: Vec<Expr> = dense.right_hand_side(motion).into_iter().map(|force| -force).collect();
     let mut mass = dense.mass.clone();

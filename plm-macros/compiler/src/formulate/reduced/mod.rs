@@ -30,7 +30,7 @@ use self::tree::augmented::augmented;
 pub(crate) use self::tree::augmented::{Augmented, Part, Term, placed};
 use super::function::{Function, Place, Section, stored};
 use super::linearised::{Linearised, orders_step};
-use super::sides;
+use super::switches;
 use crate::derive::Equations;
 use crate::model::Model;
 
@@ -114,9 +114,9 @@ pub(crate) struct Chart {
     /// `x` of a state in absolute coordinates.
     pub(crate) project: Function,
     /// `memory` of a state, returning the same as `rate`; of loops alone.
-    pub(crate) look: Option<Function>,
+    pub(crate) remember: Option<Function>,
     /// `memory` of a pose and velocity in this chart, returning the square of the measure; of loops alone.
-    pub(crate) survey: Option<Function>,
+    pub(crate) remember_pose: Option<Function>,
     /// The groups in the order of solution: kind and unknowns.
     pub(crate) groups: Vec<String>,
     /// The parts that close the loops, in the order of solution.
@@ -130,7 +130,7 @@ pub(crate) struct Chart {
 pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model)?;
     let schemes = schemes(model, equations, &coordinates, known)?;
-    let freedom = schemes.first().map_or(0, |scheme| scheme.drivers.len());
+    let freedom = schemes.first().map_or(0, |scheme| scheme.independent.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
     }
@@ -176,7 +176,7 @@ fn schemes(
     let assembled = assembled();
     let reason = match (&counted, &assembled) {
         (Ok(schemes), Some(assembled)) => {
-            let by_count = schemes.first().map_or(0, |scheme| scheme.drivers.len());
+            let by_count = schemes.first().map_or(0, |scheme| scheme.independent.len());
             if by_count == assembled.freedom {
                 return counted;
             }
@@ -193,7 +193,7 @@ fn schemes(
     let assembled = assembled.as_ref().ok_or_else(|| reason.clone())?;
     // Defaults of parameters may be such as no mechanism has: lengths of zero. What is redundant at a start is found there.
     if let Ok(counted) = counted
-        && freedom_elsewhere() == counted.first().map(|scheme| scheme.drivers.len())
+        && freedom_elsewhere() == counted.first().map(|scheme| scheme.independent.len())
     {
         return Ok(counted);
     }
@@ -213,15 +213,15 @@ impl Layout<'_> {
         let (method, rate) = self.rate(&motion, scheme);
         let tree = scheme.groups.is_empty();
         let large = tree.then(|| augmented(model, equations, &motion)).flatten();
-        let of_drivers =
-            |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
+        let of_independent =
+            |of: &[Expr]| motion.independent.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
-            motion.drivers.iter().map(|&unknown| motion.names[unknown].clone()).collect();
+            motion.independent.iter().map(|&unknown| motion.names[unknown].clone()).collect();
         let parts = names.iter().map(|name| owner(name).to_owned());
         let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
-        let look = loops.then(|| self.look(scheme, &motion));
+        let remember = loops.then(|| self.remember(scheme, &motion));
         // Where a pose is read nothing is held.
-        let survey = loops.then(|| self.survey(scheme).substitute(&model.released));
+        let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
@@ -232,10 +232,11 @@ impl Layout<'_> {
             let part = coordinates.joints[group.closing(coordinates)?].part;
             Some(model.parts[part].name.text.clone())
         };
-        let guards = sides::guards(model, &motion.substitution);
+        let guards = switches::guards(model, &motion.substitution);
         let pose = pose(model, &motion).optimise();
-        let project =
-            project(model, equations, coordinates, &motion.drivers).substitute(&model.released).optimise();
+        let project = project(model, equations, coordinates, &motion.independent)
+            .substitute(&model.released)
+            .optimise();
         let linearised = match large {
             Some(augmented) => Linearised::wanted(model, augmented, true),
             None => self.linearised(&motion, &rate, loops),
@@ -244,9 +245,9 @@ impl Layout<'_> {
         Chart {
             parts: parts.collect(),
             names,
-            angles: motion.drivers.iter().map(is_angle).collect(),
-            y: of_drivers(&motion.value),
-            y_dot: of_drivers(&motion.rate),
+            angles: motion.independent.iter().map(is_angle).collect(),
+            y: of_independent(&motion.value),
+            y_dot: of_independent(&motion.rate),
             method,
             rate,
             reactions,
@@ -255,8 +256,8 @@ impl Layout<'_> {
             guards,
             pose,
             project,
-            look,
-            survey,
+            remember,
+            remember_pose,
             groups: scheme.groups.iter().map(described).collect(),
             closing: scheme.loops().filter_map(closing).collect(),
         }
@@ -271,7 +272,7 @@ impl Layout<'_> {
     /// The linearised equations of a mechanism whose mass matrix is set up. Where loops may come to a singular pose, implicit
     /// methods take the full matrix: it can be had by rank.
     fn linearised(&self, motion: &Motion, rate: &Function, loops: bool) -> Option<Linearised> {
-        if motion.drivers.len() > MOST_DENSE || loops && !orders_step(self.model) {
+        if motion.independent.len() > MOST_DENSE || loops && !orders_step(self.model) {
             return None;
         }
         let dense = self.dense(motion, &loads(self.model, motion));
@@ -292,8 +293,8 @@ impl Layout<'_> {
     /// `M a = Q` along the coordinates.
     fn dense(&self, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
         let dense = inertia::dense(self.model, motion, force);
-        let explicit = motion.drivers.len() == motion.value.len();
-        if explicit { dense } else { inertia::along_drivers(&dense, motion) }
+        let explicit = motion.independent.len() == motion.value.len();
+        if explicit { dense } else { inertia::along_independent(&dense, motion) }
     }
 
     /// The dense form of a mechanism, and elimination body by body of a tree.
@@ -303,7 +304,7 @@ impl Layout<'_> {
         let Layout { model, .. } = *self;
         let force = loads(model, motion);
         let mut forms = Vec::new();
-        if !tree || motion.drivers.len() <= MOST_DENSE {
+        if !tree || motion.independent.len() <= MOST_DENSE {
             let dense = self.dense(motion, &force);
             let solution = dense::accelerations(motion, &dense);
             forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
@@ -322,7 +323,7 @@ impl Layout<'_> {
         loops: bool,
     ) -> Function {
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let rates: Vec<Expr> = motion.drivers.iter().map(|&unknown| motion.rate[unknown]).collect();
+        let rates: Vec<Expr> = motion.independent.iter().map(|&unknown| motion.rate[unknown]).collect();
         let mut results = stored("dx", rates.iter().chain(&acceleration).chain(&x_dot));
         if loops {
             results.push((Place::Value, measure(&motion.solutions)));
@@ -351,8 +352,13 @@ fn pose(model: &Model, motion: &Motion) -> Function {
 }
 
 /// The coordinates and their rates at a pose.
-fn project(model: &Model, equations: &Equations, coordinates: &Coordinates, drivers: &[usize]) -> Function {
-    let values: Vec<Expr> = drivers
+fn project(
+    model: &Model,
+    equations: &Equations,
+    coordinates: &Coordinates,
+    independent: &[usize],
+) -> Function {
+    let values: Vec<Expr> = independent
         .iter()
         .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
         .collect();

@@ -36,8 +36,8 @@ impl<'a> Resolver<'a> {
         let mut states = self.evaluate_states();
         let mut outputs = self.evaluate_outputs();
         self.evaluate_observed(&mut outputs);
-        let mut sides = self.evaluate_requirements();
-        self.replace_stand_ins(&mut states, &mut loads, &mut outputs, &mut sides);
+        let mut switches = self.evaluate_requirements();
+        self.replace_stand_ins(&mut states, &mut loads, &mut outputs, &mut switches);
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let rows = rows.and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs));
         self.warn(declaration, mechanism);
@@ -73,7 +73,7 @@ impl<'a> Resolver<'a> {
             outputs,
             sizes: sizes.ok()?,
             files: self.files.keys().cloned().collect(),
-            sides,
+            switches,
             kinks: Vec::new(),
             allowed: self.draft.settings.allowed,
         })

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::Code;
-use crate::model::{Load, Output, Side, State};
+use crate::model::{Load, Output, State, Switch};
 use crate::resolve::Resolver;
 use crate::resolve::things::node::NodeDraft;
 use crate::span::Span;
@@ -27,7 +27,7 @@ impl Resolver<'_> {
         states: &mut [State],
         loads: &mut [Load],
         outputs: &mut [Output],
-        sides: &mut [Side],
+        switches: &mut [Switch],
     ) {
         if states.len() < self.draft.states.len() || self.sink.has_errors() {
             return;
@@ -37,7 +37,7 @@ impl Resolver<'_> {
         places.extend(states.iter_mut().map(|state| &mut state.rate));
         places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
         places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
-        places.extend(sides.iter_mut().map(|side| &mut side.difference));
+        places.extend(switches.iter_mut().map(|switch| &mut switch.difference));
         let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
         self.add_rates_of_sums(&roots, &mut stand_ins);
         if stand_ins.is_empty() || !self.free_of_each_other(&mut stand_ins) {

@@ -3,7 +3,7 @@
 use plm_cas::Expr;
 
 use crate::diag::Code;
-use crate::model::Side;
+use crate::model::Switch;
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::{Condition, Eval, Failed, Reads};
@@ -71,10 +71,10 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Requirements as sides that must not change.
-    pub(crate) fn evaluate_requirements(&mut self) -> Vec<Side> {
+    /// Requirements as switches that must not change.
+    pub(crate) fn evaluate_requirements(&mut self) -> Vec<Switch> {
         self.check_switched();
-        let mut sides = Vec::new();
+        let mut switches = Vec::new();
         for Requirement { scope, condition, name, is_off, .. } in std::mem::take(&mut self.draft.requirements)
         {
             if is_off {
@@ -85,11 +85,17 @@ impl<'a> Resolver<'a> {
             // A mistake has been reported; what else is wrong is found all the same.
             let Ok(differences) = self.requirement(scope, condition) else { continue };
             for difference in differences {
-                let symbol = Expr::symbol(format!("side_{}", sides.len()));
-                sides.push(Side { symbol, difference, instant: None, name: name.clone(), must_hold: true });
+                let symbol = Expr::symbol(format!("switch_{}", switches.len()));
+                switches.push(Switch {
+                    symbol,
+                    difference,
+                    instant: None,
+                    name: name.clone(),
+                    must_hold: true,
+                });
             }
         }
-        sides
+        switches
     }
 
     /// What is positive as long as a condition holds.

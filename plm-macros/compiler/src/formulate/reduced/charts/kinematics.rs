@@ -18,8 +18,8 @@ pub(crate) fn kinematics<'a>(
     length: Expr,
 ) -> Motion<'a> {
     let mut motion = Motion::still(model, coordinates, length);
-    let paced = scheme.drivers.len() == 1 && !coordinates.moves_with(model.time);
-    for (place, &unknown) in scheme.drivers.iter().enumerate() {
+    let paced = scheme.independent.len() == 1 && !coordinates.moves_with(model.time);
+    for (place, &unknown) in scheme.independent.iter().enumerate() {
         let (value, rate) = symbols(model, coordinates.unknowns[unknown]);
         motion.pace = paced.then_some(rate);
         (motion.value[unknown], motion.rate[unknown]) = (value, rate);
@@ -27,7 +27,7 @@ pub(crate) fn kinematics<'a>(
             gains.push(Expr::ZERO);
         }
         motion.gain[unknown][place] = Expr::ONE;
-        motion.drivers.push(unknown);
+        motion.independent.push(unknown);
         if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
             motion.rotation[class] = Rotation::by(value);
             motion.omega[class] = rate;
@@ -38,7 +38,7 @@ pub(crate) fn kinematics<'a>(
         let place = motion.solutions.len();
         group.solve(&mut motion, (memory, place));
     }
-    motion.place(model);
+    motion.pose_bodies(model);
     motion.substitute_headings(model);
     motion
 }

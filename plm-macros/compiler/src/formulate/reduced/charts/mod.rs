@@ -2,14 +2,14 @@
 //! those that leave the smallest blocks.
 
 pub(crate) mod kinematics;
-pub(crate) mod looks;
 pub(crate) mod redundant;
+pub(crate) mod remember;
 
 use crate::formulate::reduced::groups::Group;
 use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::model::{Model, Rung};
-use crate::topology::{Block, Choice, Equation, drivers};
+use crate::topology::{Block, Choice, Equation, independent_sets};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
 const SPARE_CHARTS: usize = 3;
@@ -23,7 +23,7 @@ const MOST_TRIED: usize = 64;
 #[derive(Clone, Debug)]
 pub(crate) struct Scheme {
     /// The unknowns that are coordinates.
-    pub(crate) drivers: Vec<usize>,
+    pub(crate) independent: Vec<usize>,
     /// The groups in the order of solution.
     pub(crate) groups: Vec<Group>,
 }
@@ -52,7 +52,7 @@ pub(crate) fn schemes(model: &Model, coordinates: &Coordinates) -> Result<Vec<Sc
     }
     let equations = equations(coordinates);
     if equations.is_empty() {
-        return Ok(vec![Scheme { drivers: (0..n).collect(), groups: Vec::new() }]);
+        return Ok(vec![Scheme { independent: (0..n).collect(), groups: Vec::new() }]);
     }
     let rows: usize = equations.iter().map(|equation| equation.rows).sum();
     let freedom = match n.checked_sub(rows) {
@@ -76,7 +76,7 @@ pub(crate) fn split(
     let group = |block: &Block| Group::of(coordinates, block);
     // What has a closed form is small: the others are not worth a look here.
     let cost = |block: &Block| if block.unknowns.len() > 2 { None } else { group(block)?.cost() };
-    let choices = drivers(coordinates.unknowns.len(), equations, freedom, &candidates, &cost);
+    let choices = independent_sets(coordinates.unknowns.len(), equations, freedom, &candidates, &cost);
     let Some(best) = choices.first() else {
         return Err("its constraints are redundant".to_owned());
     };
@@ -84,7 +84,7 @@ pub(crate) fn split(
     let (closed, spare) = (best.closed, if best.closed { SPARE_CHARTS } else { SPARE_LONG_CHARTS });
     let scheme = |choice: Choice| {
         let groups: Option<Vec<Group>> = choice.blocks.iter().map(group).collect();
-        groups.map(|groups| Scheme { groups, drivers: choice.drivers })
+        groups.map(|groups| Scheme { groups, independent: choice.independent })
     };
     let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
     let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect();

@@ -97,22 +97,22 @@ fn closes(
 ) -> Option<f64> {
     let Assembled { length, .. } = *assembled;
     let iterated: Vec<usize> = scheme.iterated().collect();
-    let memory = Memory::new(coordinates, (scheme.drivers.len(), scheme.loops().count()), &iterated);
+    let memory = Memory::new(coordinates, (scheme.independent.len(), scheme.loops().count()), &iterated);
     let size = Expr::from(plm_cas::Number::from_f64(length));
     let motion = kinematics(model, coordinates, scheme, &memory, size);
-    let survey = {
+    let remember_pose = {
         let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size };
-        layout.survey(scheme)
+        layout.remember_pose(scheme)
     };
     let values_of = |roots: &[Expr], values: &[(Expr, f64)]| numeric::run(&algebra::tape(roots), values);
-    let remembered: Vec<Expr> = survey.results.iter().map(|&(_, value)| value).collect();
+    let remembered: Vec<Expr> = remember_pose.results.iter().map(|&(_, value)| value).collect();
     let remembered = values_of(&remembered, &assembled.values);
-    let drivers: Vec<Expr> = scheme
-        .drivers
+    let independent: Vec<Expr> = scheme
+        .independent
         .iter()
         .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
         .collect();
-    let start = values_of(&drivers, &assembled.values);
+    let start = values_of(&independent, &assembled.values);
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
             let Vec2 { x, y } = motion.position[body];
@@ -124,7 +124,7 @@ fn closes(
     let all_close = AWAY.iter().all(|away| {
         let mut at = others.clone();
         at.extend(memory.symbols().into_iter().zip(remembered.iter().copied()));
-        for (&unknown, &from) in scheme.drivers.iter().zip(&start) {
+        for (&unknown, &from) in scheme.independent.iter().zip(&start) {
             let is_angle = matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
             at.push((motion.value[unknown], from + if is_angle { *away } else { away * length }));
         }

@@ -104,7 +104,7 @@ impl Dyad {
         }
     }
 
-    /// Effort of its solution, for the choice of drivers: roots and divisions.
+    /// Effort of its solution, for the choice of coordinates: roots and divisions.
     pub(crate) fn cost(&self) -> u32 {
         match self.kind {
             Kind::Angles(_) => 4,

@@ -52,14 +52,14 @@ impl Given {
             -sum / own
         };
         let value = -rest / own;
-        let drift = solved(by_time, &|other| motion.drift[other]);
+        let time_rate = solved(by_time, &|other| motion.time_rate[other]);
         let bias = solved(curvature, &|other| motion.bias[other]);
-        for driver in 0..motion.drivers.len() {
-            let gain = solved(Expr::ZERO, &|other| motion.gain[other][driver]);
-            motion.gain[self.unknown][driver] = gain;
+        for coordinate in 0..motion.independent.len() {
+            let gain = solved(Expr::ZERO, &|other| motion.gain[other][coordinate]);
+            motion.gain[self.unknown][coordinate] = gain;
         }
         let value = motion.set_slide(self.unknown, value);
-        (motion.drift[self.unknown], motion.bias[self.unknown]) = (drift, bias);
+        (motion.time_rate[self.unknown], motion.bias[self.unknown]) = (time_rate, bias);
         if let Unknown::Angle { class, .. } = motion.coordinates.unknowns[self.unknown] {
             motion.rotation[class] = Rotation::by(value);
         }

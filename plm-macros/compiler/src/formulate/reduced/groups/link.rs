@@ -99,11 +99,12 @@ impl Link {
         for (k, (&unknown, (ratio, slope))) in
             dyad.unknowns.iter().zip(ratios.into_iter().zip(slopes)).enumerate()
         {
-            for driver in 0..motion.drivers.len() {
-                let gain = ratio * motion.gain[body][driver];
-                motion.gain[unknown][driver] = gain.named(format!("gain_{driver}_{}_{k}", dyad.closure));
+            for coordinate in 0..motion.independent.len() {
+                let gain = ratio * motion.gain[body][coordinate];
+                motion.gain[unknown][coordinate] =
+                    gain.named(format!("gain_{coordinate}_{}_{k}", dyad.closure));
             }
-            motion.drift[unknown] = ratio * motion.drift[body];
+            motion.time_rate[unknown] = ratio * motion.time_rate[body];
             let bias = square * slope + ratio * motion.bias[body];
             motion.bias[unknown] = bias.named(format!("bias_{}_{k}", dyad.closure));
             motion.set_rate(unknown);

@@ -39,15 +39,15 @@ impl Found<'_> {
 pub(crate) fn differentiate(motion: &mut Motion, found: &Found) {
     let solved = (found.unknowns, &found.solution.arms[..]);
     let flow = Flow::new(motion, found.closure, solved);
-    for driver in 0..motion.drivers.len() {
-        let sum = flow.gain(motion, driver);
-        for (unknown, value) in found.named(sum, &format!("gain_{driver}")) {
-            motion.gain[unknown][driver] = value;
+    for coordinate in 0..motion.independent.len() {
+        let sum = flow.gain(motion, coordinate);
+        for (unknown, value) in found.named(sum, &format!("gain_{coordinate}")) {
+            motion.gain[unknown][coordinate] = value;
         }
     }
-    let sum = flow.drift(motion);
-    for (unknown, value) in found.named(sum, "drift") {
-        motion.drift[unknown] = value;
+    let sum = flow.time_rate(motion);
+    for (unknown, value) in found.named(sum, "time_rate") {
+        motion.time_rate[unknown] = value;
     }
     for &unknown in found.unknowns {
         motion.set_rate(unknown);
@@ -102,13 +102,13 @@ impl<'a> Flow<'a> {
     }
 
     /// The closure's velocity when one coordinate moves at the rate 1.
-    pub(crate) fn gain(&self, motion: &Motion, driver: usize) -> Vec2 {
-        weighted(&self.known, |unknown| motion.gain[unknown][driver])
+    pub(crate) fn gain(&self, motion: &Motion, coordinate: usize) -> Vec2 {
+        weighted(&self.known, |unknown| motion.gain[unknown][coordinate])
     }
 
     /// Its velocity when no coordinate moves.
-    pub(crate) fn drift(&self, motion: &Motion) -> Vec2 {
-        self.ground_rate + weighted(&self.known, |unknown| motion.drift[unknown])
+    pub(crate) fn time_rate(&self, motion: &Motion) -> Vec2 {
+        self.ground_rate + weighted(&self.known, |unknown| motion.time_rate[unknown])
     }
 
     /// Its acceleration when those of the coordinates and of what is sought are zero; all rates are known. With a pace, over

@@ -7,14 +7,14 @@ pub(crate) mod given;
 pub(crate) mod link;
 pub(crate) mod loops;
 pub(crate) mod newton;
-pub(crate) mod single;
+pub(crate) mod spare_row;
 
 use plm_cas::Expr;
 
 use crate::formulate::reduced::groups::dyad::{Dyad, Kind};
 use crate::formulate::reduced::groups::given::Given;
 use crate::formulate::reduced::groups::newton::Newton;
-use crate::formulate::reduced::groups::single::Single;
+use crate::formulate::reduced::groups::spare_row::SpareRow;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::motion::memory::Memory;
@@ -29,7 +29,7 @@ pub(crate) enum Group {
     /// Two unknowns of a loop.
     Dyad(Dyad),
     /// The one unknown of a loop that says the rest for the second time.
-    Single(Single),
+    SpareRow(SpareRow),
     /// Unknowns of several loops that must be solved together.
     Newton(Newton),
 }
@@ -46,7 +46,7 @@ impl Group {
                 Dyad::of(coordinates, closure, [first, second]).map(Group::Dyad)
             }
             (&[closure], &[unknown]) if closure < loops => {
-                Single::of(coordinates, closure, unknown).map(Group::Single)
+                SpareRow::of(coordinates, closure, unknown).map(Group::SpareRow)
             }
             _ => Newton::of(coordinates, block).map(Group::Newton),
         }
@@ -57,7 +57,7 @@ impl Group {
         match self {
             Group::Given(_) => Some(0),
             Group::Dyad(dyad) => Some(dyad.cost()),
-            Group::Single(_) => Some(2),
+            Group::SpareRow(_) => Some(2),
             Group::Newton(_) => None,
         }
     }
@@ -67,7 +67,7 @@ impl Group {
         match self {
             Group::Given(given) => vec![given.unknown],
             Group::Dyad(dyad) => dyad.unknowns.to_vec(),
-            Group::Single(single) => vec![single.unknown],
+            Group::SpareRow(group) => vec![group.unknown],
             Group::Newton(newton) => newton.unknowns.clone(),
         }
     }
@@ -82,7 +82,7 @@ impl Group {
         match self {
             Group::Given(_) => "given".to_owned(),
             Group::Dyad(dyad) => dyad.name().to_owned(),
-            Group::Single(_) => "redundant".to_owned(),
+            Group::SpareRow(_) => "redundant".to_owned(),
             Group::Newton(newton) => newton.name(),
         }
     }
@@ -92,7 +92,7 @@ impl Group {
         match self {
             Group::Given(_) => None,
             Group::Dyad(dyad) => Some(coordinates.closing(dyad.closure, &dyad.unknowns)),
-            Group::Single(single) => Some(coordinates.closing(single.closure, &[single.unknown])),
+            Group::SpareRow(group) => Some(coordinates.closing(group.closure, &[group.unknown])),
             Group::Newton(newton) => {
                 newton.closures.iter().find_map(|&k| coordinates.loops[k].last().copied())
             }
@@ -108,7 +108,7 @@ impl Group {
                 let side = if dyad.is_signed() { memory.area(place) } else { None };
                 dyad.solve(motion, side)
             }
-            Group::Single(single) => single.solve(motion),
+            Group::SpareRow(group) => group.solve(motion),
             Group::Newton(newton) => newton.solve(motion, memory),
         };
         motion.solutions.push(solution);
@@ -125,7 +125,7 @@ impl Group {
         match self {
             Group::Given(_) => None,
             Group::Dyad(dyad) => Some(dyad.at_pose(motion)),
-            Group::Single(_) => Some(Solution::certain()),
+            Group::SpareRow(_) => Some(Solution::certain()),
             Group::Newton(newton) => Some(newton.at_pose(motion)),
         }
     }
@@ -139,7 +139,7 @@ impl Group {
     ) -> Vec<Expr> {
         let slides = |unknown: usize| !matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         match self {
-            Group::Given(_) | Group::Single(_) => Vec::new(),
+            Group::Given(_) | Group::SpareRow(_) => Vec::new(),
             Group::Dyad(dyad) => {
                 let turning = |class: usize| coordinates.angle_of_class[class].map_or(Expr::ZERO, rate);
                 match dyad.kind {

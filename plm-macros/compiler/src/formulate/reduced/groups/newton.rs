@@ -161,16 +161,16 @@ impl Newton {
             let values = jacobian.solve(sums, what);
             values.into_iter().map(|value| -value).collect::<Vec<Expr>>()
         };
-        for driver in 0..motion.drivers.len() {
-            let sums = flows.iter().map(|flow| flow.gain(motion, driver)).collect();
-            let values = solve(sums, &format!("gain_{driver}"));
+        for coordinate in 0..motion.independent.len() {
+            let sums = flows.iter().map(|flow| flow.gain(motion, coordinate)).collect();
+            let values = solve(sums, &format!("gain_{coordinate}"));
             for (&unknown, value) in self.unknowns.iter().zip(values) {
-                motion.gain[unknown][driver] = value;
+                motion.gain[unknown][coordinate] = value;
             }
         }
-        let sums = flows.iter().map(|flow| flow.drift(motion)).collect();
-        for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "drift")) {
-            motion.drift[unknown] = value;
+        let sums = flows.iter().map(|flow| flow.time_rate(motion)).collect();
+        for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "time_rate")) {
+            motion.time_rate[unknown] = value;
             motion.set_rate(unknown);
         }
         let sums = flows.iter().map(|flow| flow.bias(motion)).collect();

@@ -67,7 +67,7 @@ pub(crate) struct Coordinates {
     pub(crate) centres: Vec<Chain>,
     pub(crate) joints: Vec<Joint>,
     /// Bodies from the ground outwards: body, the joint that holds it, and the body on its other side.
-    pub(crate) order: Vec<Hold>,
+    pub(crate) order: Vec<TreeEdge>,
     /// Independent loops: vectors that sum to zero.
     pub(crate) closures: Vec<Chain>,
     /// Rows that are no joint's, explicit in an unknown.
@@ -80,7 +80,7 @@ pub(crate) struct Coordinates {
 
 /// What holds a body on the way from the ground.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Hold {
+pub(crate) struct TreeEdge {
     pub(crate) body: usize,
     /// The joint, by its place in [`Coordinates::joints`]; none for a body that hangs on nothing.
     pub(crate) joint: Option<usize>,
@@ -115,9 +115,9 @@ impl Coordinates {
         let order = forest.order.iter().filter(|&&node| node > 0).map(|&node| {
             let held = forest.parent[node];
             let parent = held.and_then(|(_, parent)| parent.checked_sub(1));
-            Hold { body: node - 1, joint: held.map(|(joint, _)| joint), parent }
+            TreeEdge { body: node - 1, joint: held.map(|(joint, _)| joint), parent }
         });
-        let order: Vec<Hold> = order.collect();
+        let order: Vec<TreeEdge> = order.collect();
         let mut coordinates = Coordinates {
             unknowns: Vec::new(),
             angle_of_class: vec![None],
@@ -155,25 +155,25 @@ impl Coordinates {
 
     /// From the ground outwards: a coordinate for every freedom, a place for every body.
     fn walk(&mut self, model: &Model) {
-        for hold in self.order.clone() {
-            let class = self.headings[hold.body].class;
+        for edge in self.order.clone() {
+            let class = self.headings[edge.body].class;
             if class == self.angle_of_class.len() {
-                let unknown = self.new_unknown(Unknown::Angle { class, body: hold.body });
+                let unknown = self.new_unknown(Unknown::Angle { class, body: edge.body });
                 self.angle_of_class.push(Some(unknown));
             }
-            let Some(joint) = hold.joint else {
+            let Some(joint) = edge.joint else {
                 for axis in 0..2 {
                     let along = [Vec2::X, Vec2::Y][axis];
-                    let unknown = self.new_unknown(Unknown::Centre { body: hold.body, axis });
-                    self.centres[hold.body].add(0, Some(unknown), along, false);
+                    let unknown = self.new_unknown(Unknown::Centre { body: edge.body, axis });
+                    self.centres[edge.body].add(0, Some(unknown), along, false);
                 }
                 continue;
             };
             self.add_slide(joint);
-            let mut centre = hold.parent.map_or(Chain::default(), |parent| self.centres[parent].clone());
-            let outward = self.joints[joint].b.body == Some(hold.body);
+            let mut centre = edge.parent.map_or(Chain::default(), |parent| self.centres[parent].clone());
+            let outward = self.joints[joint].b.body == Some(edge.body);
             self.add_across(&mut centre, model, joint, !outward);
-            self.centres[hold.body] = centre;
+            self.centres[edge.body] = centre;
         }
     }
 
@@ -274,7 +274,7 @@ fn headings(
     model: &Model,
     joints: &[Joint],
     edges: &[(usize, usize)],
-    order: &[Hold],
+    order: &[TreeEdge],
 ) -> Result<Vec<Heading>, String> {
     let fixed = |joint: &&Joint| matches!(joint.pair, Pair::Prismatic | Pair::Weld);
     let (ties, tied): (Vec<&Joint>, Vec<(usize, usize)>) = joints
@@ -313,13 +313,13 @@ fn headings(
     let mut class = vec![None; nodes];
     class[root[0]] = Some(0);
     let mut headings = vec![Heading { class: 0, offset: Expr::ZERO }; model.bodies.len()];
-    for hold in order {
-        let node = hold.body + 1;
+    for edge in order {
+        let node = edge.body + 1;
         let class = *class[root[node]].get_or_insert_with(|| {
             first.push(angle[node]);
             first.len() - 1
         });
-        headings[hold.body] = Heading { class, offset: (angle[node] - first[class]) };
+        headings[edge.body] = Heading { class, offset: (angle[node] - first[class]) };
     }
     Ok(headings)
 }

@@ -33,7 +33,7 @@ pub(crate) fn explicit(model: &Model, coordinates: &Coordinates, phi: Expr) -> O
     let is_fixed = |symbol: &Expr| {
         *symbol == model.time
             || symbols.contains(symbol)
-            || model.sides.iter().any(|side| side.symbol == *symbol)
+            || model.switches.iter().any(|switch| switch.symbol == *symbol)
             || model.params.iter().any(|param| param.symbol == *symbol)
     };
     if !left.iter().all(is_fixed) {
@@ -66,14 +66,14 @@ fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) 
         let theta = declared.q[2];
         pairs.extend([(theta.cos(), own.x), (theta.sin(), own.y)]);
         pairs.push((theta, angle + heading.offset));
-        let place = place(coordinates, body, symbols);
-        pairs.extend([(declared.q[0], place.x), (declared.q[1], place.y)]);
+        let position = position(coordinates, body, symbols);
+        pairs.extend([(declared.q[0], position.x), (declared.q[1], position.y)]);
     }
     pairs
 }
 
 /// G of a body as a function of the unknowns.
-fn place(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
+fn position(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
     let terms = coordinates.centres[body].terms().map(|(class, slide, vector)| {
         let vector = slide.map_or(Expr::ONE, |slide| symbols[slide]) * vector;
         coordinates.angle_of_class[class].map_or(vector, |angle| Rotation::by(symbols[angle]) * vector)

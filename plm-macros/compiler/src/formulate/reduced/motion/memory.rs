@@ -122,7 +122,7 @@ impl Memory {
     pub(crate) fn moved(&self, unknown: usize, time: Expr) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
         let [last, _] = *self.boxes.last()?;
-        let passed = (time - last).named("since_look");
+        let passed = (time - last).named("since_remembered");
         let slope = (rate + passed * bend).named("slope");
         Some([value, passed * slope])
     }

@@ -7,7 +7,7 @@ pub(crate) mod solution;
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
-use crate::formulate::reduced::joints::coordinates::{Coordinates, Heading, Hold, Unknown, port};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Heading, TreeEdge, Unknown, port};
 use crate::formulate::reduced::motion::bases::{Bases, Products};
 use crate::formulate::reduced::motion::solution::Solution;
 use crate::model::{FrameRef, Model};
@@ -18,7 +18,7 @@ pub(crate) struct Motion<'a> {
     pub(crate) coordinates: &'a Coordinates,
     pub(crate) time: Expr,
     /// The unknowns that are coordinates, in the order of the state.
-    pub(crate) drivers: Vec<usize>,
+    pub(crate) independent: Vec<usize>,
     /// Name of each unknown, as a path of the model.
     pub(crate) names: Vec<String>,
     /// Size of the scene, m.
@@ -32,7 +32,7 @@ pub(crate) struct Motion<'a> {
     /// `K`: by unknown, by coordinate.
     pub(crate) gain: Vec<Vec<Expr>>,
     /// `k`.
-    pub(crate) drift: Vec<Expr>,
+    pub(crate) time_rate: Vec<Expr>,
     /// Second derivative of each unknown while those of the coordinates are zero; with a pace, over its square.
     pub(crate) bias: Vec<Expr>,
     /// The rate of the one coordinate on which everything depends, if there is nothing else that moves: all rates are gains
@@ -77,14 +77,14 @@ impl<'a> Motion<'a> {
         Motion {
             coordinates,
             time: model.time,
-            drivers: Vec::new(),
+            independent: Vec::new(),
             names: coordinates.unknowns.iter().map(|&unknown| unknown.name(model)).collect(),
             length,
             agreement: model.agreement,
             value: zeros.clone(),
             rate: zeros.clone(),
             gain: vec![Vec::new(); coordinates.unknowns.len()],
-            drift: zeros.clone(),
+            time_rate: zeros.clone(),
             bias: zeros,
             pace: None,
             rotation: vec![Rotation::IDENTITY; classes],
@@ -169,9 +169,9 @@ impl<'a> Motion<'a> {
 
     /// Writes the rate of an unknown whose coefficients are known.
     pub(crate) fn set_rate(&mut self, unknown: usize) {
-        let driven = self.drivers.iter().enumerate();
-        let driven = driven.map(|(place, &driver)| self.gain[unknown][place] * self.rate[driver]);
-        let rate: Expr = [self.drift[unknown]].into_iter().chain(driven).sum();
+        let driven = self.independent.iter().enumerate();
+        let driven = driven.map(|(k, &coordinate)| self.gain[unknown][k] * self.rate[coordinate]);
+        let rate: Expr = [self.time_rate[unknown]].into_iter().chain(driven).sum();
         let rate = rate.named(format!("{}.rate", self.names[unknown]));
         self.rate[unknown] = rate;
         if let Unknown::Angle { class, .. } = self.coordinates.unknowns[unknown] {
@@ -189,18 +189,18 @@ impl<'a> Motion<'a> {
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.
-    pub(crate) fn place(&mut self, model: &Model) {
+    pub(crate) fn pose_bodies(&mut self, model: &Model) {
         let coordinates = self.coordinates;
         self.position = vec![Vec2::ZERO; model.bodies.len()];
         self.velocity = vec![Vec2::ZERO; model.bodies.len()];
-        for hold in &coordinates.order {
-            let body = hold.body;
-            let Some(joint) = hold.joint else {
+        for edge in &coordinates.order {
+            let body = edge.body;
+            let Some(joint) = edge.joint else {
                 self.position[body] = coordinates.centre(body, &self.value);
                 self.velocity[body] = coordinates.centre(body, &self.rate);
                 continue;
             };
-            let (position, velocity) = self.beyond(model, hold, joint);
+            let (position, velocity) = self.beyond(model, edge, joint);
             let name = &model.bodies[body].name.text;
             self.position[body] = position.named_by([format!("{name}.x"), format!("{name}.y")]);
             self.velocity[body] = velocity.named_by([format!("{name}.vx"), format!("{name}.vy")]);
@@ -208,13 +208,13 @@ impl<'a> Motion<'a> {
     }
 
     /// Position and velocity of G of a body beyond a joint.
-    fn beyond(&self, model: &Model, hold: &Hold, joint: usize) -> (Vec2, Vec2) {
+    fn beyond(&self, model: &Model, edge: &TreeEdge, joint: usize) -> (Vec2, Vec2) {
         let coordinates = self.coordinates;
         let joint = coordinates.joints[joint];
-        let outward = joint.b.body == Some(hold.body);
+        let outward = joint.b.body == Some(edge.body);
         let signed = |vector: Vec2, positive: bool| if positive { vector } else { -vector };
-        let mut position = hold.parent.map_or(Vec2::ZERO, |parent| self.position[parent]);
-        let mut velocity = hold.parent.map_or(Vec2::ZERO, |parent| self.velocity[parent]);
+        let mut position = edge.parent.map_or(Vec2::ZERO, |parent| self.position[parent]);
+        let mut velocity = edge.parent.map_or(Vec2::ZERO, |parent| self.velocity[parent]);
         let (class, start) = coordinates.arm(model, joint.a);
         let mut out = start;
         if let Some(slide) = joint.slide {

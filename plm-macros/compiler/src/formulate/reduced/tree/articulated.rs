@@ -16,7 +16,7 @@
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::function::Section;
-use crate::formulate::reduced::joints::coordinates::{Coordinates, Hold, Joint, Unknown};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, Joint, TreeEdge, Unknown};
 use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::tree::spatial::{Inertia, Spatial};
 use crate::model::Model;
@@ -67,24 +67,24 @@ pub(crate) fn accelerations(
     let bodies = 0..model.bodies.len();
     let mut answers: Vec<Answer> = bodies.map(|body| work.alone(body, Spatial(force[body]))).collect();
     let mut held = Vec::new();
-    for hold in coordinates.order.iter().rev() {
-        let link = work.link(hold);
-        let whole = answers[hold.body];
+    for edge in coordinates.order.iter().rev() {
+        let link = work.link(edge);
+        let whole = answers[edge.body];
         let (left, eliminated) = work.eliminate(whole, &link);
-        if let Some(parent) = hold.parent {
+        if let Some(parent) = edge.parent {
             let carried = work.carry(whole, left, &link, &eliminated);
             let Answer { inertia, force } = answers[parent];
             answers[parent] = Answer { inertia: inertia + carried.inertia, force: force + carried.force };
         }
-        held.push((hold, link, eliminated));
+        held.push((edge, link, eliminated));
     }
     let inward =
         Section::new("From the tips inwards: what each body asks of its joint", work.trace.split_off(0));
     let mut accelerations = vec![Expr::ZERO; coordinates.unknowns.len()];
     let mut reached = vec![Spatial::ZERO; model.bodies.len()];
-    for (hold, link, eliminated) in held.iter().rev() {
-        let parent = hold.parent.map_or(against_gravity, |parent| reached[parent]);
-        reached[hold.body] = work.follow(parent, link, eliminated, &mut accelerations);
+    for (edge, link, eliminated) in held.iter().rev() {
+        let parent = edge.parent.map_or(against_gravity, |parent| reached[parent]);
+        reached[edge.body] = work.follow(parent, link, eliminated, &mut accelerations);
     }
     (accelerations, vec![inward, Section::new("From the ground outwards: accelerations", work.trace)])
 }
@@ -118,19 +118,19 @@ impl Elimination<'_> {
 
     /// From G of a body to its reference point, in the axes of its class.
     fn reference(&self, body: usize) -> Vec2 {
-        let joint = self.coordinates.order.iter().find(|hold| hold.body == body).and_then(|hold| hold.joint);
+        let joint = self.coordinates.order.iter().find(|edge| edge.body == body).and_then(|edge| edge.joint);
         let Some(joint) = joint else { return Vec2::ZERO };
         let joint = self.coordinates.joints[joint];
         let own = if joint.b.body == Some(body) { joint.b } else { joint.a };
         self.coordinates.arm(self.model, own).1
     }
 
-    fn link(&mut self, hold: &Hold) -> Link {
-        let Some(joint) = hold.joint else { return self.free(hold.body) };
+    fn link(&mut self, edge: &TreeEdge) -> Link {
+        let Some(joint) = edge.joint else { return self.free(edge.body) };
         let joint = self.coordinates.joints[joint];
-        let near = if joint.b.body == Some(hold.body) { joint.a } else { joint.b };
+        let near = if joint.b.body == Some(edge.body) { joint.a } else { joint.b };
         let (parent, mut arm) = self.coordinates.arm(self.model, near);
-        if let Some(body) = hold.parent {
+        if let Some(body) = edge.parent {
             arm -= self.reference(body);
         }
         // With a name the lengths in it are multiplied once, not wherever the arm is used.
@@ -144,7 +144,7 @@ impl Elimination<'_> {
             let time = self.model.time;
             link.bias += arm.diff(time).diff(time);
         }
-        let class = self.coordinates.headings[hold.body].class;
+        let class = self.coordinates.headings[edge.body].class;
         if let (Some(angle), true) = (self.coordinates.angle_of_class[class], class != parent) {
             link.turns_along = false;
             link.freedoms.push((angle, Spatial::ABOUT));

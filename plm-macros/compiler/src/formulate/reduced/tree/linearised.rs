@@ -18,9 +18,10 @@ use crate::formulate::reduced::motion::Motion;
 
 /// Lays out the linearised equations of first-order states `x`, whose rates are `x_dot`, and of the coordinates.
 pub(crate) fn laid_out(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Augmented {
-    let n = motion.drivers.len();
-    let of_drivers = |of: &[Expr]| motion.drivers.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
-    let (y, y_dot) = (of_drivers(&motion.value), of_drivers(&motion.rate));
+    let n = motion.independent.len();
+    let of_independent =
+        |of: &[Expr]| motion.independent.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
+    let (y, y_dot) = (of_independent(&motion.value), of_independent(&motion.rate));
     let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
     let mut residuals: Vec<Expr> = dense.right_hand_side(motion).into_iter().map(|force| -force).collect();
     let mut terms: BTreeMap<(usize, usize, Part), Expr> = BTreeMap::new();

@@ -17,12 +17,13 @@ impl Layout<'_> {
     /// `a` of all bodies and `lambda` of all rows, where `rate` gives the accelerations of the coordinates; nothing if some
     /// body is held by more than its own equations can tell apart.
     pub(crate) fn reactions(&mut self, motion: &Motion, rate: &Function) -> Option<Function> {
-        let (n, bodies) = (motion.drivers.len(), self.model.bodies.len());
-        let of_drivers: Vec<Expr> = rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect();
-        let second = second_derivatives(motion, &of_drivers);
+        let (n, bodies) = (motion.independent.len(), self.model.bodies.len());
+        let of_independent: Vec<Expr> =
+            rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect();
+        let second = second_derivatives(motion, &of_independent);
         let acceleration = self.accelerations(motion, &second);
         let a: Vec<Expr> = acceleration.iter().flat_map(|a| a.0).collect();
-        let phi_q = self.jacobian(motion);
+        let phi_q = self.phi_q(motion);
         let force = algebra::substitute(&self.equations.force, &motion.substitution);
         let mut left: Vec<Vec<Expr>> = Vec::with_capacity(3 * bodies);
         for ((&force, &mass), &a) in force.iter().zip(&self.equations.mass).zip(&a) {
@@ -44,8 +45,8 @@ impl Layout<'_> {
         mut left: Vec<Vec<Expr>>,
     ) -> Option<(Vec<Expr>, Vec<Expr>)> {
         let (mut lambda, mut trace) = (vec![None; phi_q.len()], Vec::new());
-        for hold in self.coordinates.order.iter().rev() {
-            let body = hold.body;
+        for edge in self.coordinates.order.iter().rev() {
+            let body = edge.body;
             let rows = (0..phi_q.len()).filter(|&row| lambda[row].is_none());
             let holding = rows.map(|row| (row, column(&phi_q[row], body)));
             let holding: Vec<(usize, Spatial)> =
@@ -78,10 +79,10 @@ impl Layout<'_> {
     fn accelerations(&self, motion: &Motion, second: &[Expr]) -> Vec<Spatial> {
         let Layout { model, coordinates, .. } = *self;
         let mut reached = vec![Spatial::ZERO; model.bodies.len()];
-        for hold in &coordinates.order {
-            let body = hold.body;
-            let from = hold.parent.map_or(Vec2::ZERO, |parent| reached[parent].plane());
-            let a = match hold.joint.map(|joint| coordinates.joints[joint]) {
+        for edge in &coordinates.order {
+            let body = edge.body;
+            let from = edge.parent.map_or(Vec2::ZERO, |parent| reached[parent].plane());
+            let a = match edge.joint.map(|joint| coordinates.joints[joint]) {
                 None => coordinates.centre(body, second),
                 Some(joint) => {
                     let across = self.across(motion, second, &joint);
@@ -134,7 +135,7 @@ impl Layout<'_> {
     }
 
     /// `phi_q` as a function of the coordinates.
-    fn jacobian(&mut self, motion: &Motion) -> Vec<SparseRow> {
+    fn phi_q(&mut self, motion: &Motion) -> Vec<SparseRow> {
         let entries: Vec<Expr> = self.equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
         let mut entries = algebra::substitute(&entries, &motion.substitution).into_iter();
         let row = |row: &SparseRow| row.iter().map(|&(k, _)| k).zip(entries.by_ref()).collect();
@@ -192,13 +193,13 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
 }
 
 /// Second derivatives of all unknowns from those of the coordinates.
-fn second_derivatives(motion: &Motion, of_drivers: &[Expr]) -> Vec<Expr> {
+fn second_derivatives(motion: &Motion, of_independent: &[Expr]) -> Vec<Expr> {
     // With a pace, what the velocities ask for is over its square.
     let square = motion.pace.map_or(Expr::ONE, Expr::squared);
     let gains = motion.gain.iter().zip(&motion.bias);
     let values = gains.map(|(gains, &bias)| {
         let mut terms = vec![square * bias];
-        let moving = gains.iter().zip(of_drivers).filter(|(gain, _)| !gain.is_zero());
+        let moving = gains.iter().zip(of_independent).filter(|(gain, _)| !gain.is_zero());
         terms.extend(moving.map(|(&gain, &value)| gain * value));
         algebra::sum(&terms)
     });

@@ -70,7 +70,7 @@ pub(crate) struct Augmented {
 
 /// Lays out the linearised equations of a tree; nothing where df/dx is small.
 pub(crate) fn augmented(model: &Model, equations: &Equations, motion: &Motion) -> Option<Augmented> {
-    if 2 * motion.drivers.len() + equations.x.len() <= MOST_FULL {
+    if 2 * motion.independent.len() + equations.x.len() <= MOST_FULL {
         return None;
     }
     Some(laid_out(model, equations, motion))
@@ -113,20 +113,20 @@ fn known(
     let mut pairs = motion.substitution.clone();
     let (mut outward, mut inward) = (Vec::new(), Vec::new());
     let mut reached = vec![Vec2::ZERO; model.bodies.len()];
-    for (hold, way) in coordinates.order.iter().zip(ways) {
-        let start = hold.parent.map_or(Vec2::ZERO, |parent| reached[parent]);
-        reached[hold.body] = (start + way.acceleration).named("a");
-        outward.extend(reached[hold.body].components());
+    for (edge, way) in coordinates.order.iter().zip(ways) {
+        let start = edge.parent.map_or(Vec2::ZERO, |parent| reached[parent]);
+        reached[edge.body] = (start + way.acceleration).named("a");
+        outward.extend(reached[edge.body].components());
     }
     let mut passed = vec![Vec2::ZERO; model.bodies.len()];
-    for hold in coordinates.order.iter().rev() {
-        let body = hold.body;
+    for edge in coordinates.order.iter().rev() {
+        let body = edge.body;
         let [fx, fy, _] = applied[body];
         let inertial = model.bodies[body].mass * (reached[body] - model.gravity);
         let force = (passed[body] + (inertial - Vec2::new(fx, fy))).named("force");
         inward.extend(force.components());
         pairs.extend(unknowns.forces[body].components().into_iter().zip(force.components()));
-        if let Some(parent) = hold.parent {
+        if let Some(parent) = edge.parent {
             passed[parent] += force;
         }
     }

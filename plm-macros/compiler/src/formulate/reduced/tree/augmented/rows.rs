@@ -6,7 +6,7 @@ use plm_cas::{Expr, Vec2, algebra};
 
 use super::Part;
 use super::unknowns::{Kind, Unknowns};
-use crate::formulate::reduced::joints::coordinates::{Coordinates, Hold};
+use crate::formulate::reduced::joints::coordinates::{Coordinates, TreeEdge};
 use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
 
@@ -14,7 +14,7 @@ use crate::model::Model;
 pub(crate) struct Way {
     /// The coordinates that it depends on.
     touched: Vec<usize>,
-    place: Vec2,
+    position: Vec2,
     speed: Vec2,
     pub(crate) acceleration: Vec2,
 }
@@ -26,7 +26,7 @@ type Terms = BTreeMap<(usize, usize, Part), Expr>;
 pub(crate) fn terms(model: &Model, motion: &Motion, unknowns: &Unknowns) -> (Vec<Way>, Terms) {
     let coordinates = motion.coordinates;
     let mut work = Rows { model, coordinates: motion.coordinates, motion, unknowns, terms: Terms::new() };
-    let ways: Vec<Way> = coordinates.order.iter().map(|hold| work.way(hold)).collect();
+    let ways: Vec<Way> = coordinates.order.iter().map(|edge| work.way(edge)).collect();
     work.kinematics(&ways);
     work.forces();
     work.virtual_power(&ways);
@@ -60,9 +60,9 @@ impl Rows<'_> {
     }
 
     /// From G of the body that holds it, or from the origin, to G of a body.
-    fn way(&mut self, hold: &Hold) -> Way {
-        let place = self.place(hold);
-        let symbols = algebra::symbols(&place.components());
+    fn way(&mut self, edge: &TreeEdge) -> Way {
+        let position = self.position(edge);
+        let symbols = algebra::symbols(&position.components());
         let touches = |k: &usize| symbols.binary_search(&self.motion.value[*k]).is_ok();
         let touched: Vec<usize> = (0..self.motion.value.len()).filter(touches).collect();
         let mut flow = vec![(self.model.time, Expr::ONE)];
@@ -71,14 +71,14 @@ impl Rows<'_> {
             flow.extend([(value, speed), (speed, self.unknowns.accelerations[k])]);
         }
         let rate = |of: Vec2| of.map(|component| component.directional(&flow));
-        let speed = rate(place);
-        Way { touched, place, speed, acceleration: rate(speed) }
+        let speed = rate(position);
+        Way { touched, position, speed, acceleration: rate(speed) }
     }
 
-    fn place(&mut self, hold: &Hold) -> Vec2 {
+    fn position(&mut self, edge: &TreeEdge) -> Vec2 {
         let Rows { model, coordinates, motion, .. } = self;
-        let Some(joint) = hold.joint else {
-            let declared = &model.bodies[hold.body];
+        let Some(joint) = edge.joint else {
+            let declared = &model.bodies[edge.body];
             return Vec2::new(declared.q[0], declared.q[1]);
         };
         let joint = coordinates.joints[joint];
@@ -91,12 +91,12 @@ impl Rows<'_> {
         let (class, back) = coordinates.arm(model, joint.b);
         let back = motion.turned(class, back);
         let way = out - back;
-        if joint.b.body == Some(hold.body) { way } else { -way }
+        if joint.b.body == Some(edge.body) { way } else { -way }
     }
 
     /// Accelerations, velocities and places of bodies follow from those of the bodies that hold them.
     fn kinematics(&mut self, ways: &[Way]) {
-        for (hold, way) in self.coordinates.order.iter().zip(ways) {
+        for (edge, way) in self.coordinates.order.iter().zip(ways) {
             let of = |body: usize, kind: Kind| {
                 let declared = &self.model.bodies[body];
                 let [x, y, _] = match kind {
@@ -106,11 +106,11 @@ impl Rows<'_> {
                 };
                 Vec2::new(x, y)
             };
-            let moved = [way.acceleration, way.speed, way.place];
+            let moved = [way.acceleration, way.speed, way.position];
             for (kind, moved) in [Kind::Acceleration, Kind::Velocity, Kind::Place].into_iter().zip(moved) {
-                let Some(rows) = self.unknowns.of_body[hold.body].get(&kind).copied() else { continue };
-                let mut value = of(hold.body, kind) - moved;
-                if let Some(parent) = hold.parent {
+                let Some(rows) = self.unknowns.of_body[edge.body].get(&kind).copied() else { continue };
+                let mut value = of(edge.body, kind) - moved;
+                if let Some(parent) = edge.parent {
                     value -= of(parent, kind);
                 }
                 for (row, component) in rows.into_iter().zip(value.components()) {
@@ -124,15 +124,15 @@ impl Rows<'_> {
     fn forces(&mut self) {
         let one = Expr::ONE;
         let minus = -one;
-        for hold in &self.coordinates.order {
-            let declared = &self.model.bodies[hold.body];
-            let rows = self.unknowns.of_body[hold.body][&Kind::Force];
+        for edge in &self.coordinates.order {
+            let declared = &self.model.bodies[edge.body];
+            let rows = self.unknowns.of_body[edge.body][&Kind::Force];
             let against = -declared.mass;
             for i in 0..2 {
                 let (own, _) = self.unknowns.column[&declared.a[i]];
                 self.add_term((rows[i], rows[i], Part::Value), one);
                 self.add_term((rows[i], own, Part::Value), against);
-                if let Some(parent) = hold.parent {
+                if let Some(parent) = edge.parent {
                     let outer = self.unknowns.of_body[parent][&Kind::Force];
                     self.add_term((outer[i], rows[i], Part::Value), minus);
                 }
@@ -148,10 +148,10 @@ impl Rows<'_> {
 
     /// One equation for every coordinate.
     fn virtual_power(&mut self, ways: &[Way]) {
-        for (hold, way) in self.coordinates.order.iter().zip(ways) {
-            let force = self.unknowns.forces[hold.body];
+        for (edge, way) in self.coordinates.order.iter().zip(ways) {
+            let force = self.unknowns.forces[edge.body];
             for &unknown in &way.touched {
-                let along = way.place.diff(self.motion.value[unknown]);
+                let along = way.position.diff(self.motion.value[unknown]);
                 self.add(unknown, force.dot(along));
             }
         }

@@ -84,20 +84,20 @@ impl Unknowns {
         let read: Vec<Expr> = loads.chain(equations.x_dot.iter().copied()).collect();
         let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
         let mut wanted = vec![[false; 2]; model.bodies.len()];
-        for hold in coordinates.order.iter().rev() {
-            let declared = &model.bodies[hold.body];
+        for edge in coordinates.order.iter().rev() {
+            let declared = &model.bodies[edge.body];
             for (k, symbols) in [declared.q, declared.v].into_iter().enumerate() {
-                wanted[hold.body][k] |= symbols[..2].iter().any(|symbol| read.contains(symbol));
+                wanted[edge.body][k] |= symbols[..2].iter().any(|symbol| read.contains(symbol));
             }
             // Those of a body that hangs on nothing are coordinates.
-            if hold.joint.is_none() {
+            if edge.joint.is_none() {
                 continue;
             }
             for (k, kind) in [Kind::Place, Kind::Velocity].into_iter().enumerate() {
-                if wanted[hold.body][k] {
+                if wanted[edge.body][k] {
                     let [x, y, _] = [declared.q, declared.v][k];
-                    self.add(hold.body, kind, Vec2::new(x, y));
-                    if let Some(parent) = hold.parent {
+                    self.add(edge.body, kind, Vec2::new(x, y));
+                    if let Some(parent) = edge.parent {
                         wanted[parent][k] = true;
                     }
                 }
@@ -110,11 +110,11 @@ impl Unknowns {
     pub(crate) fn order(&self, coordinates: &Coordinates) -> Vec<usize> {
         let n = coordinates.unknowns.len();
         let mut order: Vec<usize> = (n..n + self.states).collect();
-        for hold in coordinates.order.iter().rev() {
-            order.extend(self.of_body[hold.body].values().flatten());
-            let slide = hold.joint.and_then(|joint| coordinates.joints[joint].slide);
+        for edge in coordinates.order.iter().rev() {
+            order.extend(self.of_body[edge.body].values().flatten());
+            let slide = edge.joint.and_then(|joint| coordinates.joints[joint].slide);
             let own = coordinates.unknowns.iter().enumerate().filter(|(k, unknown)| match **unknown {
-                Unknown::Angle { body, .. } | Unknown::Centre { body, .. } => body == hold.body,
+                Unknown::Angle { body, .. } | Unknown::Centre { body, .. } => body == edge.body,
                 Unknown::Slide { .. } => slide == Some(*k),
             });
             let mut own: Vec<usize> = own.map(|(k, _)| k).collect();

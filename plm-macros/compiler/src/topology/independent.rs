@@ -2,14 +2,14 @@
 
 use super::blocks::{Block, Equation, System};
 
-/// Up to this many sets of drivers are all tried.
+/// Up to this many sets of independent coordinates are all tried.
 const MOST_SETS: usize = 2000;
 
-/// A set of drivers, and how everything else follows from it.
+/// A set of independent coordinates, and how everything else follows from it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Choice {
     /// The unknowns that are given, in order of preference.
-    pub(crate) drivers: Vec<usize>,
+    pub(crate) independent: Vec<usize>,
     /// All others, in the order of solution.
     pub(crate) blocks: Vec<Block>,
     /// Has every block a closed form?
@@ -18,17 +18,17 @@ pub(crate) struct Choice {
     pub(crate) cost: u32,
 }
 
-/// Sets of `freedom` drivers that determine all unknowns `0..n`, the best first: all blocks closed, then the smallest
+/// Sets of `freedom` independent coordinates that determine all unknowns `0..n`, the best first: all blocks closed, then the smallest
 /// largest block, then cost, then preference.
 ///
 /// `candidates` are distinct unknowns in order of preference. `cost` of a block is `None` where no closed form is
 /// known. With rows in excess no set is complete and none is returned, so redundant rows must be gone before.
 ///
-/// A candidate that stands in no equation is always a driver. Of the others, all sets are tried if they are few;
-/// otherwise a set is grown greedily, and listed with all sets that differ from it by one driver. The growth completes
-/// wherever a complete set exists, since sets of drivers are independent sets of a matroid (J. Edmonds,
+/// A candidate that stands in no equation is always one. Of the others, all sets are tried if they are few;
+/// otherwise a set is grown greedily, and listed with all sets that differ from it by one coordinate. The growth completes
+/// wherever a complete set exists, since sets of independent coordinates are independent sets of a matroid (J. Edmonds,
 /// D. R. Fulkerson, Transversals and matroid partition, J. Res. NBS 69B, 1965).
-pub(crate) fn drivers(
+pub(crate) fn independent_sets(
     n: usize,
     equations: &[Equation],
     freedom: usize,
@@ -53,7 +53,7 @@ pub(crate) fn drivers(
 /// What decides between sets, the lesser being the better: how they solve, then their places in the preference.
 type Rank = (Score, Vec<usize>);
 
-/// How well a set of drivers solves, the lesser the better: is a block not closed, the unknowns of the largest block,
+/// How well a set of independent coordinates solves, the lesser the better: is a block not closed, the unknowns of the largest block,
 /// the cost.
 type Score = (bool, usize, u32);
 
@@ -71,13 +71,13 @@ impl Search<'_> {
     /// The choice of some open places, if it determines everything.
     fn choice(&self, set: &[usize]) -> Option<(Rank, Choice)> {
         let places = self.with_forced(set);
-        let drivers = self.unknowns(&places);
-        let split = self.system.split(&drivers);
+        let independent = self.unknowns(&places);
+        let split = self.system.split(&independent);
         if !split.free.is_empty() || !split.excess.is_empty() {
             return None;
         }
         let score = self.score(&split.blocks);
-        let choice = Choice { drivers, blocks: split.blocks, closed: !score.0, cost: score.2 };
+        let choice = Choice { independent, blocks: split.blocks, closed: !score.0, cost: score.2 };
         Some(((score, places), choice))
     }
 
@@ -177,11 +177,11 @@ mod tests {
     }
 
     fn all(n: usize, equations: &[Equation], freedom: usize) -> Vec<Choice> {
-        drivers(n, equations, freedom, &(0..n).collect::<Vec<_>>(), &dyads)
+        independent_sets(n, equations, freedom, &(0..n).collect::<Vec<_>>(), &dyads)
     }
 
     fn closed(choices: &[Choice]) -> Vec<&[usize]> {
-        choices.iter().filter(|choice| choice.closed).map(|choice| choice.drivers.as_slice()).collect()
+        choices.iter().filter(|choice| choice.closed).map(|choice| choice.independent.as_slice()).collect()
     }
 
     /// Closed from the crank and from the four bars that form dyads with it and the ground; from every other bar, the
@@ -190,7 +190,7 @@ mod tests {
     fn quadrorhomb_is_driven_by_its_crank() {
         let choices = all(13, &quadrorhomb().closures(), 1);
         assert_eq!(choices.len(), 13);
-        assert_eq!(choices[0].drivers, [0]);
+        assert_eq!(choices[0].independent, [0]);
         assert_eq!((choices[0].blocks.len(), choices[0].cost), (6, 12));
         assert_eq!(closed(&choices), [[0], [1], [2], [3], [4]]);
     }
@@ -198,7 +198,7 @@ mod tests {
     fn every_bar_of_a_four_bar_drives_it() {
         let choices = all(3, &four_bar().closures(), 1);
         assert_eq!(closed(&choices), [[0], [1], [2]]);
-        let preferred = drivers(3, &four_bar().closures(), 1, &[2, 0], &dyads);
+        let preferred = independent_sets(3, &four_bar().closures(), 1, &[2, 0], &dyads);
         assert_eq!(closed(&preferred), [[2], [0]]);
     }
 
@@ -222,7 +222,7 @@ mod tests {
     fn no_bar_drives_the_double_butterfly_in_closed_form() {
         let choices = all(7, &double_butterfly().closures(), 1);
         assert_eq!((choices.len(), closed(&choices).len()), (7, 0));
-        assert_eq!((choices[0].drivers[0], choices[0].cost), (0, 0));
+        assert_eq!((choices[0].independent[0], choices[0].cost), (0, 0));
     }
 
     #[test]
@@ -235,28 +235,28 @@ mod tests {
     #[test]
     fn the_cheaper_block_wins() {
         let dear = |block: &Block| Some(if block.unknowns.contains(&1) { 5 } else { 3 });
-        let choices = drivers(3, &four_bar().closures(), 1, &[0, 1, 2], &dear);
+        let choices = independent_sets(3, &four_bar().closures(), 1, &[0, 1, 2], &dear);
         assert_eq!(
-            choices.iter().map(|choice| (choice.drivers[0], choice.cost)).collect::<Vec<_>>(),
+            choices.iter().map(|choice| (choice.independent[0], choice.cost)).collect::<Vec<_>>(),
             [(1, 3), (0, 5), (2, 5)]
         );
     }
 
-    /// Two four-bars and a bar in no loop: one driver in each, and the bar.
+    /// Two four-bars and a bar in no loop: one coordinate in each, and the bar.
     #[test]
-    fn sets_take_a_driver_from_each_part() {
+    fn sets_take_a_coordinate_from_each_part() {
         let pair = |unknowns: [usize; 3]| Equation { unknowns: unknowns.to_vec(), rows: 2 };
         let both = [pair([0, 1, 2]), pair([4, 5, 6])];
         let choices = all(7, &both, 3);
         assert_eq!(choices.len(), 9);
-        assert_eq!(choices[0].drivers, [0, 3, 4]);
-        assert!(choices.iter().all(|choice| choice.closed && choice.drivers.contains(&3)));
+        assert_eq!(choices[0].independent, [0, 3, 4]);
+        assert!(choices.iter().all(|choice| choice.closed && choice.independent.contains(&3)));
         assert!(all(7, &both, 2).is_empty());
         assert!(all(7, &both, 4).is_empty());
     }
 
     #[test]
-    fn a_truss_needs_no_driver_and_a_redundant_loop_has_none() {
+    fn a_truss_needs_no_coordinate_and_a_redundant_loop_has_none() {
         let closures = three_cranks().closures();
         assert_eq!(all(4, &closures, 0).len(), 1);
         assert!(all(4, &closures, 1).is_empty());
@@ -277,8 +277,8 @@ mod tests {
         let mut candidates: Vec<usize> = (0..50).collect();
         candidates.sort_by_key(|unknown| unknown % 5 < 3);
         assert!(count(50, 10) > MOST_SETS);
-        let choices = drivers(50, &equations, 10, &candidates, &dyads);
-        assert_eq!(choices[0].drivers, (0..10).map(|copy| 5 * copy).collect::<Vec<_>>());
+        let choices = independent_sets(50, &equations, 10, &candidates, &dyads);
+        assert_eq!(choices[0].independent, (0..10).map(|copy| 5 * copy).collect::<Vec<_>>());
         assert_eq!(closed(&choices).len(), 1 + 10 * 2);
     }
 

@@ -18,18 +18,18 @@ const ANYWHERE: f64 = 1e30;
 
 impl Layout<'_> {
     /// `memory` of a state, returning the square of the measure.
-    pub(crate) fn look(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
-        let drivers = 0..motion.drivers.len();
+    pub(crate) fn remember(&mut self, scheme: &Scheme, motion: &Motion) -> Function {
         let mut boxes: Vec<[Expr; 2]> = Vec::new();
-        for driver in drivers {
+        for coordinate in 0..motion.independent.len() {
             // Where a rate vanishes it does not stay so: the coordinate itself must not go far either.
-            let own = motion.drivers[driver];
+            let own = motion.independent[coordinate];
             let slides = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
             let own_rate = if slides { motion.length.recip() } else { Expr::ONE };
-            let reach = self.reach(scheme, motion, (&|unknown| motion.gain[unknown][driver], Some(own_rate)));
+            let reach =
+                self.reach(scheme, motion, (&|unknown| motion.gain[unknown][coordinate], Some(own_rate)));
             boxes.push([motion.value[own], reach]);
         }
-        let mut reach = self.reach(scheme, motion, (&|unknown| motion.drift[unknown], None));
+        let mut reach = self.reach(scheme, motion, (&|unknown| motion.time_rate[unknown], None));
         if self.coordinates.moves_with(self.model.time) {
             // What is prescribed may rest now and move later: every state is looked at.
             reach = -reach;
@@ -67,12 +67,12 @@ impl Layout<'_> {
             return Expr::from(Number::from_f64(ANYWHERE));
         };
         let (part, whole) = CALM;
-        let coordinates = i64::try_from(motion.drivers.len()).unwrap_or(1).max(1);
+        let coordinates = i64::try_from(motion.independent.len()).unwrap_or(1).max(1);
         Expr::from(part) / Expr::from(whole * coordinates) / fastest
     }
 
     /// The same of a pose and velocity, but for how far the coordinates may move.
-    pub(crate) fn survey(&mut self, scheme: &Scheme) -> Function {
+    pub(crate) fn remember_pose(&mut self, scheme: &Scheme) -> Function {
         let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
         let solutions = scheme.loops().filter_map(|group| group.at_pose(&motion));
         let solutions: Vec<Solution> = solutions.collect();
@@ -81,7 +81,7 @@ impl Layout<'_> {
         flow.push((self.model.time, Expr::ONE));
         let areas = solutions.iter().map(|solution| solution.determinant).collect();
         motion.rate = algebra::directionals(&motion.value, &flow);
-        let places = scheme.drivers.iter().map(|&driver| [motion.value[driver], Expr::ZERO]);
+        let places = scheme.independent.iter().map(|&coordinate| [motion.value[coordinate], Expr::ZERO]);
         let boxes = places.chain([[self.model.time, Expr::ZERO]]).collect();
         self.remembered(&motion, (boxes, areas), &solutions)
     }

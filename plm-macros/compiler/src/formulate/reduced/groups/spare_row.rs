@@ -13,7 +13,7 @@ use crate::formulate::reduced::motion::solution::Solution;
 
 /// The one unknown of a loop.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Single {
+pub(crate) struct SpareRow {
     /// The loop.
     pub(crate) closure: usize,
     pub(crate) unknown: usize,
@@ -21,14 +21,14 @@ pub(crate) struct Single {
     class: usize,
 }
 
-impl Single {
-    pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknown: usize) -> Option<Single> {
+impl SpareRow {
+    pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknown: usize) -> Option<SpareRow> {
         let class = match coordinates.unknowns[unknown] {
             Unknown::Angle { class, .. } => class,
             Unknown::Slide { .. } => coordinates.closures[closure].slide(unknown)?.0,
             Unknown::Centre { .. } => return None,
         };
-        Some(Single { closure, unknown, class })
+        Some(SpareRow { closure, unknown, class })
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.

@@ -9,11 +9,11 @@ use plm_cas::{Expr, Function, Node, algebra};
 
 use super::causes;
 use super::kinks::{self, Kink};
-use crate::model::{Jump, Model, Side};
+use crate::model::{Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
 /// its place. Gives each condition and what stands for it.
-pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
+pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
     let kinks = kinks::kinks(model);
     let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect();
@@ -24,17 +24,17 @@ pub(crate) fn hold(model: &mut Model) -> Vec<(Expr, Expr)> {
         if instant(model, difference).is_none() && !jumps(&roots, condition, difference) {
             model.kinks.push(difference);
         } else {
-            pairs.push((condition, side(model, difference, name)));
+            pairs.push((condition, switch(model, difference, name)));
         }
     }
     let jumps = hold_rows(model, kinks, &mut pairs);
     bends(model, &roots);
     if !pairs.is_empty() {
         // Conditions of the state stand before those of the time, as the guards do.
-        model.sides.sort_by_key(|side| side.instant.is_some());
+        model.switches.sort_by_key(|switch| switch.instant.is_some());
         for (symbol, jump) in jumps {
-            let index = model.sides.iter().position(|side| side.symbol == symbol);
-            model.jumps.extend(index.map(|side| Jump { side, ..jump }));
+            let index = model.switches.iter().position(|switch| switch.symbol == symbol);
+            model.jumps.extend(index.map(|switch| Jump { switch, ..jump }));
         }
         substitute(model, &pairs);
     }
@@ -98,22 +98,22 @@ fn bends(model: &mut Model, roots: &[Expr]) {
         let moves = known && read.iter().any(|symbol| moving.contains(symbol));
         let opposite = -kink;
         let same = |expr: Expr| expr == kink || expr == opposite;
-        let is_held = model.sides.iter().any(|side| same(side.difference));
+        let is_held = model.switches.iter().any(|switch| same(switch.difference));
         if moves && !is_held && !model.kinks.iter().any(|other| same(*other)) {
             model.kinks.push(kink);
         }
     }
 }
 
-/// A new side of the condition `difference < 0`, and the condition that stands for that: `side < 0`.
-fn side(model: &mut Model, difference: Expr, name: String) -> Expr {
-    let symbol = Expr::symbol(format!("side_{}", model.sides.len()));
+/// A new switch of the condition `difference < 0`, and the condition that stands for that: `switch < 0`.
+fn switch(model: &mut Model, difference: Expr, name: String) -> Expr {
+    let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
     let instant = instant(model, difference);
-    model.sides.push(Side { symbol, difference, instant, name, must_hold: false });
+    model.switches.push(Switch { symbol, difference, instant, name, must_hold: false });
     symbol.less(Expr::ZERO)
 }
 
-/// Sides of the conditions in rows; gives what may jump there, with the symbols of these sides.
+/// Switches of the conditions in rows; gives what may jump there, with the symbols of these switches.
 fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>) -> Vec<(Expr, Jump)> {
     let mut jumps = Vec::new();
     for Kink { condition, difference, row, jumps: of_rows, bends } in kinks {
@@ -122,7 +122,7 @@ fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>)
             Some(held) => held,
             None if instant(model, difference).is_none() && !bends => continue,
             None => {
-                let held = side(model, difference, model.rows[row].name.clone());
+                let held = switch(model, difference, model.rows[row].name.clone());
                 pairs.push((condition, held));
                 held
             }

@@ -7,19 +7,19 @@ use crate::model::Model;
 
 /// `g`: positive as long as the side that is held applies, then what kinks bend at; symbols are replaced by `substitution`.
 pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)]) -> Function {
-    let of_state = model.sides.iter().filter(|side| side.instant.is_none());
+    let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
     let differences: Vec<Expr> =
-        of_state.clone().map(|side| side.difference).chain(model.kinks.iter().copied()).collect();
+        of_state.clone().map(|switch| switch.difference).chain(model.kinks.iter().copied()).collect();
     let mut g = algebra::substitute(&differences, substitution);
-    for (g, side) in g.iter_mut().zip(of_state) {
-        *g = side.symbol * *g;
+    for (g, switch) in g.iter_mut().zip(of_state) {
+        *g = switch.symbol * *g;
     }
     Function::of_array("g", &g).optimise()
 }
 
 /// `at` and `slope` of the conditions of the time: when each of them changes, s, and how fast what it compares does then.
 pub(crate) fn instants(model: &Model) -> Function {
-    let instants = model.sides.iter().filter_map(|side| side.instant);
+    let instants = model.switches.iter().filter_map(|switch| switch.instant);
     let (at, slope): (Vec<Expr>, Vec<Expr>) = instants.map(|[at, slope]| (at, slope)).unzip();
     let mut results = stored("at", at.iter());
     results.extend(stored("slope", slope.iter()));
