@@ -70,7 +70,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         loads: Vec::new(),
         states,
         outputs,
-        sizes: Vec::new(),
+        instances: Vec::new(),
         files: Vec::new(),
         sides: Vec::new(),
         kinks: Vec::new(),

@@ -7,3 +7,4 @@ pub(super) mod outputs;
 pub(super) mod solved;
 pub(super) mod start;
 pub(super) mod state;
+pub(super) mod tables;
