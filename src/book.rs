@@ -19,6 +19,7 @@ pages! {
     Repeat = "language/repeat.md";
     Declaration = "language/declaration.md";
     Assembly = "running/assembly.md";
+    Described = "running/described.md";
     Integrators = "running/integrators.md";
     Methods = "running/methods.md";
     Scalars = "running/scalars.md";

@@ -41,9 +41,9 @@ pub use plm_macros::{mechanism, parts};
 pub use plm_runtime as runtime;
 pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
-    BodyMotion, BodyStart, BodyState, Cause, Dop853, Dopri5, Fault, Mechanism, Method, Moment, Names, Notice,
-    Observed, Operations, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System,
-    to_absolute, to_relative,
+    BodyMotion, BodyStart, BodyState, Cause, Described, Dop853, Dopri5, Fault, Mechanism, Method, Moment,
+    Names, Notice, Observed, Operations, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats,
+    System, to_absolute, to_relative,
 };
 #[cfg(feature = "analysis")]
 mod auto;

@@ -18,6 +18,7 @@
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
 //! | [`limits`] | what parameters may be |
 //! | [`ports`] | inputs and outputs by number |
+//! | [`described`] | bodies, parts, parameters and all that is observed, by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`tube`] | numbers over an interval of time |
@@ -34,6 +35,7 @@ pub mod absolute;
 mod axes;
 mod body;
 pub mod charts;
+pub mod described;
 pub mod dual;
 pub mod events;
 pub mod fault;
@@ -61,6 +63,7 @@ pub mod workspace;
 pub use absolute::{Absolute, Assembly};
 pub use axes::{to_absolute, to_relative};
 pub use body::{BodyMotion, BodyState};
+pub use described::Described;
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
 pub use limits::{Least, Limit};

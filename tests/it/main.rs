@@ -9,6 +9,7 @@ mod brief;
 mod carried;
 mod compliance;
 mod derivatives;
+mod described;
 mod feedback;
 mod kinks;
 mod language;

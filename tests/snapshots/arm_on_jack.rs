@@ -50,8 +50,8 @@ mod plm_arm_on_jack_ {
     mod code_ {
         use super::type_::ArmOnJack;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,12 +117,6 @@ mod plm_arm_on_jack_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 55, mul: 89, div: 16, sqrt: 9, sin_cos: 1, other: 22 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -225,6 +219,36 @@ mod plm_arm_on_jack_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 3] {
                 [self.press_chamber1_pressure(), self.press_chamber2_pressure(), self.ram_length()]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 3] =
+                [("press.chamber1.pressure", "Pa"), ("press.chamber2.pressure", "Pa"), ("ram.length", "m")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.press_chamber1_pressure(),
+                        1 => state.press_chamber2_pressure(),
+                        2 => state.ram_length(),
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -789,6 +813,276 @@ mod plm_arm_on_jack_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for ArmOnJack<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "ArmOnJack",
+                docs: "The arm of the manual, section 3.2.1.",
+                report: described::Report {
+                    rung: 2,
+                    formulation: "joint coordinates",
+                    reason: "the joints make a tree, so that no constraint is left",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[described::Body {
+                    name: "arm",
+                    ports: &["tip", "jack", "o0"],
+                    contour: 0,
+                    first: 0,
+                }],
+                ground: &[
+                    described::GroundPort { name: "o0", moves: false, first: 12 },
+                    described::GroundPort { name: "foot", moves: false, first: 16 },
+                ],
+                parts: &[
+                    described::Part {
+                        name: "hinge",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 2 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 20,
+                    },
+                    described::Part {
+                        name: "ram",
+                        kind: "jack",
+                        pair: None,
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 1 },
+                            described::Frame { argument: "b", body: Some(0), port: 1 },
+                        ],
+                        sizes: &["free_length", "piston_diameter", "rod_diameter"],
+                        first: 21,
+                    },
+                    described::Part {
+                        name: "press",
+                        kind: "cylinder",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                    described::Part {
+                        name: "line1",
+                        kind: "oil_line",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                    described::Part {
+                        name: "line2",
+                        kind: "oil_line",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                    described::Part {
+                        name: "valve",
+                        kind: "servo_valve",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                    described::Part {
+                        name: "pump",
+                        kind: "oil_source",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                    described::Part {
+                        name: "tank",
+                        kind: "oil_tank",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                    described::Part {
+                        name: "command",
+                        kind: "ramps",
+                        pair: None,
+                        frames: &[],
+                        sizes: &[],
+                        first: 24,
+                    },
+                ],
+                parameters: &[
+                    described::Quantity {
+                        name: "g",
+                        docs: "Acceleration of gravity; the manual's other runs had 9.80665 m/s^2.",
+                        unit: "m/s^2",
+                        factor: 1.0,
+                        exponents: [1, 0, -2, 0, 0, 0, 0],
+                        default: Some(9.81),
+                    },
+                    described::Quantity {
+                        name: "rated_drop",
+                        docs: "Pressure drop at which the valve lets 20 L/min through: not in the manual.",
+                        unit: "bar",
+                        factor: 100000.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: Some(100000.0),
+                    },
+                    described::Quantity {
+                        name: "gas",
+                        docs: "Share of undissolved gas in the oil: not in the manual.",
+                        unit: "",
+                        factor: 1.0,
+                        exponents: [0, 0, 0, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                ],
+                inputs: &[],
+                states: &[
+                    described::Quantity {
+                        name: "press.chamber1.pressure",
+                        docs: "",
+                        unit: "bar",
+                        factor: 100000.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                    described::Quantity {
+                        name: "press.chamber2.pressure",
+                        docs: "",
+                        unit: "bar",
+                        factor: 100000.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: Some(500000.0),
+                    },
+                    described::Quantity {
+                        name: "line1.flow",
+                        docs: "",
+                        unit: "L/min",
+                        factor: 1.6666666666666667e-5,
+                        exponents: [3, 0, -1, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                    described::Quantity {
+                        name: "line1.inlet.pressure",
+                        docs: "",
+                        unit: "bar",
+                        factor: 100000.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                    described::Quantity {
+                        name: "line2.flow",
+                        docs: "",
+                        unit: "L/min",
+                        factor: 1.6666666666666667e-5,
+                        exponents: [3, 0, -1, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                    described::Quantity {
+                        name: "line2.inlet.pressure",
+                        docs: "",
+                        unit: "bar",
+                        factor: 100000.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: Some(500000.0),
+                    },
+                    described::Quantity {
+                        name: "valve.servo.value",
+                        docs: "",
+                        unit: "",
+                        factor: 1.0,
+                        exponents: [0, 0, 0, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                    described::Quantity {
+                        name: "valve.servo.swing",
+                        docs: "",
+                        unit: "",
+                        factor: 1.0,
+                        exponents: [0, 0, 0, 0, 0, 0, 0],
+                        default: Some(0.0),
+                    },
+                ],
+                outputs: &[
+                    described::Quantity {
+                        name: "press.chamber1.pressure",
+                        docs: "",
+                        unit: "Pa",
+                        factor: 1.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "press.chamber2.pressure",
+                        docs: "",
+                        unit: "Pa",
+                        factor: 1.0,
+                        exponents: [-1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "ram.length",
+                        docs: "",
+                        unit: "m",
+                        factor: 1.0,
+                        exponents: [1, 0, 0, 0, 0, 0, 0],
+                        default: None,
+                    },
+                ],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    100.0, 0.01, 0.0, 0.2, 0.0, 0.0, -0.5, 0.0, 0.0, -0.8, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+                    -0.25, 0.0, 0.0, 0.0, 0.22, 0.0, 0.0,
+                ];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    0 => Some(self.g),
+                    1 => Some(self.rated_drop),
+                    2 => Some(self.gas),
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    0 => Some(&mut self.g),
+                    1 => Some(&mut self.rated_drop),
+                    2 => Some(&mut self.gas),
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 3], [S; 3]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+            }
+
+            fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
+                let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
+                self.instants(&held, &mut at, &mut slope);
+                described::nearest(
+                    t,
+                    &["valve.servo.swing", "valve.servo.swing", "valve.servo.swing", "valve.servo.swing"],
+                    &at,
+                )
             }
         }
 

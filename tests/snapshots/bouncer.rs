@@ -44,8 +44,8 @@ mod plm_bouncer_ {
     mod code_ {
         use super::type_::Bouncer;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,12 +97,6 @@ mod plm_bouncer_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 3, mul: 2, div: 0, sqrt: 0, sin_cos: 0, other: 8 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -178,6 +172,33 @@ mod plm_bouncer_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
                 [self.block_x()]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 1] = [("block.x", "m")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.block_x(),
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -683,6 +704,135 @@ mod plm_bouncer_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for Bouncer<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "Bouncer",
+                docs: "A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.",
+                report: described::Report {
+                    rung: 2,
+                    formulation: "joint coordinates",
+                    reason: "the joints make a tree, so that no constraint is left",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "block", ports: &["o"], contour: 0, first: 0 },
+                    described::Body { name: "clock", ports: &["o"], contour: 0, first: 6 },
+                ],
+                ground: &[described::GroundPort { name: "o", moves: false, first: 12 }],
+                parts: &[
+                    described::Part {
+                        name: "rail",
+                        kind: "prismatic",
+                        pair: Some("prismatic"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &[],
+                        first: 16,
+                    },
+                    described::Part {
+                        name: "other",
+                        kind: "prismatic",
+                        pair: Some("prismatic"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &[],
+                        first: 16,
+                    },
+                    described::Part {
+                        name: "back",
+                        kind: "force",
+                        pair: None,
+                        frames: &[described::Frame { argument: "a", body: Some(0), port: 0 }],
+                        sizes: &[],
+                        first: 16,
+                    },
+                    described::Part {
+                        name: "pulse",
+                        kind: "force",
+                        pair: None,
+                        frames: &[described::Frame { argument: "a", body: Some(1), port: 0 }],
+                        sizes: &[],
+                        first: 16,
+                    },
+                    described::Part {
+                        name: "stop",
+                        kind: "force",
+                        pair: None,
+                        frames: &[described::Frame { argument: "a", body: Some(1), port: 0 }],
+                        sizes: &[],
+                        first: 16,
+                    },
+                ],
+                parameters: &[described::Quantity {
+                    name: "until",
+                    docs: "When the pulse ends.",
+                    unit: "s",
+                    factor: 1.0,
+                    exponents: [0, 0, 1, 0, 0, 0, 0],
+                    default: Some(0.7),
+                }],
+                inputs: &[described::Quantity {
+                    name: "push",
+                    docs: "",
+                    unit: "N",
+                    factor: 1.0,
+                    exponents: [1, 1, -2, 0, 0, 0, 0],
+                    default: Some(0.0),
+                }],
+                states: &[],
+                outputs: &[described::Quantity {
+                    name: "block.x",
+                    docs: "",
+                    unit: "m",
+                    factor: 1.0,
+                    exponents: [1, 0, 0, 0, 0, 0, 0],
+                    default: None,
+                }],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] =
+                    &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    0 => Some(self.until),
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    0 => Some(&mut self.until),
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 6], [S; 6]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+            }
+
+            fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
+                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
+                self.instants(&held, &mut at, &mut slope);
+                described::nearest(t, &["pulse", "pulse"], &at)
             }
         }
 

@@ -46,8 +46,8 @@ mod plm_chain_ {
     mod code_ {
         use super::type_::Chain;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,12 +96,6 @@ mod plm_chain_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 81, mul: 144, div: 4, sqrt: 0, sin_cos: 5, other: 0 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -296,6 +290,33 @@ mod plm_chain_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
                 [self.bar_4_b_y()]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 1] = [("bar[4].b.y", "m")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.bar_4_b_y(),
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -1141,6 +1162,179 @@ mod plm_chain_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for Chain<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "Chain",
+                docs: "A chain of five bars: elimination body by body.",
+                report: described::Report {
+                    rung: 2,
+                    formulation: "joint coordinates",
+                    reason: "the joints make a tree, so that no constraint is left",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "bar[0]", ports: &["a", "b"], contour: 0, first: 0 },
+                    described::Body { name: "bar[1]", ports: &["a", "b"], contour: 0, first: 9 },
+                    described::Body { name: "bar[2]", ports: &["a", "b"], contour: 0, first: 18 },
+                    described::Body { name: "bar[3]", ports: &["a", "b"], contour: 0, first: 27 },
+                    described::Body { name: "bar[4]", ports: &["a", "b"], contour: 0, first: 36 },
+                ],
+                ground: &[described::GroundPort { name: "o", moves: false, first: 45 }],
+                parts: &[
+                    described::Part {
+                        name: "first",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 49,
+                    },
+                    described::Part {
+                        name: "pin[1]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(0), port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 50,
+                    },
+                    described::Part {
+                        name: "pin[2]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(1), port: 1 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 51,
+                    },
+                    described::Part {
+                        name: "pin[3]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(2), port: 1 },
+                            described::Frame { argument: "b", body: Some(3), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 52,
+                    },
+                    described::Part {
+                        name: "pin[4]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(3), port: 1 },
+                            described::Frame { argument: "b", body: Some(4), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 53,
+                    },
+                ],
+                parameters: &[],
+                inputs: &[],
+                states: &[],
+                outputs: &[described::Quantity {
+                    name: "bar[4].b.y",
+                    docs: "",
+                    unit: "m",
+                    factor: 1.0,
+                    exponents: [1, 0, 0, 0, 0, 0, 0],
+                    default: None,
+                }],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    1.0,
+                    0.08333333333333333,
+                    0.0,
+                    -0.5,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.0,
+                    0.0,
+                    1.0,
+                    0.08333333333333333,
+                    0.0,
+                    -0.5,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.0,
+                    0.0,
+                    1.0,
+                    0.08333333333333333,
+                    0.0,
+                    -0.5,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.0,
+                    0.0,
+                    1.0,
+                    0.08333333333333333,
+                    0.0,
+                    -0.5,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.0,
+                    0.0,
+                    1.0,
+                    0.08333333333333333,
+                    0.0,
+                    -0.5,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 15], [S; 15]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
         }
 

@@ -40,8 +40,8 @@ mod plm_double_pendulum_ {
     mod code_ {
         use super::type_::DoublePendulum;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,12 +84,6 @@ mod plm_double_pendulum_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 11, mul: 22, div: 1, sqrt: 0, sin_cos: 2, other: 0 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -207,6 +201,45 @@ mod plm_double_pendulum_ {
                     self.elbow_force()[0],
                     self.elbow_force()[1],
                 ]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 6] = [
+                ("arm.angle", "rad"),
+                ("forearm.angle", "rad"),
+                ("shoulder.force.x", "N"),
+                ("shoulder.force.y", "N"),
+                ("elbow.force.x", "N"),
+                ("elbow.force.y", "N"),
+            ];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.arm_angle(),
+                        1 => state.forearm_angle(),
+                        2 => state.shoulder_force()[0],
+                        3 => state.shoulder_force()[1],
+                        4 => state.elbow_force()[0],
+                        5 => state.elbow_force()[1],
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -711,6 +744,133 @@ mod plm_double_pendulum_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for DoublePendulum<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "DoublePendulum",
+                docs: "The double pendulum of the manual, section 2.2.",
+                report: described::Report {
+                    rung: 2,
+                    formulation: "joint coordinates",
+                    reason: "the joints make a tree, so that no constraint is left",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "arm", ports: &["o0", "p12"], contour: 0, first: 0 },
+                    described::Body { name: "forearm", ports: &["p12"], contour: 0, first: 9 },
+                ],
+                ground: &[described::GroundPort { name: "o0", moves: false, first: 15 }],
+                parts: &[
+                    described::Part {
+                        name: "shoulder",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 19,
+                    },
+                    described::Part {
+                        name: "elbow",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(0), port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 20,
+                    },
+                ],
+                parameters: &[],
+                inputs: &[],
+                states: &[],
+                outputs: &[
+                    described::Quantity {
+                        name: "arm.angle",
+                        docs: "",
+                        unit: "deg",
+                        factor: 0.017453292519943295,
+                        exponents: [0, 0, 0, 0, 0, 0, 1],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "forearm.angle",
+                        docs: "",
+                        unit: "deg",
+                        factor: 0.017453292519943295,
+                        exponents: [0, 0, 0, 0, 0, 0, 1],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "shoulder.force.x",
+                        docs: "What the joint does to `ground`, absolute axes; `arm` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "shoulder.force.y",
+                        docs: "What the joint does to `ground`, absolute axes; `arm` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "elbow.force.x",
+                        docs: "What the joint does to `arm`, absolute axes; `forearm` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "elbow.force.y",
+                        docs: "What the joint does to `arm`, absolute axes; `forearm` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                ],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    10.0, 0.01, 0.0, -0.5, 0.0, 0.0, 0.5, 0.0, 0.0, 10.0, 0.01, 0.0, -1.0, 0.0, 0.0, 0.0,
+                    0.0, 0.0, 0.0, 0.0, 0.0,
+                ];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 6], [S; 6]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
         }
 

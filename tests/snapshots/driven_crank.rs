@@ -10,7 +10,7 @@ mod plm_driven_crank_ {
     /// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.
     ///
     /// 3 bodies, 5 parts: 9 coordinates, 9 constraint rows, F = 3 N - M = 0.
-    /// Rung 1: no freedom is left; the motion follows from the time alone.
+    /// Rung 1: kinematics; no freedom is left, and the motion follows from the time alone.
     /// Chart 0: none; then given crank.angle; RRP rod.angle, guide.displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 1296 bytes of stack in f64.
@@ -46,8 +46,8 @@ mod plm_driven_crank_ {
     mod code_ {
         use super::type_::DrivenCrank;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,12 +94,6 @@ mod plm_driven_crank_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 3, mul: 6, div: 0, sqrt: 0, sin_cos: 2, other: 0 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -208,6 +202,36 @@ mod plm_driven_crank_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 3] {
                 [self.drive_force()[0], self.drive_force()[1], self.torque()]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 3] =
+                [("drive.force.x", "N"), ("drive.force.y", "N"), ("torque", "N*m")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.drive_force()[0],
+                        1 => state.drive_force()[1],
+                        2 => state.torque(),
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -1040,6 +1064,190 @@ mod plm_driven_crank_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for DrivenCrank<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "DrivenCrank",
+                docs: "A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.",
+                report: described::Report {
+                    rung: 1,
+                    formulation: "kinematics",
+                    reason: "no freedom is left, and the motion follows from the time alone",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "crank", ports: &["o", "pin"], contour: 0, first: 0 },
+                    described::Body { name: "rod", ports: &["pin", "wrist"], contour: 0, first: 9 },
+                    described::Body { name: "slider", ports: &["wrist"], contour: 0, first: 18 },
+                ],
+                ground: &[
+                    described::GroundPort { name: "o", moves: true, first: 24 },
+                    described::GroundPort { name: "rail", moves: false, first: 28 },
+                ],
+                parts: &[
+                    described::Part {
+                        name: "drive",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 32,
+                    },
+                    described::Part {
+                        name: "crank_pin",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(0), port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 33,
+                    },
+                    described::Part {
+                        name: "wrist_pin",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(1), port: 1 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 34,
+                    },
+                    described::Part {
+                        name: "guide",
+                        kind: "prismatic",
+                        pair: Some("prismatic"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 1 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &[],
+                        first: 35,
+                    },
+                ],
+                parameters: &[described::Quantity {
+                    name: "amplitude",
+                    docs: "",
+                    unit: "m",
+                    factor: 1.0,
+                    exponents: [1, 0, 0, 0, 0, 0, 0],
+                    default: Some(0.01),
+                }],
+                inputs: &[],
+                states: &[],
+                outputs: &[
+                    described::Quantity {
+                        name: "drive.force.x",
+                        docs: "What the joint does to `ground`, absolute axes; `crank` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "drive.force.y",
+                        docs: "What the joint does to `ground`, absolute axes; `crank` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "torque",
+                        docs: "",
+                        unit: "N*m",
+                        factor: 1.0,
+                        exponents: [2, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                ],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    0.2,
+                    0.001,
+                    0.0,
+                    -0.1,
+                    0.0,
+                    0.0,
+                    0.1,
+                    0.0,
+                    0.0,
+                    0.6,
+                    0.018,
+                    0.0,
+                    -0.3,
+                    0.0,
+                    0.0,
+                    0.3,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.001,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    f64::NAN,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ];
+                fn block_0<S: Real>(mechanism: &DrivenCrank<S>, t: S, index: usize) -> Option<S> {
+                    let lit = S::lit;
+                    Some(match index {
+                        25 => {
+                            let amplitude = mechanism.amplitude;
+                            amplitude * (lit(20.0) * t).sin()
+                        }
+                        _ => return None,
+                    })
+                }
+                if let Some(varying) = block_0(self, t, index) {
+                    return Some(varying);
+                }
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    0 => Some(self.amplitude),
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    0 => Some(&mut self.amplitude),
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 9], [S; 9]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
         }
 

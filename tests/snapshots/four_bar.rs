@@ -46,8 +46,8 @@ mod plm_four_bar_ {
     mod code_ {
         use super::type_::FourBar;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,12 +94,6 @@ mod plm_four_bar_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 29, mul: 49, div: 3, sqrt: 1, sin_cos: 1, other: 3 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -220,6 +214,35 @@ mod plm_four_bar_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.drive_force()[0], self.drive_force()[1]]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 2] =
+                [("drive.force.x", "N"), ("drive.force.y", "N")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.drive_force()[0],
+                        1 => state.drive_force()[1],
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -1087,6 +1110,164 @@ mod plm_four_bar_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for FourBar<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "FourBar",
+                docs: "Four-bar linkage: its loop is a dyad, solved in closed form in several charts.",
+                report: described::Report {
+                    rung: 3,
+                    formulation: "joint coordinates",
+                    reason: "the loops are solved in closed form, so that no constraint is left",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "crank", ports: &["a", "b"], contour: 0, first: 0 },
+                    described::Body { name: "coupler", ports: &["b", "c"], contour: 0, first: 9 },
+                    described::Body { name: "rocker", ports: &["d", "c"], contour: 0, first: 18 },
+                ],
+                ground: &[
+                    described::GroundPort { name: "a", moves: false, first: 27 },
+                    described::GroundPort { name: "d", moves: false, first: 31 },
+                ],
+                parts: &[
+                    described::Part {
+                        name: "drive",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 35,
+                    },
+                    described::Part {
+                        name: "crank_coupler",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(0), port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 36,
+                    },
+                    described::Part {
+                        name: "coupler_rocker",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(1), port: 1 },
+                            described::Frame { argument: "b", body: Some(2), port: 1 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 37,
+                    },
+                    described::Part {
+                        name: "pivot",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 1 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 38,
+                    },
+                ],
+                parameters: &[],
+                inputs: &[],
+                states: &[],
+                outputs: &[
+                    described::Quantity {
+                        name: "drive.force.x",
+                        docs: "What the joint does to `ground`, absolute axes; `crank` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "drive.force.y",
+                        docs: "What the joint does to `ground`, absolute axes; `crank` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                ],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    0.3,
+                    0.00225,
+                    0.0,
+                    -0.15,
+                    0.0,
+                    0.0,
+                    0.15,
+                    0.0,
+                    0.0,
+                    0.9,
+                    0.06075,
+                    0.0,
+                    -0.45,
+                    0.0,
+                    0.0,
+                    0.45,
+                    0.0,
+                    0.0,
+                    0.7,
+                    0.028583333333333332,
+                    0.0,
+                    -0.35,
+                    0.0,
+                    0.0,
+                    0.35,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    1.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 9], [S; 9]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
         }
 

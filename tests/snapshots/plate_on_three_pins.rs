@@ -10,7 +10,7 @@ mod plm_plate_on_three_pins_ {
     /// A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.
     ///
     /// 4 bodies, 9 parts: 12 coordinates, 12 constraint rows, F = 3 N - M = 0.
-    /// Rung 1: no freedom is left; the motion follows from the time alone.
+    /// Rung 1: kinematics; no freedom is left, and the motion follows from the time alone.
     /// Chart 0: none; then given crank[0].angle; given crank[1].angle; given crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 2304 bytes of stack in f64.
@@ -47,8 +47,8 @@ mod plm_plate_on_three_pins_ {
     mod code_ {
         use super::type_::PlateOnThreePins;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,12 +97,6 @@ mod plm_plate_on_three_pins_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 200, mul: 271, div: 7, sqrt: 0, sin_cos: 6, other: 2 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -296,6 +290,35 @@ mod plm_plate_on_three_pins_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.slot_2_force()[0], self.slot_2_force()[1]]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 2] =
+                [("slot[2].force.x", "N"), ("slot[2].force.y", "N")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.slot_2_force()[0],
+                        1 => state.slot_2_force()[1],
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -1403,6 +1426,203 @@ mod plm_plate_on_three_pins_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for PlateOnThreePins<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "PlateOnThreePins",
+                docs: "A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.",
+                report: described::Report {
+                    rung: 1,
+                    formulation: "kinematics",
+                    reason: "no freedom is left, and the motion follows from the time alone",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "crank[0]", ports: &["o", "p"], contour: 0, first: 0 },
+                    described::Body { name: "crank[1]", ports: &["o", "p"], contour: 0, first: 9 },
+                    described::Body { name: "crank[2]", ports: &["o", "p"], contour: 0, first: 18 },
+                    described::Body { name: "plate", ports: &["a", "b", "c"], contour: 0, first: 27 },
+                ],
+                ground: &[
+                    described::GroundPort { name: "a", moves: false, first: 39 },
+                    described::GroundPort { name: "b", moves: false, first: 43 },
+                    described::GroundPort { name: "c", moves: false, first: 47 },
+                ],
+                parts: &[
+                    described::Part {
+                        name: "o[0]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 51,
+                    },
+                    described::Part {
+                        name: "o[1]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 52,
+                    },
+                    described::Part {
+                        name: "o[2]",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 2 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 53,
+                    },
+                    described::Part {
+                        name: "slot[0]",
+                        kind: "pin_slot",
+                        pair: Some("pin_slot"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(3), port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 1 },
+                        ],
+                        sizes: &[],
+                        first: 54,
+                    },
+                    described::Part {
+                        name: "slot[1]",
+                        kind: "pin_slot",
+                        pair: Some("pin_slot"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(3), port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 1 },
+                        ],
+                        sizes: &[],
+                        first: 54,
+                    },
+                    described::Part {
+                        name: "slot[2]",
+                        kind: "pin_slot",
+                        pair: Some("pin_slot"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(3), port: 2 },
+                            described::Frame { argument: "b", body: Some(2), port: 1 },
+                        ],
+                        sizes: &[],
+                        first: 54,
+                    },
+                ],
+                parameters: &[],
+                inputs: &[],
+                states: &[],
+                outputs: &[
+                    described::Quantity {
+                        name: "slot[2].force.x",
+                        docs: "What the slot does to `plate` at the point of `crank[2].p`, absolute axes; `crank[2]` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "slot[2].force.y",
+                        docs: "What the slot does to `plate` at the point of `crank[2].p`, absolute axes; `crank[2]` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                ],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    0.3,
+                    0.01,
+                    0.0,
+                    -0.1,
+                    0.0,
+                    0.0,
+                    0.1,
+                    0.0,
+                    0.0,
+                    0.3,
+                    0.01,
+                    0.0,
+                    -0.1,
+                    0.0,
+                    0.0,
+                    0.1,
+                    0.0,
+                    0.0,
+                    0.3,
+                    0.01,
+                    0.0,
+                    -0.1,
+                    0.0,
+                    0.0,
+                    0.1,
+                    0.0,
+                    0.0,
+                    2.0,
+                    0.3,
+                    0.0,
+                    -0.4,
+                    -0.3,
+                    0.6108652381980153,
+                    0.4,
+                    -0.3,
+                    2.443460952792061,
+                    0.0,
+                    0.4,
+                    1.7453292519943295,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    1.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.9,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 12], [S; 12]) = state.pose_();
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
         }
 

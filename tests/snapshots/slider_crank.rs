@@ -42,8 +42,8 @@ mod plm_slider_crank_ {
     mod code_ {
         use super::type_::SliderCrank;
         use ::plm::runtime as rt;
-        use ::plm::runtime::absolute;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
+        use ::plm::runtime::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,12 +88,6 @@ mod plm_slider_crank_ {
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
             Operations { add: 75, mul: 99, div: 7, sqrt: 0, sin_cos: 2, other: 24 };
-        /// Outlines of bodies for pictures: points from G in the axes of the body, m.
-        pub const CONTOURS: [(&'static str, &'static [[f64; 2]]); 0] = [];
-        /// Depths of bodies and of ports of the ground for pictures, along z, m.
-        pub const DEPTHS: [(&'static str, f64); 0] = [];
-        /// Sizes of parts for pictures that are not 0, m.
-        pub const SIZES: [(&'static str, f64); 0] = [];
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -196,6 +190,35 @@ mod plm_slider_crank_ {
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
                 [self.drive_force()[0], self.drive_force()[1]]
+            }
+
+            /// Names and SI units of the outputs and of all that is observed.
+            pub const OBSERVED: [(&'static str, &'static str); 2] =
+                [("drive.force.x", "N"), ("drive.force.y", "N")];
+
+            /// The quantities of these names; `Err` with the first that is not in [`State::OBSERVED`].
+            pub fn find<'n, const K: usize>(names: [&'n str; K]) -> Result<[rt::Observed; K], &'n str> {
+                rt::Observed::find(&Self::OBSERVED, names)
+            }
+
+            /// The values of these quantities, SI; each is worked out when it is asked for.
+            pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+                quantities.map(|quantity| self.column_(quantity.column()))
+            }
+
+            /// The value of a quantity by its number.
+            fn column_(&self, column: usize) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+                    match column {
+                        0 => state.drive_force()[0],
+                        1 => state.drive_force()[1],
+                        _ => S::lit(f64::NAN),
+                    }
+                }
+                match column / 200 {
+                    0 => block_0(self, column),
+                    _ => S::lit(f64::NAN),
+                }
             }
         }
 
@@ -909,6 +932,153 @@ mod plm_slider_crank_ {
                 for output in state.outputs() {
                     each(output);
                 }
+            }
+        }
+
+        impl<S: Real> rt::Described for SliderCrank<S> {
+            const TABLES: &'static described::Tables = &described::Tables {
+                name: "SliderCrank",
+                docs: "Slider-crank in absolute coordinates.",
+                report: described::Report {
+                    rung: 5,
+                    formulation: "absolute coordinates and multipliers, kept on the constraints by projection",
+                    reason: "it is ordered",
+                    operations: OPERATIONS,
+                    degrees_of_freedom: NDOF,
+                },
+                bodies: &[
+                    described::Body { name: "crank", ports: &["o", "pin"], contour: 0, first: 0 },
+                    described::Body { name: "rod", ports: &["pin", "wrist"], contour: 0, first: 9 },
+                    described::Body { name: "slider", ports: &["wrist"], contour: 0, first: 18 },
+                ],
+                ground: &[described::GroundPort { name: "o", moves: false, first: 24 }],
+                parts: &[
+                    described::Part {
+                        name: "drive",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(0), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 28,
+                    },
+                    described::Part {
+                        name: "crank_pin",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(0), port: 1 },
+                            described::Frame { argument: "b", body: Some(1), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 29,
+                    },
+                    described::Part {
+                        name: "wrist_pin",
+                        kind: "revolute",
+                        pair: Some("revolute"),
+                        frames: &[
+                            described::Frame { argument: "a", body: Some(1), port: 1 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &["pin_diameter"],
+                        first: 30,
+                    },
+                    described::Part {
+                        name: "guide",
+                        kind: "prismatic",
+                        pair: Some("prismatic"),
+                        frames: &[
+                            described::Frame { argument: "a", body: None, port: 0 },
+                            described::Frame { argument: "b", body: Some(2), port: 0 },
+                        ],
+                        sizes: &[],
+                        first: 31,
+                    },
+                ],
+                parameters: &[],
+                inputs: &[],
+                states: &[],
+                outputs: &[
+                    described::Quantity {
+                        name: "drive.force.x",
+                        docs: "What the joint does to `ground`, absolute axes; `crank` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                    described::Quantity {
+                        name: "drive.force.y",
+                        docs: "What the joint does to `ground`, absolute axes; `crank` feels the opposite.",
+                        unit: "N",
+                        factor: 1.0,
+                        exponents: [1, 1, -2, 0, 0, 0, 0],
+                        default: None,
+                    },
+                ],
+            };
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            fn figure(&self, t: S, index: usize) -> Option<S> {
+                const CONSTANTS: &[f64] = &[
+                    0.2,
+                    0.0006666666666666666,
+                    0.0,
+                    -0.1,
+                    0.0,
+                    0.0,
+                    0.1,
+                    0.0,
+                    0.0,
+                    0.6,
+                    0.018,
+                    0.0,
+                    -0.3,
+                    0.0,
+                    0.0,
+                    0.3,
+                    0.0,
+                    0.0,
+                    0.5,
+                    0.001,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ];
+                CONSTANTS.get(index).copied().map(S::lit)
+            }
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; 9], [S; 9]) = absolute::split(&state.x);
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
         }
 

@@ -18,6 +18,7 @@ mod report;
 mod resolve;
 pub mod span;
 pub mod syntax;
+mod tables;
 mod text;
 pub mod token;
 mod topology;

@@ -7,6 +7,7 @@
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
+mod instance;
 mod joint;
 mod pair;
 mod step;
@@ -17,6 +18,7 @@ use std::collections::BTreeSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
+pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;
 pub use switch::{Jump, Steady, Switch};
@@ -84,8 +86,8 @@ pub struct Model {
     pub released: Vec<(Expr, Expr)>,
     /// What the user asked to see: first what is declared as an output, then what is observed.
     pub outputs: Vec<Output>,
-    /// Sizes of parts for pictures.
-    pub sizes: Vec<Size>,
+    /// The parts of the declaration; of those inside of them, what joins frames or has sizes.
+    pub instances: Vec<Instance>,
     /// Files that the declaration names.
     pub files: Vec<String>,
     /// Warning codes that the declaration allows, e.g. `W0002`.
@@ -210,15 +212,6 @@ pub struct Body {
     pub contour: Vec<Vec2>,
     /// Depth for pictures, m.
     pub depth: Option<Expr>,
-}
-
-/// A size of a part for pictures.
-#[derive(Clone, Debug)]
-pub struct Size {
-    /// Full name, `push.piston_diameter`.
-    pub name: String,
-    /// Its value, SI; an expression of parameters at most.
-    pub value: Expr,
 }
 
 /// A port of a body.

@@ -31,6 +31,8 @@ pub struct Report {
     /// Rank of `phi_q` with the position locks, and the number of locks, where they are known at compile time.
     pub rank: Option<(usize, usize)>,
     /// The formulation that was taken, and why.
+    pub taken: Taken,
+    /// The same in lines of text, with coordinates and method.
     pub formulation: Vec<String>,
     /// Numbers in the state.
     pub state: usize,
@@ -42,6 +44,17 @@ pub struct Report {
     pub functions: Vec<(&'static str, Count)>,
     /// What assembly did: lines of text.
     pub assembly: Vec<String>,
+}
+
+/// The formulation that was taken.
+#[derive(Clone, Debug)]
+pub struct Taken {
+    /// Its rung, 1 to 5.
+    pub rung: u8,
+    /// What the unknowns are: `joint coordinates`.
+    pub formulation: String,
+    /// Why, in words that go on after it: `the joints make a tree, …`.
+    pub reason: String,
 }
 
 impl Report {
@@ -58,6 +71,7 @@ impl Report {
         let of_tree = program.reduced().and_then(|reduced| reduced.first()?.reactions.as_ref());
         let functions = of_tree.map(|reactions| ("reactions", reactions)).into_iter().chain(functions);
         let coordinates = equations.q.len();
+        let taken = taken(model, reduced.as_ref().map_err(String::as_str));
         let mechanical = program.reduced().map_or(2 * coordinates, |reduced| 2 * reduced.freedom());
         Report {
             name: model.name.text.clone(),
@@ -68,7 +82,8 @@ impl Report {
             states: equations.x.len(),
             freedom: coordinates as isize - equations.phi.len() as isize,
             rank: None,
-            formulation: formulation(model, reduced.as_ref().map_err(String::as_str)),
+            formulation: formulation(model, program.reduced(), &taken),
+            taken,
             state: mechanical + equations.x.len(),
             length: scene.length,
             rate: counted(program.rate()),
@@ -183,8 +198,15 @@ impl std::fmt::Display for Report {
 }
 
 /// The formulation, why it was taken, and which joints are compliant.
-fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
-    let mut lines = rung(model, reduced);
+fn formulation(model: &Model, reduced: Option<&Reduced>, taken: &Taken) -> Vec<String> {
+    let Taken { rung, formulation, reason } = taken;
+    let mut lines = match reduced {
+        Some(reduced) => {
+            let title = format!("Rung {rung}: {formulation}; {reason}.");
+            [title].into_iter().chain(coordinates(reduced)).collect()
+        }
+        None => vec![format!("Rung {rung}: {formulation}, because {reason}.")],
+    };
     let mut giving: Vec<&str> =
         model.compliant.iter().map(|row| model.parts[row.part].name.text.as_str()).collect();
     giving.dedup();
@@ -194,34 +216,35 @@ fn formulation(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
     lines
 }
 
-fn rung(model: &Model, reduced: Result<&Reduced, &str>) -> Vec<String> {
-    match reduced {
-        Ok(reduced) => joint_coordinates(reduced),
-        Err(reason) => {
-            let kept = match model.stabilisation {
-                Stabilisation::Projection => "projection",
-                Stabilisation::Baumgarte(_) => "Baumgarte's method",
-            };
-            vec![format!(
-                "Rung 5: absolute coordinates and multipliers, kept on the constraints by {kept}, because {reason}."
-            )]
-        }
-    }
+/// Which rung it is, what the unknowns are, and why.
+fn taken(model: &Model, reduced: Result<&Reduced, &str>) -> Taken {
+    let joint_coordinates = "joint coordinates";
+    let kept = match model.stabilisation {
+        Stabilisation::Projection => "projection",
+        Stabilisation::Baumgarte(_) => "Baumgarte's method",
+    };
+    let absolute = format!("absolute coordinates and multipliers, kept on the constraints by {kept}");
+    let (rung, formulation, reason) = match reduced {
+        Err(reason) => (5, absolute.as_str(), reason),
+        Ok(reduced) => match (reduced.has_loops(), reduced.freedom()) {
+            (_, 0) => (1, "kinematics", "no freedom is left, and the motion follows from the time alone"),
+            (false, _) => (2, joint_coordinates, "the joints make a tree, so that no constraint is left"),
+            (true, _) if reduced.iterates() => (
+                4,
+                joint_coordinates,
+                "loops that do not split are solved by Newton's iteration from the last state, in a fixed number of steps, so that no constraint is left",
+            ),
+            (true, _) => {
+                (3, joint_coordinates, "the loops are solved in closed form, so that no constraint is left")
+            }
+        },
+    };
+    Taken { rung, formulation: formulation.to_owned(), reason: reason.to_owned() }
 }
 
 /// What joint coordinates there are, chart by chart.
-fn joint_coordinates(reduced: &Reduced) -> Vec<String> {
-    let title = match (reduced.has_loops(), reduced.freedom()) {
-        (_, 0) => "Rung 1: no freedom is left; the motion follows from the time alone.",
-        (false, _) => "Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.",
-        (true, _) if reduced.iterates() => {
-            "Rung 4: joint coordinates; loops that do not split are solved by Newton's iteration from the last state, in a fixed number of steps, so that no constraint is left."
-        }
-        (true, _) => {
-            "Rung 3: joint coordinates; the loops are solved in closed form, so that no constraint is left."
-        }
-    };
-    let mut lines = vec![title.to_owned()];
+fn coordinates(reduced: &Reduced) -> Vec<String> {
+    let mut lines = Vec::new();
     for (k, chart) in reduced.charts.iter().enumerate() {
         let label = if reduced.has_loops() { format!("Chart {k}") } else { "Coordinates".to_owned() };
         let names = if chart.names.is_empty() { "none".to_owned() } else { chart.names.join(", ") };

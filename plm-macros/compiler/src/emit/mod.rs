@@ -126,7 +126,7 @@ fn module(emission: &Emission) -> TokenStream {
         item::input::held,
         item::state::state,
         item::constants::sizes,
-        item::constants::pictures,
+        item::constants::files,
         item::outputs::outputs,
         item::mechanism::constructors,
         item::mechanism::runs,
@@ -144,6 +144,7 @@ fn module(emission: &Emission) -> TokenStream {
         contract::pack::pack,
         contract::linear::linear,
         contract::ports::ports,
+        contract::described::described,
         contract::statics::start_values,
         item::start::placed,
         contract::statics::statics,
@@ -179,7 +180,7 @@ fn module(emission: &Emission) -> TokenStream {
                     BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start
                 };
                 use #path::runtime as rt;
-                use #path::runtime::absolute;
+                use #path::runtime::{absolute, described};
 
                 #(#items)*
             }

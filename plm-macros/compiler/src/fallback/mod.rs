@@ -72,7 +72,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         loads: Vec::new(),
         states,
         outputs,
-        sizes: Vec::new(),
+        instances: Vec::new(),
         files: Vec::new(),
         switches: Vec::new(),
         kinks: Vec::new(),

@@ -1,20 +1,24 @@
-//! Contours, depths and sizes: what pictures need, as constants of the emitted code.
+//! Contours, depths and sizes: what pictures need.
 
+use plm_cas::Expr;
 use plm_compiler::compile;
+use plm_compiler::diag::Diagnostics;
+use plm_compiler::front::parse_and_resolve;
+use plm_compiler::model::Model;
 use plm_compiler::token::Sources;
 
-/// The constant of this name in what is emitted.
-fn constant(text: &str, files: &[(&str, &str)], name: &str) -> String {
-    let mut sources = Sources::new();
+use crate::support::Values;
+
+/// The model of a declaration that names files.
+fn resolve(text: &str, files: &[(&str, &str)]) -> Model {
+    let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
     sources.add_text("declaration", text);
     for (file, content) in files {
         sources.add_file(file, Ok((*content).to_string()));
     }
-    let expansion = compile(&mut sources);
-    assert!(!expansion.diagnostics.has_errors(), "{:?}", expansion.diagnostics.sorted());
-    let text = expansion.code.unwrap().text();
-    let line = text.lines().find(|line| line.contains(&format!("pub const {name}:"))).unwrap();
-    line.split_once(" = ").unwrap().1.to_string()
+    let model = parse_and_resolve(&mut sources, &mut sink);
+    assert!(!sink.has_errors(), "{:?}", sink.sorted());
+    model.unwrap()
 }
 
 const MECHANISM: &str = r#"pub P {
@@ -37,32 +41,49 @@ const MECHANISM: &str = r#"pub P {
 
 const PLATE: &str = "x (mm), y (mm)\n0, 0\n200, 0\n200, 50\n";
 
-/// From G, in the axes of the body, in metres, parameters at their defaults.
+/// In micrometres, so that they can be compared.
+fn micrometres(model: &Model, values: &Values, exprs: &[Expr]) -> Vec<i64> {
+    exprs.iter().map(|&expr| (1e6 * values.at(model, expr)).round() as i64).collect()
+}
+
+/// From G, in the axes of the body; they follow the parameters.
 #[test]
-fn contours_are_constants_from_the_centre_of_gravity() {
-    assert_eq!(
-        constant(MECHANISM, &[("plate.csv", PLATE)], "CONTOURS"),
-        "[(\"arm\", &[[-0.101, -0.01], [-0.08, -0.01], [-0.08, 0.01]]), \
-         (\"drawn\", &[[0.0, 0.0], [0.0, -0.04], [1.0, 0.0]]), \
-         (\"plate\", &[[0.0, 0.0], [0.2, 0.0], [0.2, 0.05]])];"
-    );
+fn contours_count_from_the_centre_of_gravity() {
+    let model = resolve(MECHANISM, &[("plate.csv", PLATE)]);
+    let mut values = Values::of(&model);
+    let contours = |values: &Values| {
+        let points = |body: usize| model.bodies[body].contour.iter().flat_map(|at| at.components());
+        [0, 1, 2].map(|body| micrometres(&model, values, &points(body).collect::<Vec<Expr>>()))
+    };
+    let [arm, drawn, plate] = contours(&values);
+    assert_eq!(arm, [-101_000, -10_000, -80_000, -10_000, -80_000, 10_000]);
+    assert_eq!(drawn, [0, 0, 0, -40_000, 1_000_000, 0]);
+    assert_eq!(plate, [0, 0, 200_000, 0, 200_000, 50_000]);
+    values.set(model.params[0].symbol, 0.1);
+    assert_eq!(contours(&values)[1], [0, 0, 0, -100_000, 1_000_000, 0]);
 }
 
 #[test]
-fn depths_and_sizes_are_constants_where_they_are_given() {
-    let files = [("plate.csv", PLATE)];
-    assert_eq!(
-        constant(MECHANISM, &files, "DEPTHS"),
-        "[(\"arm\", 0.1), (\"ground.o\", -0.2), (\"ground.p\", 0.03)];"
-    );
-    assert_eq!(
-        constant(MECHANISM, &files, "SIZES"),
-        "[(\"first.pin_diameter\", 0.02), (\"push.piston_diameter\", 0.05), (\"push.rod_diameter\", 0.02)];"
-    );
-    let bare = "pub P { body a { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; } }";
-    for name in ["CONTOURS", "DEPTHS", "SIZES"] {
-        assert_eq!(constant(bare, &[], name), "[];");
-    }
+fn depths_and_sizes_stand_where_they_are_given() {
+    let model = resolve(MECHANISM, &[("plate.csv", PLATE)]);
+    let values = Values::of(&model);
+    let depths = model.bodies.iter().map(|body| body.depth).chain(model.ground.iter().map(|port| port.depth));
+    let depths: Vec<_> =
+        depths.map(|depth| depth.map(|depth| micrometres(&model, &values, &[depth])[0])).collect();
+    assert_eq!(depths, [Some(100_000), None, None, Some(-200_000), Some(30_000), None]);
+    let sizes = model.instances.iter().flat_map(|part| part.sizes.iter().map(|size| (&part.name, size)));
+    let sizes = sizes.map(|(part, size)| {
+        (format!("{part}.{}", size.name), micrometres(&model, &values, &[size.value])[0])
+    });
+    let expected = [
+        ("first.pin_diameter", 20_000),
+        ("second.pin_diameter", 0),
+        ("third.pin_diameter", 0),
+        ("push.free_length", 0),
+        ("push.piston_diameter", 50_000),
+        ("push.rod_diameter", 20_000),
+    ];
+    assert_eq!(sizes.collect::<Vec<_>>(), expected.map(|(name, size)| (name.to_owned(), size)));
 }
 
 /// rustc is told of the files, so that cargo builds anew when one changes.

@@ -2,6 +2,7 @@
 
 pub(super) mod absolute;
 pub(super) mod charted;
+pub(super) mod described;
 pub(super) mod limits;
 pub(super) mod linear;
 pub(super) mod moment;

@@ -1,11 +1,9 @@
-//! Sizes, and what pictures need to know: contours, depths, sizes of parts. Parameters have their defaults here.
+//! Sizes as constants, and the files that are read.
 
-use plm_cas::Expr;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::super::{Emission, Sizes, docs, number};
-use crate::numeric::{defaults, value};
+use super::super::{Emission, Sizes, docs};
 
 /// `NQ`, `NC`, `NX`, `NDOF` and `OPERATIONS`.
 pub(crate) fn sizes(emission: &Emission) -> TokenStream {
@@ -26,60 +24,10 @@ pub(crate) fn sizes(emission: &Emission) -> TokenStream {
     }
 }
 
-/// `CONTOURS`, `DEPTHS` and `SIZES`.
-pub(crate) fn pictures(emission: &Emission) -> TokenStream {
-    let Emission { model, .. } = emission;
-    let known = defaults(model);
-    let number = |expr: Expr| match expr.as_number() {
-        Some(number) => number.to_f64(),
-        None => value(expr, &known),
-    };
-    let contours = model.bodies.iter().filter(|body| !body.contour.is_empty()).map(|body| {
-        let points = body.contour.iter().map(|at| format!("[{:?}, {:?}]", number(at.x), number(at.y)));
-        format!("({:?}, &[{}])", body.name.text, points.collect::<Vec<_>>().join(", "))
-    });
-    let of_bodies = model.bodies.iter().map(|body| (body.name.text.clone(), body.depth));
-    let of_ground = model.ground.iter().map(|port| (format!("ground.{}", port.name.text), port.depth));
-    let depths = of_bodies.chain(of_ground).filter_map(|(name, depth)| Some((name, depth?)));
-    let sizes = model.sizes.iter().map(|size| (&size.name, number(size.value))).filter(|of| of.1 != 0.0);
-    let contours = constant(
-        emission,
-        ("CONTOURS", quote!(&'static [[f64; 2]])),
-        "Outlines of bodies for pictures: points from G in the axes of the body, m.",
-        contours.collect(),
-    );
-    let depths = constant(
-        emission,
-        ("DEPTHS", quote!(f64)),
-        "Depths of bodies and of ports of the ground for pictures, along z, m.",
-        depths.map(|(name, depth)| format!("({name:?}, {:?})", number(depth))).collect(),
-    );
-    let sizes = constant(
-        emission,
-        ("SIZES", quote!(f64)),
-        "Sizes of parts for pictures that are not 0, m.",
-        sizes.map(|(name, size)| format!("({name:?}, {size:?})")).collect(),
-    );
-    // The files are read while this is expanded; rustc is told that they matter.
-    let files = &model.files;
+/// The files that the declaration names: they are read while it is expanded, and rustc is told that they matter.
+pub(crate) fn files(emission: &Emission) -> TokenStream {
+    let files = &emission.model.files;
     quote! {
-        #contours
-        #depths
-        #sizes
         #(const _: &[u8] = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/", #files));)*
-    }
-}
-
-fn constant(
-    emission: &Emission,
-    (name, kind): (&str, TokenStream),
-    docs: &str,
-    entries: Vec<String>,
-) -> TokenStream {
-    let (docs, name) = (docs::docs(emission, docs), Ident::new(name, Span::call_site()));
-    let (count, entries) = (number(entries.len()), emission.list(entries));
-    quote! {
-        #docs
-        pub const #name: [(&'static str, #kind); #count] = [#entries];
     }
 }

@@ -9,3 +9,4 @@ pub(super) mod solved;
 pub(super) mod start;
 pub(super) mod state;
 pub(super) mod step;
+pub(super) mod tables;

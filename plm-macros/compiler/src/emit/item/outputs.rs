@@ -21,7 +21,7 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
     let families = families::accessors(emission);
     let branches = branches(emission, &bindings);
     let table = table(emission);
-    let observed = emission.model.outputs.iter().any(|output| !output.declared).then(|| observed(emission));
+    let observed = observed(emission);
     quote! {
         impl<S: Real> State<S> {
             /// Time, s.
@@ -196,6 +196,11 @@ fn observed(emission: &Emission) -> TokenStream {
 
         /// The values of these quantities, SI; each is worked out when it is asked for.
         pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
+            quantities.map(|quantity| self.column_(quantity.column()))
+        }
+
+        /// The value of a quantity by its number.
+        fn column_(&self, column: usize) -> S {
             #(
                 fn #blocks<S: Real>(state: &State<S>, column: usize) -> S {
                     match column {
@@ -204,10 +209,10 @@ fn observed(emission: &Emission) -> TokenStream {
                     }
                 }
             )*
-            quantities.map(|quantity| match quantity.column() / #block {
-                #(#numbers => #blocks(self, quantity.column()),)*
+            match column / #block {
+                #(#numbers => #blocks(self, column),)*
                 _ => S::lit(f64::NAN),
-            })
+            }
         }
     }
 }

@@ -30,7 +30,6 @@ impl<'a> Resolver<'a> {
         let stabilisation = self.evaluate_stabilisation();
         let bodies = self.evaluate_bodies();
         let ground = self.evaluate_ports(None);
-        let sizes = self.evaluate_sizes();
         let rows = self.evaluate_rows();
         let mut loads = self.evaluate_loads();
         let mut states = self.evaluate_states();
@@ -40,6 +39,8 @@ impl<'a> Resolver<'a> {
         self.replace_stand_ins(&mut states, &mut loads, &mut outputs, &mut switches);
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let rows = rows.and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs));
+        // Last of all, so that pictures have no part in the order in which terms are made.
+        let instances = self.evaluate_instances();
         self.warn(declaration, mechanism);
         if self.sink.has_errors() {
             return None;
@@ -71,7 +72,7 @@ impl<'a> Resolver<'a> {
             loads,
             states,
             outputs,
-            sizes: sizes.ok()?,
+            instances: instances.ok()?,
             files: self.files.keys().cloned().collect(),
             switches,
             kinks: Vec::new(),

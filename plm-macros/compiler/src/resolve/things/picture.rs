@@ -4,7 +4,7 @@ use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
 use crate::diag::Code;
-use crate::model::Size;
+use crate::model::{Instance, Pair, Size};
 use crate::outline;
 use crate::resolve::Resolver;
 use crate::resolve::names::{ScopeId, SlotId};
@@ -13,9 +13,10 @@ use crate::span::Span;
 use crate::syntax::ast::{self, Contour, IndexedName};
 use crate::units::Dimension;
 
-/// A size of a part: its name, and the parameter.
+/// A size of a part: the parameter, and whose it is.
 #[derive(Debug)]
 pub(crate) struct SizeDraft {
+    instance: usize,
     name: String,
     slot: SlotId,
     scope: ScopeId,
@@ -26,14 +27,15 @@ impl<'a> Resolver<'a> {
     /// `picture piston_diameter, …;` in a part.
     pub(crate) fn declare_picture(&mut self, scope: ScopeId, names: &'a [IndexedName]) {
         let home = self.names.home(scope);
+        let Some(instance) = self.names.instance(scope) else { return };
         for written in names {
             let Ok(key) = self.key(scope, written) else { continue };
             let span = written.ident.span;
-            let name = format!("{}{key}", self.names.prefix(scope));
             match self.names.scopes[home].names.get(&key).copied() {
                 Some(slot) => {
                     self.names.slots[slot].is_read = true;
-                    self.draft.sizes.push(SizeDraft { name, slot, scope, span });
+                    let name = key.to_string();
+                    self.draft.sizes.push(SizeDraft { instance, name, slot, scope, span });
                 }
                 None => {
                     self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"))
@@ -43,20 +45,50 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The sizes of all parts.
-    pub(crate) fn evaluate_sizes(&mut self) -> Eval<Vec<Size>> {
-        let sizes = std::mem::take(&mut self.draft.sizes);
-        all(sizes.into_iter().map(|SizeDraft { name, slot, scope, span }| {
-            match self.slot_value(slot, scope, span)? {
-                Value::Scalar(size) if size.nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => {
-                    Ok(Size { name, value: size.value })
-                }
-                _ => {
-                    self.error(scope, Code::NotConstant, span, "a picture shows parameters alone");
-                    Err(Failed)
-                }
+    /// What tables tell of the parts: of all in the declaration, and inside of them of those that join frames or have sizes.
+    pub(crate) fn evaluate_instances(&mut self) -> Eval<Vec<Instance>> {
+        let mut sizes: Vec<Vec<Size>> = self.names.instances.iter().map(|_| Vec::new()).collect();
+        let drafts = std::mem::take(&mut self.draft.sizes).into_iter();
+        let known = all(drafts.map(|SizeDraft { instance, name, slot, scope, span }| {
+            self.size(slot, scope, span).map(|value| (instance, Size { name, value }))
+        }));
+        for (instance, size) in known? {
+            sizes[instance].push(size);
+        }
+        let instances = sizes.into_iter().enumerate().filter_map(|(id, sizes)| self.told(id, sizes));
+        Ok(instances.collect())
+    }
+
+    fn size(&mut self, slot: SlotId, scope: ScopeId, span: Span) -> Eval<Expr> {
+        match self.slot_value(slot, scope, span)? {
+            Value::Scalar(size) if size.nature.reads.beyond(Reads::FIXED) == Reads::NOTHING => Ok(size.value),
+            _ => {
+                self.error(scope, Code::NotConstant, span, "a picture shows parameters alone");
+                Err(Failed)
             }
-        }))
+        }
+    }
+
+    /// A part in use, if tables tell of it.
+    fn told(&mut self, id: usize, sizes: Vec<Size>) -> Option<Instance> {
+        let instance = &self.names.instances[id];
+        let (definition, outer, name) = (instance.definition, instance.outer, instance.name.clone());
+        let arguments = definition.arguments.iter().zip(instance.arguments.clone());
+        let frames: Vec<_> = arguments
+            .filter_map(|(argument, slot)| match self.slot_value(slot, outer, argument.name.span) {
+                Ok(Value::Frame(frame)) => Some((argument.name.text.clone(), frame)),
+                _ => None,
+            })
+            .collect();
+        let is_inside = self.names.instance(outer).is_some();
+        if is_inside && frames.is_empty() && sizes.is_empty() {
+            return None;
+        }
+        let pair = definition.items.iter().find_map(|item| match &item.kind {
+            ast::ItemKind::Pair(pair) => Pair::named(&pair.text),
+            _ => None,
+        });
+        Some(Instance { name, kind: definition.name.text.clone(), pair, frames, sizes })
     }
 
     /// A depth, m; only pictures know of it.

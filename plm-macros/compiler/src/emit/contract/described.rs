@@ -1,0 +1,119 @@
+//! `Described`: bodies, parts, parameters and observed quantities by number.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::super::item::tables;
+use super::super::lower::{Bindings, inline};
+use super::super::{Emission, Form, Sizes, number, quoted};
+use crate::tables::{Figure, Figures};
+
+/// `Described`.
+pub(crate) fn described(emission: &Emission) -> TokenStream {
+    let Emission { name, fields, sizes: Sizes { nq, .. }, .. } = emission;
+    let figures = Figures::new(emission.model);
+    let tables = tables::tables(emission, &figures);
+    let (figure, parameters) = (figure(emission, &figures), &fields.params);
+    let numbers: Vec<_> = (0..parameters.len()).map(number).collect();
+    let pose = match emission.form {
+        Form::Absolute => quote!(absolute::split(&state.x)),
+        Form::Tree(_) | Form::Loops(_) => quote!(state.pose_()),
+    };
+    let instant = instant_name(emission);
+    quote! {
+        impl<S: Real> rt::Described for #name<S> {
+            const TABLES: &'static described::Tables = &#tables;
+            const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+
+            #figure
+
+            fn parameter(&self, index: usize) -> Option<S> {
+                match index {
+                    #(#numbers => Some(self.#parameters),)*
+                    _ => None,
+                }
+            }
+
+            fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                match index {
+                    #(#numbers => Some(&mut self.#parameters),)*
+                    _ => None,
+                }
+            }
+
+            fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
+                let (q, v): ([S; #nq], [S; #nq]) = #pose;
+                for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
+                    each(BodyState::of(*q, *v));
+                }
+            }
+
+            fn observed(state: &State<S>, index: usize) -> Option<S> {
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+            }
+            #instant
+        }
+    }
+}
+
+/// The numbers of the tables: constants, and those that are worked out, in blocks as everything that is long.
+fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
+    const BLOCK: usize = 200;
+    let Emission { model, fields, name, .. } = emission;
+    let params = model.params.iter().zip(&fields.params);
+    let mut bindings: Bindings =
+        params.map(|(param, field)| (param.symbol, format!("mechanism.{field}"))).collect();
+    bindings.insert(model.time, "t".to_owned());
+    let (mut constants, mut varying) = (Vec::new(), Vec::new());
+    for (index, figure) in figures.all.iter().enumerate() {
+        constants.push(match figure {
+            Figure::Constant(value) => tables::literal(*value),
+            Figure::Varying(expr) => {
+                varying.push(format!("{index} => {}", inline(*expr, &bindings)));
+                tables::literal(f64::NAN)
+            }
+        });
+    }
+    let constants = emission.list(constants);
+    let blocks = varying.chunks(BLOCK).enumerate();
+    let (blocks, arms): (Vec<Ident>, Vec<_>) =
+        blocks.map(|(k, arms)| (format_ident!("block_{k}"), emission.values(arms.to_vec()))).unzip();
+    let (literals, arms): (Vec<_>, Vec<TokenStream>) = arms.into_iter().unzip();
+    quote! {
+        fn figure(&self, t: S, index: usize) -> Option<S> {
+            const CONSTANTS: &[f64] = &[#constants];
+            #(
+                fn #blocks<S: Real>(mechanism: &#name<S>, t: S, index: usize) -> Option<S> {
+                    #literals
+                    Some(match index {
+                        #arms
+                        _ => return None,
+                    })
+                }
+                if let Some(varying) = #blocks(self, t, index) {
+                    return Some(varying);
+                }
+            )*
+            CONSTANTS.get(index).copied().map(S::lit)
+        }
+    }
+}
+
+/// What changes at a time that is known.
+fn instant_name(emission: &Emission) -> Option<TokenStream> {
+    let model = emission.model;
+    let of_time = model.switches.iter().filter(|side| side.instant.is_some());
+    let names = emission.text(quoted(of_time.map(|side| &side.name)));
+    let count = number(model.switches.len() - model.guards());
+    let u = emission.inputs_of("held");
+    (model.switches.len() > model.guards()).then(|| {
+        quote! {
+
+            fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
+                let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
+                self.instants(&#u, &mut at, &mut slope);
+                described::nearest(t, &[#names], &at)
+            }
+        }
+    })
+}

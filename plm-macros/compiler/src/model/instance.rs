@@ -1,0 +1,29 @@
+//! Parts in use, as tables and pictures tell of them.
+
+use plm_cas::Expr;
+
+use super::{FrameRef, Pair};
+
+/// A part in use, in the declaration or inside of another part.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// Full path, `arm.spring`.
+    pub name: String,
+    /// Name of its definition, e.g. `revolute`.
+    pub kind: String,
+    /// Its kinematic pair, if the definition states one.
+    pub pair: Option<Pair>,
+    /// Its arguments that are frames, by name.
+    pub frames: Vec<(String, FrameRef)>,
+    /// What pictures show of it.
+    pub sizes: Vec<Size>,
+}
+
+/// A size of a part for pictures.
+#[derive(Clone, Debug)]
+pub struct Size {
+    /// The parameter of the part, `piston_diameter`.
+    pub name: String,
+    /// Its value, SI; an expression of parameters at most.
+    pub value: Expr,
+}

@@ -1,0 +1,107 @@
+//! What a mechanism tells of itself in numbers: masses, places, contours, sizes.
+//!
+//! They stand in one row, in the order of the declaration, so that most of them can be a table of constants; those that
+//! read parameters or the time are expressions. Rows of names say where the numbers of each thing begin.
+
+use plm_cas::{Expr, algebra};
+
+use crate::model::{Model, Port};
+use crate::numeric::value;
+use crate::units::DisplayUnit;
+
+/// The numbers, and where those of each thing begin.
+pub(crate) struct Figures {
+    /// All numbers, SI.
+    pub(crate) all: Vec<Figure>,
+    /// Of each body: mass, inertia, depth; x, y, angle of each port; x, y of each point of the contour.
+    pub(crate) bodies: Vec<usize>,
+    /// Of each port of the ground: x, y, angle, depth.
+    pub(crate) ground: Vec<Ground>,
+    /// Of each part in use: its sizes.
+    pub(crate) parts: Vec<usize>,
+}
+
+/// A number of the tables.
+pub(crate) enum Figure {
+    /// The same in all mechanisms of the type.
+    Constant(f64),
+    /// Of parameters; of ports of the ground also of the time.
+    Varying(Expr),
+}
+
+/// A port of the ground.
+pub(crate) struct Ground {
+    /// Where its numbers begin.
+    pub(crate) first: usize,
+    /// Does it move with the time?
+    pub(crate) moves: bool,
+}
+
+impl Figures {
+    pub(crate) fn new(model: &Model) -> Figures {
+        let mut figures =
+            Figures { all: Vec::new(), bodies: Vec::new(), ground: Vec::new(), parts: Vec::new() };
+        for body in &model.bodies {
+            let first = figures.push([body.mass, body.inertia, body.depth.unwrap_or(Expr::ZERO)]);
+            body.ports.iter().for_each(|port| {
+                figures.push(place(port));
+            });
+            body.contour.iter().for_each(|point| {
+                figures.push(point.components());
+            });
+            figures.bodies.push(first);
+        }
+        for port in &model.ground {
+            let [x, y, angle] = at_its_side(model, place(port));
+            let moves = algebra::symbols(&[x, y, angle]).contains(&model.time);
+            let first = figures.push([x, y, angle, port.depth.unwrap_or(Expr::ZERO)]);
+            figures.ground.push(Ground { first, moves });
+        }
+        for instance in &model.instances {
+            let first = figures.push(instance.sizes.iter().map(|size| size.value));
+            figures.parts.push(first);
+        }
+        figures
+    }
+
+    /// Adds numbers; where they begin.
+    fn push(&mut self, exprs: impl IntoIterator<Item = Expr>) -> usize {
+        let first = self.all.len();
+        self.all.extend(exprs.into_iter().map(|expr| {
+            let is_constant = algebra::symbols(&[expr]).is_empty();
+            if is_constant { Figure::Constant(value(expr, &[])) } else { Figure::Varying(expr) }
+        }));
+        first
+    }
+}
+
+fn place(port: &Port) -> [Expr; 3] {
+    [port.at.x, port.at.y, port.angle]
+}
+
+/// Conditions of the time have sides that are held over a step; a table that knows the time alone asks the conditions.
+fn at_its_side(model: &Model, place: [Expr; 3]) -> [Expr; 3] {
+    let side = |difference: Expr| difference.less(Expr::ZERO).select(Expr::from(-1), Expr::ONE);
+    let sides: Vec<(Expr, Expr)> =
+        model.switches.iter().map(|held| (held.symbol, side(held.difference))).collect();
+    place.map(|expr| algebra::substitute(&[expr], &sides)[0])
+}
+
+/// Parameters with the values that they are declared with, SI; without those that have no default, and those whose default
+/// reads one of these.
+pub(crate) fn declared_values(model: &Model) -> Vec<(Expr, f64)> {
+    let mut known = Vec::new();
+    for param in model.params.iter().filter(|param| !param.required) {
+        let declared = value(param.default, &known);
+        if !declared.is_nan() {
+            known.push((param.symbol, declared));
+        }
+    }
+    known
+}
+
+/// Exponents of a unit's base units, in the order m, kg, s, K, A, mol, rad.
+pub(crate) fn exponents(unit: &DisplayUnit) -> [i8; 7] {
+    let dimension = unit.dimension;
+    [dimension.m, dimension.kg, dimension.s, dimension.k, dimension.a, 0, dimension.rad]
+}

@@ -1,0 +1,167 @@
+//! A mechanism describes itself, by number: for whoever draws, records, couples or sets mechanisms without knowing their
+//! names.
+//!
+//! Names, units and who joins whom are constants, [`Described::TABLES`]. What parameters change is a function of the
+//! mechanism. Nothing of it is compiled where nobody asks.
+
+mod tables;
+
+pub use tables::{Body, Frame, GroundPort, Part, Quantity, Report, Tables};
+
+use crate::body::BodyState;
+use crate::mechanism::{Mechanism, Moment};
+use crate::ports::Ports;
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Numbers of a body before those of its ports: mass, inertia, depth.
+const OF_BODY: usize = 3;
+/// Numbers of a port: x, y, angle.
+const OF_PORT: usize = 3;
+
+/// Place and angle of a port.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place<S> {
+    /// From the centre of gravity in the axes of the body, of ports of the ground from the origin; m.
+    pub x: S,
+    /// The same, m.
+    pub y: S,
+    /// Of its x axis against that of the body, or the absolute one; rad.
+    pub angle: S,
+}
+
+/// The numbers that a mechanism computes with.
+type Number<M> = <M as System>::S;
+
+/// A mechanism that tells of its bodies, parts, parameters and quantities by number.
+///
+/// Numbers count from 0 in the order of [`TABLES`](Self::TABLES); beyond the last there is nothing (`None`). All is in SI.
+///
+/// ```
+/// use plm_runtime::Described;
+///
+/// /// The mass of all bodies, kg.
+/// fn mass<M: Described<S = f64>>(mechanism: &M) -> f64 {
+///     (0..M::TABLES.bodies.len()).filter_map(|body| mechanism.mass(body)).sum()
+/// }
+/// ```
+pub trait Described: Mechanism + Ports {
+    /// Names, units, and who joins whom.
+    const TABLES: &'static Tables;
+    /// Names and SI units of the quantities that [`observed`](Self::observed) gives: outputs, and what is observed.
+    const OBSERVED: &'static [(&'static str, &'static str)];
+
+    /// The number with this index among all that the tables point at.
+    #[doc(hidden)]
+    fn figure(&self, t: Number<Self>, index: usize) -> Option<Number<Self>>;
+
+    /// A parameter, to be read.
+    fn parameter(&self, index: usize) -> Option<Number<Self>>;
+
+    /// A parameter, to be set.
+    fn parameter_mut(&mut self, index: usize) -> Option<&mut Number<Self>>;
+
+    /// Gives `each` the pose and velocity of every body.
+    fn poses(state: &Self::State, each: &mut impl FnMut(BodyState<Number<Self>>));
+
+    /// A quantity of [`OBSERVED`](Self::OBSERVED), worked out when it is asked for.
+    fn observed(state: &Self::State, index: usize) -> Option<Number<Self>>;
+
+    /// The condition on the time alone that changes at the time `t`, s; in words of diagnostics, as
+    /// [`guard_name`](System::guard_name) those on the state.
+    fn instant_name(&self, t: Number<Self>, held: &<Self as System>::U) -> &'static str {
+        let _ = (t, held);
+        ""
+    }
+
+    /// Mass of a body, kg.
+    fn mass(&self, body: usize) -> Option<Number<Self>> {
+        self.constant(Self::TABLES.bodies.get(body)?.first)
+    }
+
+    /// Moment of inertia of a body about its centre of gravity, kg m^2.
+    fn inertia(&self, body: usize) -> Option<Number<Self>> {
+        self.constant(Self::TABLES.bodies.get(body)?.first + 1)
+    }
+
+    /// Depth of a body for pictures, m; 0 where none was declared.
+    fn depth(&self, body: usize) -> Option<Number<Self>> {
+        self.constant(Self::TABLES.bodies.get(body)?.first + 2)
+    }
+
+    /// A port of a body, from its centre of gravity in its axes.
+    fn port(&self, body: usize, port: usize) -> Option<Place<Number<Self>>> {
+        let Body { ports, first, .. } = Self::TABLES.bodies.get(body)?;
+        ports.get(port)?;
+        self.place(Number::<Self>::lit(0.0), first + OF_BODY + OF_PORT * port)
+    }
+
+    /// A point of the contour of a body, from its centre of gravity in its axes, m.
+    fn contour(&self, body: usize, point: usize) -> Option<[Number<Self>; 2]> {
+        let Body { ports, contour, first, .. } = *Self::TABLES.bodies.get(body)?;
+        let first = first + OF_BODY + OF_PORT * ports.len() + 2 * point;
+        if point < contour { Some([self.constant(first)?, self.constant(first + 1)?]) } else { None }
+    }
+
+    /// A port of the ground at the time `t`, s; from the origin, absolute axes.
+    fn ground(&self, t: Number<Self>, port: usize) -> Option<Place<Number<Self>>> {
+        self.place(t, Self::TABLES.ground.get(port)?.first)
+    }
+
+    /// Depth of a port of the ground for pictures, m; 0 where none was declared.
+    fn ground_depth(&self, port: usize) -> Option<Number<Self>> {
+        self.constant(Self::TABLES.ground.get(port)?.first + OF_PORT)
+    }
+
+    /// A size of a part for pictures, m; 0 where none was given.
+    fn size(&self, part: usize, size: usize) -> Option<Number<Self>> {
+        let Part { sizes, first, .. } = Self::TABLES.parts.get(part)?;
+        sizes.get(size)?;
+        self.constant(first + size)
+    }
+
+    /// Sets a parameter; false if there is none with this index. A run looks at it before its next step.
+    fn set_parameter(&mut self, index: usize, value: Number<Self>) -> bool {
+        self.parameter_mut(index).map(|parameter| *parameter = value).is_some()
+    }
+
+    /// The pose and velocity of a body.
+    fn pose(state: &Self::State, body: usize) -> Option<BodyState<Number<Self>>> {
+        let (mut at, mut found) = (0, None);
+        Self::poses(state, &mut |pose| {
+            if at == body {
+                found = Some(pose);
+            }
+            at += 1;
+        });
+        found
+    }
+
+    /// A first-order state.
+    fn state(state: &Self::State, index: usize) -> Option<Number<Self>> {
+        let states = Self::TABLES.states.len();
+        let first = <Self as System>::X::LEN.checked_sub(states)?;
+        (index < states).then(|| state.x().at(first + index))
+    }
+
+    /// A number that the time does not change.
+    #[doc(hidden)]
+    fn constant(&self, index: usize) -> Option<Number<Self>> {
+        self.figure(Number::<Self>::lit(0.0), index)
+    }
+
+    /// Three numbers of the tables.
+    #[doc(hidden)]
+    fn place(&self, t: Number<Self>, first: usize) -> Option<Place<Number<Self>>> {
+        let [x, y, angle] = [0, 1, 2].map(|k| self.figure(t, first + k));
+        Some(Place { x: x?, y: y?, angle: angle? })
+    }
+}
+
+/// The name whose known time is nearest to the time `t`.
+pub fn nearest<S: Real>(t: S, names: &[&'static str], times: &[S]) -> &'static str {
+    let distances = names.iter().zip(times).map(|(name, time)| (*name, (*time - t).abs()));
+    let nearest = distances.reduce(|nearest, next| if next.1 < nearest.1 { next } else { nearest });
+    nearest.map_or("", |(name, _)| name)
+}

@@ -1,0 +1,116 @@
+//! What a mechanism tells of itself that no parameter changes: names, units, who joins whom.
+
+use crate::operations::Operations;
+
+/// The tables of a mechanism, in the order of the declaration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tables {
+    /// Name of its type.
+    pub name: &'static str,
+    /// Its documentation, line by line.
+    pub docs: &'static str,
+    /// What the compiler has chosen.
+    pub report: Report,
+    /// The bodies.
+    pub bodies: &'static [Body],
+    /// Ports of the ground.
+    pub ground: &'static [GroundPort],
+    /// The parts of the declaration; of those inside of them, what joins frames or has sizes.
+    pub parts: &'static [Part],
+    /// The parameters.
+    pub parameters: &'static [Quantity],
+    /// The inputs.
+    pub inputs: &'static [Quantity],
+    /// The first-order states.
+    pub states: &'static [Quantity],
+    /// The declared outputs, a vector as two; in these units [`Ports::outputs`](crate::Ports::outputs) gives them.
+    pub outputs: &'static [Quantity],
+}
+
+/// The formulation that was taken, why, and what it costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// Its rung, from 1 (kinematics) to 5 (absolute coordinates).
+    pub rung: u8,
+    /// What the unknowns are: `joint coordinates`.
+    pub formulation: &'static str,
+    /// Why it was taken: `the joints make a tree, so that no constraint is left`.
+    pub reason: &'static str,
+    /// Operations of one evaluation of the right-hand side.
+    pub operations: Operations,
+    /// Degrees of freedom, `3 N - M`.
+    pub degrees_of_freedom: isize,
+}
+
+/// A body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Body {
+    /// Its name.
+    pub name: &'static str,
+    /// Names of its ports.
+    pub ports: &'static [&'static str],
+    /// How many points its contour has; 0 if there is none.
+    pub contour: usize,
+    /// Where its numbers begin: mass, inertia, depth, its ports, its contour.
+    #[doc(hidden)]
+    pub first: usize,
+}
+
+/// A port of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroundPort {
+    /// Its name.
+    pub name: &'static str,
+    /// Does its place change with the time?
+    pub moves: bool,
+    /// Where its numbers begin: x, y, angle, depth.
+    #[doc(hidden)]
+    pub first: usize,
+}
+
+/// A part in use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its full name, `arm.spring`.
+    pub name: &'static str,
+    /// The name of its definition: `revolute`, `jack`.
+    pub kind: &'static str,
+    /// Its kinematic pair, if it is a joint that states one: `revolute`, `prismatic`, `pin_slot`, `weld`.
+    pub pair: Option<&'static str>,
+    /// The frames that it joins.
+    pub frames: &'static [Frame],
+    /// Names of its parameters that pictures show: `pin_diameter`.
+    pub sizes: &'static [&'static str],
+    /// Where its sizes begin.
+    #[doc(hidden)]
+    pub first: usize,
+}
+
+/// A frame that a part joins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frame {
+    /// What the part calls it: `a`.
+    pub argument: &'static str,
+    /// The number of its body; none for the ground.
+    pub body: Option<usize>,
+    /// The number of the port of that body, or of the ground.
+    pub port: usize,
+}
+
+/// A quantity with its unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its name in the declaration.
+    pub name: &'static str,
+    /// Its documentation, line by line.
+    pub docs: &'static str,
+    /// The unit that it was declared in; empty for a pure number.
+    pub unit: &'static str,
+    /// A value in SI is one in this unit times the factor.
+    pub factor: f64,
+    /// Exponents of its base units: m, kg, s, K, A, mol, rad.
+    pub exponents: [i8; 7],
+    /// Its value as declared, SI: the default of a parameter, an input or a state at the start, with parameters at their
+    /// defaults. None for outputs, for a parameter without default, and for what reads one.
+    pub default: Option<f64>,
+}
