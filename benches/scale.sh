@@ -83,7 +83,9 @@ instructions() {
 cost() {
     /usr/bin/env python3 - "$@" <<'PYTHON'
 import resource, subprocess, sys
-subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+status = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+if status:
+    sys.exit(status)
 used = resource.getrusage(resource.RUSAGE_CHILDREN)
 print(f"{used.ru_utime + used.ru_stime:.2f} {used.ru_maxrss // 1024}")
 PYTHON
@@ -96,10 +98,13 @@ measure() {
     expansion=$(cost "$target/debug/examples/dump" "$work/scene.plm")
     { printf 'plm::mechanism! { '; cat "$work/scene.plm"; printf ' }\n'; program; } >"$work/src/main.rs"
     touch "$work/src/main.rs"
-    if ! compilation=$(cost timeout 600 cargo build --release --manifest-path "$work/Cargo.toml" --target-dir "$target"); then
+    local status=0
+    compilation=$(cost timeout 600 cargo build --release --manifest-path "$work/Cargo.toml" --target-dir "$target") || status=$?
+    if [ "$status" -eq 124 ]; then
         printf '| %s | %d | %s | not in ten minutes | | | |\n' "${scene//_/ }" "$count" "${expansion% *}"
         return
     fi
+    [ "$status" -eq 0 ] || { echo "$scene $count does not compile" >&2; exit 1; }
     local binary=$target/release/scale
     kilobytes=$(stack "$binary")
     step=$((($(instructions "$binary" 30) - $(instructions "$binary" 10)) / 20))
