@@ -55,6 +55,8 @@ mod book;
 mod lanes;
 #[cfg(feature = "analysis")]
 mod linearise;
+#[cfg(feature = "std")]
+pub mod live;
 #[cfg(feature = "analysis")]
 mod stabilise;
 #[cfg(feature = "std")]

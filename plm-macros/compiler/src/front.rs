@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::resolve::resolve;
 use crate::syntax::ast::Declaration;
 use crate::syntax::parse;
-use crate::token::{Files, Sources};
+use crate::token::{Files, Source, Sources};
 
 /// Reads the declaration, source 0 of `sources`, and binds its names. Library parts that it uses are added to the
 /// sources, so that messages can quote them. `None` if there are errors; all that were found are in the sink.
@@ -21,6 +21,8 @@ pub(crate) struct Reading {
     pub(crate) declaration: Declaration,
     pub(crate) library: Library,
     pub(crate) files: Files,
+    /// The declaration as it was written.
+    text: String,
 }
 
 pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
@@ -29,7 +31,8 @@ pub(crate) fn read(sources: &mut Sources, sink: &mut Diagnostics) -> Reading {
         None => Declaration::default(),
     };
     let library = Library::load(&declaration, sources, sink);
-    Reading { declaration, library, files: sources.files().clone() }
+    let text = sources.get(0).map(Source::whole).unwrap_or_default();
+    Reading { declaration, library, files: sources.files().clone(), text }
 }
 
 impl Reading {
@@ -46,6 +49,6 @@ impl Reading {
     fn resolved(&self, observes: bool, sink: &mut Diagnostics) -> Option<Model> {
         let mut graph = Graph::new();
         let model = graph.enter(|| resolve(self, observes, sink))?;
-        Some(Model { graph, ..model })
+        Some(Model { graph, text: self.text.clone(), ..model })
     }
 }

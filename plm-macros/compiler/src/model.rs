@@ -36,6 +36,8 @@ pub struct Model {
     pub visibility: String,
     /// Documentation lines of the mechanism, without `///`.
     pub docs: Vec<String>,
+    /// The declaration as it was written.
+    pub text: String,
     /// Path of the runtime crate in emitted code; `::plm` unless `crate = path` says otherwise.
     pub crate_path: String,
     /// All expressions.

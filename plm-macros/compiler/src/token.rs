@@ -131,6 +131,12 @@ impl Source {
         line
     }
 
+    /// All of it: the text, or the tokens in one line, with what reads as the same tokens.
+    pub(crate) fn whole(&self) -> String {
+        let last = self.count().saturating_sub(1) as u32;
+        self.text.clone().unwrap_or_else(|| self.written(Span { source: self.id, first: 0, last }))
+    }
+
     fn ranges(&self) -> Option<&[Range<usize>]> {
         let text = self.text.as_ref()?;
         let tokens = || self.tokens.iter().map(|token| token.text.as_str());

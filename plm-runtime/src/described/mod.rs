@@ -52,6 +52,11 @@ pub trait Described: Mechanism + Ports {
     /// Names and SI units of the quantities that [`observed`](Self::observed) gives: outputs, and what is observed.
     const OBSERVED: &'static [(&'static str, &'static str)];
 
+    /// The declaration in the language of `mechanism!`, as it was written.
+    const DECLARATION: &'static str;
+    /// Files that it names, and where they were when it was compiled.
+    const FILES: &'static [(&'static str, &'static str)];
+
     /// The number with this index among all that the tables point at.
     #[doc(hidden)]
     fn figure(&self, t: Number<Self>, index: usize) -> Option<Number<Self>>;

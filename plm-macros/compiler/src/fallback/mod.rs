@@ -50,6 +50,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         name: name(mechanism.name.text.clone(), mechanism.name.span),
         visibility: mechanism.visibility.clone(),
         docs: mechanism.docs.clone(),
+        text: String::new(),
         crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_owned()),
         graph: Graph::new(),
         time: Expr::symbol("t"),

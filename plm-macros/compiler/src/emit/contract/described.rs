@@ -20,10 +20,15 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
         Form::Tree(_) | Form::Loops(_) => quote!(state.pose_()),
     };
     let instant = instant_name(emission);
+    let declaration = emission.text(format!("{:?}", emission.model.text));
+    let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
+    let files = emission.list(emission.model.files.iter().map(file));
     quote! {
         impl<S: Real> rt::Described for #name<S> {
             const TABLES: &'static described::Tables = &#tables;
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
+            const DECLARATION: &'static str = #declaration;
+            const FILES: &'static [(&'static str, &'static str)] = &[#files];
 
             #figure
 

@@ -50,6 +50,7 @@ impl<'a> Resolver<'a> {
             name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
             visibility: mechanism.visibility.clone(),
             docs: mechanism.docs.clone(),
+            text: String::new(),
             crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
             graph: Graph::new(),
             time: self.calculus.time,

@@ -1,0 +1,254 @@
+//! A mechanism that is run from outside, by number: parameters are turned, bodies are pulled while it moves, starts are set by
+//! hand. A page holds it as WebAssembly; what it computes is what every other run computes, to the bit.
+
+use plm_runtime::statics::Statics;
+use std::string::{String, ToString};
+use std::vec::Vec;
+use std::{borrow::ToOwned, format};
+
+use plm_runtime::{Described, Fault, Mechanism, Moment, Sim, Start, StartValues};
+
+/// What a part and an input are called through which a body is pulled; its number goes behind.
+const PULL: &str = "plm_pull_";
+
+/// Why nothing moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trouble {
+    /// The time, s.
+    pub time: f64,
+    /// The part that is to blame; empty where no single one is.
+    pub part: String,
+    /// The cause in words.
+    pub text: String,
+}
+
+/// A mechanism with a run of it, if it could be started.
+pub struct Live<M: Mechanism> {
+    declared: M,
+    mechanism: M,
+    sim: Option<Sim<M>>,
+    trouble: Option<Trouble>,
+    numbers: Vec<f64>,
+}
+
+/// A declaration to which an input of force and torque at the centre of gravity of each body is added, three for each:
+/// `plm_pull_0_x`, `plm_pull_0_y` (N), `plm_pull_0_turn` (N*m). Without a value they change no bit of a run.
+pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
+    let Some((head, _)) = declaration.trim_end().rsplit_once('}') else { return declaration.to_owned() };
+    let mut text = head.to_owned();
+    text.push_str(
+        "\npart plm_pull(a: body) { input x: N = 0; input y: N = 0; input turn: N*m = 0; force on a: (x, y); torque on a: turn; }\n",
+    );
+    for (k, body) in bodies.iter().enumerate() {
+        let name = format!("{PULL}{k}");
+        text.push_str(&format!(
+            "input {name}_x: N = 0; input {name}_y: N = 0; input {name}_turn: N*m = 0;\n\
+             plm_pull {name}({body}) {{ x: {name}_x; y: {name}_y; turn: {name}_turn; }}\n"
+        ));
+    }
+    text.push_str("}\n");
+    text
+}
+
+impl<M: Described<S = f64> + Statics> Live<M> {
+    /// Assembles it and stands at the start.
+    pub fn new(mechanism: M) -> Self {
+        let mut live = Self { declared: mechanism, mechanism, sim: None, trouble: None, numbers: Vec::new() };
+        live.restart();
+        live
+    }
+
+    /// Begins again with the parameters and starts as they are set; whether it could be assembled.
+    pub fn restart(&mut self) -> bool {
+        let inputs = self.inputs();
+        let started = self.mechanism.start();
+        let sim = self.keep(started);
+        self.sim = sim.map(|mut sim| {
+            for (index, value) in inputs.into_iter().enumerate() {
+                set_input(&mut sim, index, value);
+            }
+            sim
+        });
+        self.sim.is_some()
+    }
+
+    /// Goes on by `dt`, s; false where it cannot, and then it stays where it is.
+    pub fn step(&mut self, dt: f64) -> bool {
+        let Some(sim) = &mut self.sim else { return false };
+        let outcome = sim.step(dt);
+        self.keep(outcome).is_some()
+    }
+
+    /// Why nothing moves, if something is wrong.
+    pub fn trouble(&self) -> Option<&Trouble> {
+        self.trouble.as_ref()
+    }
+
+    /// The time (s), the poses and velocities of the bodies (x, y, angle, vx, vy, omega), the ports of the ground (x, y, angle)
+    /// and all observed quantities, in SI. Where nothing was assembled, the start values as they are set.
+    pub fn read(&mut self) -> &[f64] {
+        self.numbers.clear();
+        match &self.sim {
+            Some(sim) => {
+                let state = sim.state();
+                self.numbers.push(state.time());
+                let numbers = &mut self.numbers;
+                M::poses(state, &mut |pose| {
+                    numbers.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega]);
+                });
+                for port in 0..M::TABLES.ground.len() {
+                    let place = state.mechanism().ground(state.time(), port);
+                    numbers.extend(place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]));
+                }
+                let observed = (0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN));
+                numbers.extend(observed);
+            }
+            None => {
+                let (bodies, ground) = (6 * M::TABLES.bodies.len(), 3 * M::TABLES.ground.len());
+                self.numbers.push(0.0);
+                let (numbers, mut left) = (&mut self.numbers, bodies);
+                self.mechanism.starts_mut().each(&mut |_, start| {
+                    if left > 0 {
+                        numbers.push(start.value);
+                        left -= 1;
+                    }
+                });
+                self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
+            }
+        }
+        &self.numbers
+    }
+
+    /// A parameter, SI; not a number beyond the last.
+    pub fn parameter(&self, index: usize) -> f64 {
+        self.mechanism.parameter(index).unwrap_or(f64::NAN)
+    }
+
+    /// Sets a parameter, SI; a run that can go on does.
+    pub fn set_parameter(&mut self, index: usize, value: f64) {
+        self.mechanism.set_parameter(index, value);
+        if let Some(sim) = &mut self.sim {
+            let mut mechanism = *sim.state().mechanism();
+            mechanism.set_parameter(index, value);
+            let state = sim.state();
+            let (held, time, x) = (state.held(), state.time(), *state.x());
+            **sim = Moment::new(mechanism, held, time, x);
+        }
+    }
+
+    /// An input, SI; not a number beyond the last, and where nothing was assembled.
+    pub fn input(&self, index: usize) -> f64 {
+        let mut held = self.sim.as_ref().map(|sim| sim.state().held());
+        held.as_mut().and_then(|held| M::input(held, index).copied()).unwrap_or(f64::NAN)
+    }
+
+    /// Sets an input, SI.
+    pub fn set_input(&mut self, index: usize, value: f64) {
+        if let Some(sim) = &mut self.sim {
+            set_input(sim, index, value);
+        }
+    }
+
+    /// Pulls a body at a point (m, absolute axes) by a force (N, absolute axes); the force stays until it is changed. Needs the
+    /// inputs of [`with_pulls`].
+    pub fn pull(&mut self, body: usize, [x, y]: [f64; 2], [fx, fy]: [f64; 2]) {
+        let Some(pose) = self.sim.as_ref().and_then(|sim| M::pose(sim.state(), body)) else { return };
+        let turn = (x - pose.x) * fy - (y - pose.y) * fx;
+        for (suffix, value) in [("x", fx), ("y", fy), ("turn", turn)] {
+            let name = format!("{PULL}{body}_{suffix}");
+            if let Some(index) = M::INPUTS.iter().position(|(input, _)| *input == name) {
+                self.set_input(index, value);
+            }
+        }
+    }
+
+    /// Begins again with a body near a pose of its centre of gravity (m, m, rad), all others near where they are, at rest, and
+    /// the joints closed by the shortest way. Where they do not close nothing changes, and [`trouble`](Self::trouble) says
+    /// which stays open.
+    pub fn place(&mut self, body: usize, [x, y, angle]: [f64; 3]) -> bool {
+        let before = self.mechanism;
+        let Some(sim) = &self.sim else { return false };
+        let (state, now) = (sim.state(), M::pose(sim.state(), body));
+        let Some(now) = now else { return false };
+        let starts = state.mechanism().starts_at(&M::full(state));
+        *self.mechanism.starts_mut() = starts;
+        let (first, last, mut index, mut origin) = (6 * body, 6 * M::TABLES.bodies.len(), 0, [0.0; 3]);
+        let turned = BodyTurn::of(now.angle, angle);
+        self.mechanism.starts_mut().each(&mut |_, start| {
+            if index >= first && index < first + 3 {
+                origin[index - first] = start.value;
+            }
+            if index < last {
+                *start = Start::free(if index % 6 < 3 { start.value } else { 0.0 });
+            }
+            index += 1;
+        });
+        let [ox, oy] = turned.apply([origin[0] - now.x, origin[1] - now.y]);
+        let wanted = [x + ox, y + oy, origin[2] + angle - now.angle];
+        let mut index = 0_usize;
+        self.mechanism.starts_mut().each(&mut |_, start| {
+            if let Some(value) = wanted.get(index.wrapping_sub(first)) {
+                start.value = *value;
+            }
+            index += 1;
+        });
+        let sim = self.sim;
+        let placed = self.restart();
+        if !placed {
+            (self.mechanism, self.sim) = (before, sim);
+        }
+        placed
+    }
+
+    /// Begins again as declared.
+    pub fn reset(&mut self) -> bool {
+        self.mechanism = self.declared;
+        self.sim = None;
+        self.restart()
+    }
+
+    fn inputs(&self) -> Vec<f64> {
+        if self.sim.is_none() { Vec::new() } else { (0..M::INPUTS.len()).map(|k| self.input(k)).collect() }
+    }
+
+    /// What came out, or why nothing did.
+    fn keep<T>(&mut self, outcome: Result<T, Fault>) -> Option<T> {
+        match outcome {
+            Ok(value) => {
+                self.trouble = None;
+                Some(value)
+            }
+            Err(Fault { time, part, cause }) => {
+                let text = cause.to_string();
+                self.trouble = Some(Trouble { time, part: part.to_owned(), text });
+                None
+            }
+        }
+    }
+}
+
+/// A turn from one angle to another.
+struct BodyTurn {
+    sin: f64,
+    cos: f64,
+}
+
+impl BodyTurn {
+    fn of(from: f64, to: f64) -> Self {
+        let (sin, cos) = (to - from).sin_cos();
+        Self { sin, cos }
+    }
+
+    fn apply(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+}
+
+fn set_input<M: Described<S = f64>>(sim: &mut Sim<M>, index: usize, value: f64) {
+    let state = sim.state();
+    let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
+    if let Some(input) = M::input(&mut held, index) {
+        *input = value;
+    }
+    **sim = Moment::new(mechanism, held, time, x);
+}

@@ -1,0 +1,120 @@
+//! A mechanism that is run from outside, by number.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use plm::Described;
+use plm::live::{Live, with_pulls};
+
+plm::mechanism! {
+    /// A four-bar with a parameter and an input, and what `with_pulls` adds to its declaration.
+    FourBar {
+        gravity: 9.81 m/s^2;
+        param reach: m = 0.9 m;
+        input torque: N*m = 0;
+        ground { port o: (0, 0) m; port p: (1, 0) m; }
+        body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (0, 0) m; port b: (0.3, 0) m; start angle: 60 deg, locked; }
+        body coupler { mass: 2 kg; inertia: 0.2 kg*m^2; port b: (0, 0) m; port c: (reach, 0); centre: (0.4, 0.1) m; }
+        body rocker { mass: 1.5 kg; inertia: 0.1 kg*m^2; port c: (0.4, 0) m; port p: (-0.4, 0) m; start angle: 100 deg; }
+        revolute o(ground.o, crank.a) { drive: torque; }
+        revolute b(crank.b, coupler.b);
+        revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
+        revolute p(ground.p, rocker.p);
+        part plm_pull(a: body) { input x: N = 0; input y: N = 0; input turn: N*m = 0; force on a: (x, y); torque on a: turn; }
+        input plm_pull_0_x: N = 0; input plm_pull_0_y: N = 0; input plm_pull_0_turn: N*m = 0;
+        plm_pull plm_pull_0(crank) { x: plm_pull_0_x; y: plm_pull_0_y; turn: plm_pull_0_turn; }
+        output crank.angle in deg;
+    }
+}
+
+fn angle(live: &mut Live<FourBar>, body: usize) -> f64 {
+    live.read()[1 + 6 * body + 2]
+}
+
+#[test]
+fn it_runs_as_a_simulation_does() {
+    let mut live = Live::new(FourBar::new());
+    let mut sim = FourBar::new().start().unwrap();
+    for _ in 0..50 {
+        assert!(live.step(0.01));
+        sim.step(0.01).unwrap();
+    }
+    assert_eq!(live.read()[0].to_bits(), sim.time().to_bits());
+    assert_eq!(angle(&mut live, 0).to_bits(), sim.crank().angle.to_bits());
+    let length = 1 + 6 * 3 + 3 * 2 + <FourBar>::OBSERVED.len();
+    assert_eq!(live.read().len(), length);
+}
+
+/// The work of the pull at the end of the crank stands in the energy.
+#[test]
+fn a_pull_acts_where_it_is_applied() {
+    let mut live = Live::new(FourBar::new());
+    let mut sim = FourBar::new().start().unwrap();
+    let (x, y) = {
+        let n = live.read();
+        (n[1] + 0.3 * n[3].cos(), n[2] + 0.3 * n[3].sin())
+    };
+    live.pull(0, [x, y], [0.0, 40.0]);
+    assert!(live.step(1e-3));
+    // The same as a torque about the fixed pivot, to the first order of the step.
+    sim.input.torque = 0.3 * sim.crank().angle.cos() * 40.0;
+    sim.step(1e-3).unwrap();
+    let (pulled, driven) = (live.read()[1 + 5], sim.crank().omega);
+    assert!((pulled - driven).abs() < 1e-3 * driven.abs() && driven > 0.0, "{pulled} {driven}");
+}
+
+#[test]
+fn what_cannot_be_assembled_says_which_joint_stays_open_and_is_mended() {
+    let mut live = Live::new(FourBar::new());
+    live.set_parameter(0, 3.0);
+    assert!(!live.restart());
+    let trouble = live.trouble().unwrap().clone();
+    assert!(!trouble.part.is_empty() && !trouble.text.is_empty(), "{trouble:?}");
+    assert!(!live.step(0.1));
+    assert_eq!(live.read().len(), 1 + 18 + 6 + <FourBar>::OBSERVED.len());
+    live.set_parameter(0, 0.8);
+    assert!(live.restart() && live.trouble().is_none());
+    assert!(live.step(0.1));
+    assert_eq!(live.parameter(0), 0.8);
+    assert!(live.reset());
+    assert_eq!(live.parameter(0), 0.9);
+}
+
+/// A parameter that is turned while it runs: the joints close anew.
+#[test]
+fn a_parameter_is_turned_while_it_runs() {
+    let mut live = Live::new(FourBar::new());
+    assert!(live.step(0.2));
+    live.set_parameter(0, 0.85);
+    assert!(live.step(0.01), "{:?}", live.trouble());
+    let n = live.read().to_vec();
+    let (cx, cy, ca) = (n[7], n[8], n[9]);
+    // From G of the coupler, (0.4, 0.1) from its first pivot, to the second, and from the rocker's G.
+    let [dx, dy] = [0.85 - 0.4, -0.1];
+    let c = [cx + dx * ca.cos() - dy * ca.sin(), cy + dx * ca.sin() + dy * ca.cos()];
+    let r = [n[13] + 0.4 * n[15].cos(), n[14] + 0.4 * n[15].sin()];
+    assert!((c[0] - r[0]).abs() < 1e-9 && (c[1] - r[1]).abs() < 1e-9, "{c:?} {r:?}");
+}
+
+#[test]
+fn a_body_is_placed_by_hand_and_the_joints_close() {
+    let mut live = Live::new(FourBar::new());
+    let n = live.read().to_vec();
+    let before = n[3];
+    assert!(live.place(0, [n[1], n[2], before + 0.3]));
+    let after = angle(&mut live, 0);
+    assert!((0.1..0.4).contains(&(after - before)), "{before} {after}");
+    assert_eq!(live.read()[0], 0.0);
+    // The coupler's G is off its origin: placed where it is, nothing moves.
+    let n = live.read().to_vec();
+    assert!(live.place(1, [n[7], n[8], n[9]]));
+    let gap = n[1..19].iter().zip(&live.read()[1..19]).fold(0.0_f64, |gap, (a, b)| gap.max((a - b).abs()));
+    assert!(gap < 1e-9, "{gap:e}");
+    // Far out nothing closes; all stays as it was.
+    assert!(!live.place(1, [1e3, 1e3, 0.0]) || live.trouble().is_none());
+}
+
+#[test]
+fn a_declaration_gets_its_pulls() {
+    let text = with_pulls("pub A { body b { mass: 1 kg; } }\n", &["b"]);
+    assert!(text.contains("plm_pull plm_pull_0(b)") && text.trim_end().ends_with('}'));
+    assert!(<FourBar>::DECLARATION.contains("body crank"), "{}", <FourBar>::DECLARATION);
+}
