@@ -32,7 +32,7 @@ pub struct Live<M: Mechanism> {
 }
 
 /// A declaration to which an input of force and torque at the centre of gravity of each body is added, three for each:
-/// `plm_pull_0_x`, `plm_pull_0_y` (N), `plm_pull_0_turn` (N*m). Without a value they change no bit of a run.
+/// `plm_pull_0_x`, `plm_pull_0_y` (N), `plm_pull_0_turn` (N*m). Where they are zero, what moves is the same but for rounding.
 pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
     let Some((head, _)) = declaration.trim_end().rsplit_once('}') else { return declaration.to_owned() };
     let mut text = head.to_owned();

@@ -24,6 +24,7 @@
 mod chart;
 mod error;
 mod figures;
+pub mod live;
 mod recording;
 
 pub use chart::{Axis, Chart, Rule, Series};

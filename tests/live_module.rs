@@ -1,0 +1,106 @@
+//! A mechanism as WebAssembly: node runs it, and gets the bits of the native run.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use std::path::Path;
+use std::process::Command;
+
+use plm::Described;
+use plm::live::Live;
+use plm::view::live::Module;
+
+plm::mechanism! {
+    /// A four-bar that goes through its charts, with a spring, a lag, a parameter, and one of the pulls that
+    /// `plm::live::with_pulls` adds.
+    pub FourBar {
+        gravity: 9.81 m/s^2;
+        param reach: m = 0.4 m;
+        ground { port o: (0, 0) m; port p: (0.8, 0) m; }
+        body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 40 deg, locked; start omega: 3 rad/s, locked; }
+        body coupler { mass: 1 kg; inertia: 0.02 kg*m^2; port b: (-reach/2, 0); port c: (reach/2, 0); }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port c: (0.45, 0) m; port p: (-0.45, 0) m; start angle: 120 deg; }
+        revolute o(ground.o, crank.a) { drive: lagging; }
+        revolute b(crank.b, coupler.b);
+        revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
+        revolute p(ground.p, rocker.p) { stiffness: 2 N*m/rad; }
+        state lagging: N*m = 0.5 N*m;
+        rate lagging = (1 N*m*cos(3 rad/s*t) - lagging)/0.01 s;
+        output crank.angle in deg, o.force;
+        part plm_pull(a: body) { input x: N = 0; input y: N = 0; input turn: N*m = 0; force on a: (x, y); torque on a: turn; }
+        input plm_pull_1_x: N = 0; input plm_pull_1_y: N = 0; input plm_pull_1_turn: N*m = 0;
+        plm_pull plm_pull_1(coupler) { x: plm_pull_1_x; y: plm_pull_1_y; turn: plm_pull_1_turn; }
+    }
+}
+
+/// Runs 300 intervals of 10 ms, turns a parameter and pulls a body in between, and prints the bits of all numbers behind each.
+const SCRIPT: &str = r#"
+const wasm = new WebAssembly.Module(require("fs").readFileSync(process.argv[2]));
+const { exports: live } = new WebAssembly.Instance(wasm, {});
+for (let k = 0; k < 300; k++) {
+    if (k === 150) live.plm_set_parameter(0, 0.41);
+    if (k === 200) live.plm_pull(1, 0.3, 0.2, 4, -2);
+    if (live.plm_step(0.01) !== 1) throw new Error("stopped");
+    // The memory may grow while it is read.
+    const [place, length] = [live.plm_read(), live.plm_length()];
+    const words = new BigUint64Array(live.memory.buffer, place, length);
+    console.log([...words].map((word) => word.toString(16)).join(" "));
+}
+live.plm_set_parameter(0, 9);
+if (live.plm_restart() !== 0) throw new Error("it cannot be assembled with a coupler of 9 m");
+const at = live.plm_trouble();
+const length = live.plm_trouble_length();
+console.log(new TextDecoder().decode(new Uint8Array(live.memory.buffer, at, length)));
+"#;
+
+fn native() -> String {
+    let mut live = Live::new(FourBar::new());
+    let mut text = String::new();
+    for k in 0..300 {
+        if k == 150 {
+            live.set_parameter(0, 0.41);
+        }
+        if k == 200 {
+            live.pull(1, [0.3, 0.2], [4.0, -2.0]);
+        }
+        assert!(live.step(0.01));
+        let words: Vec<String> = live.read().iter().map(|number| format!("{:x}", number.to_bits())).collect();
+        text += &(words.join(" ") + "\n");
+    }
+    live.set_parameter(0, 9.0);
+    assert!(!live.restart());
+    let trouble = live.trouble().unwrap();
+    text + &format!("{}\n{}\n{}\n", trouble.time, trouble.part, trouble.text)
+}
+
+#[test]
+fn the_module_has_the_bits_of_the_native_run() {
+    if Command::new("node").arg("--version").output().is_err() {
+        println!("skipped: node is not installed (apt-get install nodejs)");
+        return;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live");
+    let module = Module {
+        name: "FourBar",
+        declaration: <FourBar>::DECLARATION,
+        files: <FourBar>::FILES,
+        plm: Path::new(env!("CARGO_MANIFEST_DIR")),
+    };
+    let bytes = match module.build(&folder) {
+        Ok(bytes) => bytes,
+        Err(error) if error.to_string().contains("rustup target add") => {
+            println!("skipped: {error}");
+            return;
+        }
+        Err(error) => panic!("{error}"),
+    };
+    println!("module of {} bytes", bytes.len());
+    let [wasm, script] = ["four_bar.wasm", "run.cjs"].map(|name| folder.join(name));
+    std::fs::write(&wasm, &bytes).unwrap();
+    std::fs::write(&script, SCRIPT).unwrap();
+    let output = Command::new("node").arg(&script).arg(&wasm).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let (found, expected) = (String::from_utf8(output.stdout).unwrap(), native());
+    for (k, (found, expected)) in found.lines().zip(expected.lines()).enumerate() {
+        assert_eq!(found, expected, "interval {k}");
+    }
+    assert_eq!(found.lines().count(), expected.lines().count());
+}
