@@ -58,7 +58,8 @@ export function showAddress(app, hash) {
   for (const shown of app.shown) shown.isShown = !hidden.includes(shown.run.name);
   app.updateBounds();
   showSwitches(app, parts);
-  showView(app, numbers(parts.get("view")));
+  if (parts.has("view")) showView(app, numbers(parts.get("view")));
+  else if (layout !== null) app.zoomToExtents();
   if (parts.has("curves")) app.curves = known(app, names(parts.get("curves")));
   app.traces = names(parts.get("paths"));
   const [kind, index] = (parts.get("select") ?? "").split(":");

@@ -5,6 +5,7 @@ import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { Scene } from "./scene.js";
+import { timeText } from "./text.js";
 import { View } from "./view.js";
 
 /** @import {ArrowField} from "./arrows.js" */
@@ -15,7 +16,7 @@ import { View } from "./view.js";
 /** @typedef {"pan" | "orbit" | "zoom" | "window" | "info"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
 /** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} Shown */
-/** @typedef {{kind: "error" | "warning" | "note", text: string}} Message */
+/** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
 
 export class App {
   constructor() {
@@ -90,7 +91,7 @@ export class App {
     this.touch();
   }
 
-  /** @param {"error" | "warning" | "note"} kind @param {string} text */
+  /** @param {Message["kind"]} kind @param {string} text */
   tell(kind, text) {
     if (!this.messages.some((message) => message.text === text)) this.messages.push({ kind, text });
     this.change();
@@ -128,8 +129,8 @@ export class App {
     this.player.chosenStep = null;
     this.updateBounds();
     this.player.seek(this.player.start);
-    this.view.lookFrom("front");
-    this.zoomToExtents();
+    this.lookFrom("front");
+    this.tellFault();
   }
 
   /**
@@ -149,6 +150,15 @@ export class App {
     if (shown !== undefined) growArrows(shown);
     this.updateBounds();
     this.touch();
+  }
+
+  /** Tells what ended the active run. */
+  tellFault() {
+    this.messages = this.messages.filter(({ kind }) => kind !== "fault");
+    const fault = this.run?.fault ?? null;
+    if (fault === null) return;
+    const text = `The run ended at ${timeText(fault.time, fault.time)}: ${fault.part}: ${fault.text}`;
+    this.tell("fault", text);
   }
 
   updateBounds() {
@@ -249,6 +259,7 @@ export class App {
       this.selected = null;
     }
     this.updateBounds();
+    this.tellFault();
     this.change();
   }
 

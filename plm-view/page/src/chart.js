@@ -32,7 +32,7 @@ export function chartFrame(chart, area, { from, to, hasTimes }) {
   const padding = CHART_PADDING * (most - least);
   const [low, high] = [least - padding, most + padding];
   const longest = Math.max(...linearTicks(low, high).map(({ label }) => label.length));
-  const left = 26 + 6.4 * longest;
+  const left = 32 + 6.4 * longest;
   const bottom = hasTimes ? TIME_AXIS : 8;
   return {
     frame: { x: area.x + left, y: area.y + 8, width: area.width - left - 14, height: area.height - 8 - bottom },
@@ -116,7 +116,7 @@ function drawGrid(pen, chart, { frame, from, to, low, high }, palette, hasTimes)
 
 /** From the frame to the middle of the axis' name. @param {number} low @param {number} high */
 function labelRoom(low, high) {
-  return 14 + 6.4 * Math.max(...linearTicks(low, high).map(({ label }) => label.length));
+  return 20 + 6.4 * Math.max(...linearTicks(low, high).map(({ label }) => label.length));
 }
 
 /**

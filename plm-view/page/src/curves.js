@@ -123,8 +123,7 @@ export class Curves {
   legend({ chart, values }) {
     const manyRuns = this.app.visible().length > 1;
     const entries = chart.series.map(({ run, quantity, colour, dash }, at) => {
-      const swatch = element("span", { class: dash.length > 0 ? "swatch dashed" : "swatch", "aria-hidden": "true" });
-      swatch.style.borderColor = colour;
+      const swatch = lineSwatch(colour, dash);
       const name = manyRuns ? `${quantity.name}, ${run.name}` : quantity.name;
       const remove = element(
         "button",
@@ -179,6 +178,13 @@ export class Curves {
     if (plot.frame !== null) drawCursor(new CanvasPen(context), chart, plot.frame, palette, player.time);
     chart.series.forEach((series, at) => setText(plot.values[at], valueNow(series, player.time)));
   }
+}
+
+/** A piece of a curve, for its name. @param {string} colour @param {number[]} dash */
+function lineSwatch(colour, dash) {
+  const swatch = element("canvas", { class: "swatch", "aria-hidden": "true" });
+  new CanvasPen(fitCanvas(swatch, 24, 8)).line([1, 4, 23, 4], { stroke: colour, width: 2, dash });
+  return swatch;
 }
 
 /** @param {Series} series @param {number} time */

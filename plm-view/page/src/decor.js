@@ -22,7 +22,9 @@ export function drawAxes(pen, projection, palette) {
   const { area, right, up, toViewer } = projection;
   const [x, y, length] = [area.x + 46, area.y + area.height - 46, 26];
   const colours = [palette.tones.ground, palette.trace[4], palette.tones.joint];
-  const order = [0, 1, 2].sort((a, b) => toViewer[a] - toViewer[b]);
+  // From the farthest; axes that are equally far keep their order in spite of rounding.
+  const nearness = toViewer.map((share) => Math.round(1e6 * share));
+  const order = [0, 1, 2].sort((a, b) => nearness[a] - nearness[b]);
   for (const axis of order) {
     const colour = typeof colours[axis] === "string" ? colours[axis] : `rgb(${colours[axis].join(",")})`;
     const [dx, dy] = [right[axis], -up[axis]];

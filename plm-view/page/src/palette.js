@@ -32,7 +32,7 @@ export const LIGHT = {
   velocity: "#00796b",
   trace: ["#7b1fa2", "#00838f", "#b26a00", "#c62828", "#2e7d32", "#4527a0"],
   // Okabe and Ito's colours, darkened where they would be faint on white.
-  curves: ["#0067b1", "#d55e00", "#008a63", "#b8578f", "#a07800", "#2a9fd8", "#8a2be2", "#444444"],
+  curves: ["#0067b1", "#d55e00", "#008a63", "#b8578f", "#a07800", "#1283b8", "#8a2be2", "#444444"],
   ghosts: [[226, 150, 70], [84, 172, 130], [178, 128, 200], [150, 150, 84], [206, 116, 138], [90, 170, 190]],
   fault: "#c62828",
 };

@@ -184,7 +184,7 @@ function slotPieces(draft) {
   };
   const groove = stadium(1.15 * draft.pin);
   return [
-    draft.moving(draft.tone, [a[0] - rim, a[1] + rim], stadium(1.9 * draft.pin)),
+    draft.moving(draft.tone, [a[0] - rim, a[1] + rim], stadium(draft.pin + Math.max(0.9 * draft.pin, 0.5 * draft.radius))),
     draft.moving("groove", [a[1] + rim, a[1] + 1.2 * rim], groove, { side: 1 }),
     draft.moving("groove", [a[0] - 1.2 * rim, a[0] - rim], groove, { side: -1 }),
     ...draft.pinPieces(1, [a, b]),

@@ -21,11 +21,12 @@ export class Table {
   }
 
   /**
+   * NaN where the file had no such row.
    * @param {number} row
    * @param {number} column
    */
   at(row, column) {
-    return this.data[row * this.width + column];
+    return this.data[row * this.width + column] ?? NaN;
   }
 
   /** @param {ArrayLike<number>} numbers */

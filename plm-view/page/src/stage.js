@@ -50,11 +50,6 @@ export class Stage {
         element("button", { type: "button", class: "plain", "aria-label": "Dismiss", onclick: () => dismiss(app, message) }, "×"),
       ),
     );
-    const fault = app.run?.fault ?? null;
-    if (fault !== null) {
-      const text = `The run ended at ${Number(fault.time.toPrecision(6))} s: ${fault.part}: ${fault.text}`;
-      messages.push(element("div", { class: "message error fault", role: "status" }, element("p", {}, text)));
-    }
     parts.messages.replaceChildren(...messages);
     const { run, selected } = app;
     const what = run === null ? "No results" : `Picture of ${run.mechanism.name}, run ${run.name}`;
