@@ -132,7 +132,7 @@ function drawRunName(pen, app, { run }, area, line) {
 function drawWindow(pen, { x, y, width, height }, palette) {
   const corners = [x, y, x + width, y, x + width, y + height, x, y + height];
   pen.polygon(corners, { fill: palette.select, opacity: 0.12 });
-  pen.polygon(corners, { stroke: palette.select, width: 1.5, dash: [5, 4] });
+  pen.polygon(corners, { stroke: palette.select, width: 2, dash: [5, 4] });
 }
 
 /**

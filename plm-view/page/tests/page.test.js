@@ -20,7 +20,7 @@ async function appOf(...made) {
 
 /** Whether pictures differ by no more than rounding of the address moves them. */
 function samePicture(a, b) {
-  const [first, second] = [a, b].map((text) => text.match(/-?[0-9.]+/g).map(Number));
+  const [first, second] = [a, b].map((text) => text.match(/-?\d+(\.\d+)?/g).map(Number));
   return first.length === second.length && first.every((value, at) => Math.abs(value - second[at]) < 0.03);
 }
 
