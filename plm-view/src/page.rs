@@ -133,7 +133,9 @@ mod tests {
         let addresses: Vec<&str> = html.split("http").skip(1).collect();
         // The name of a vocabulary, which nobody fetches.
         assert!(addresses.iter().all(|text| text.starts_with("://www.w3.org/2000/svg")), "{addresses:?}");
-        for word in ["src=", "@import url", "url(//", "fetch(", "XMLHttpRequest", "WebSocket", "importScripts"] {
+        for word in
+            ["src=", "@import url", "url(//", "fetch(", "XMLHttpRequest", "WebSocket", "importScripts"]
+        {
             assert!(!html.contains(word), "{word}");
         }
     }

@@ -372,6 +372,15 @@ test("theme, panel, options, help", { skip }, async () => {
     });
     assert.ok(frames >= 5 && frames <= 11, `${message}: ${frames} frames in a second at a rate of 10`);
   });
+  const { page } = await open(addresses.workshop);
+  await page.click("#do-options");
+  await page.uncheck("#plain-keys");
+  await page.keyboard.press("Escape");
+  await page.focus("#picture");
+  await pressKey(page, "F");
+  assert.equal(await time(page), 0, "keys of one letter are switched off");
+  await pressKey(page, "Ctrl+F");
+  assert.equal(await time(page), 0.05);
   await everyWay("help", async (page, act, message) => {
     await act();
     const text = await page.textContent("dialog[open]");

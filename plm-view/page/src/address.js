@@ -6,7 +6,6 @@ import { SPEEDS } from "./player.js";
 /** @import {App, Layout, Mode} from "./app.js" */
 
 const MODES = ["pan", "orbit", "zoom", "window", "info"];
-const TABS = ["curves", "objects", "runs", "model"];
 
 /**
  * What is shown, as the part of an address behind `#`. What is usual is left out.
@@ -77,7 +76,8 @@ function showSwitches(app, parts) {
     return list.includes(value) ? value : usual;
   };
   app.mode = /** @type {Mode} */ (chosen("mode", MODES, app.mode));
-  app.tab = chosen("tab", TABS, app.tab);
+  // A live source may have added tabs: the panel knows which there are.
+  app.tab = parts.get("tab") ?? app.tab;
   app.theme = /** @type {App["theme"]} */ (chosen("theme", ["auto", "light", "dark"], app.theme));
   app.isWire = parts.get("wire") === "1";
   app.showsForces = parts.get("forces") === "1";

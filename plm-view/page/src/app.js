@@ -47,6 +47,8 @@ export class App {
     this.background = null;
     /** Frames a second at most. */
     this.refreshRate = 60;
+    /** Whether keys without Ctrl do something: who dictates to the computer may not want that. */
+    this.hasPlainKeys = true;
     this.tab = "curves";
     this.hasPanel = true;
     /** The window of "zoom to window" while it is chosen, in pixels. @type {Area | null} */
@@ -100,6 +102,7 @@ export class App {
   /**
    * Shows a results file; what cannot be read is told, and what was shown stays.
    * @param {Uint8Array} bytes
+   * @returns {Promise<boolean>} whether it is shown
    */
   async load(bytes) {
     this.messages = [];
@@ -109,8 +112,10 @@ export class App {
       this.madeBy = madeBy;
       this.showRuns(runs);
       for (const warning of warnings) this.tell("warning", warning);
+      return true;
     } catch (error) {
       this.tell("error", error instanceof Error ? error.message : String(error));
+      return false;
     }
   }
 

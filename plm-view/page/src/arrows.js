@@ -16,7 +16,7 @@ import { quantityText } from "./text.js";
 /** Rows that are looked at for the largest arrow of a run. */
 const ARROW_SAMPLES = 4000;
 /** The length of the largest arrow in sizes of bars, before the user's factor. */
-const LONGEST = 26;
+const LONGEST = 18;
 
 /**
  * Forces of joints: what each does to the body of its first frame, or to the other one if that is the ground.

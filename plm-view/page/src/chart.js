@@ -21,18 +21,32 @@ const CHART_PADDING = 0.06;
 const LABEL_SIZE = 11;
 
 /**
- * Where everything of a chart goes.
+ * What a chart shows of its quantity, with a little room so that no curve runs along the frame.
  * @param {Chart} chart
- * @param {Area} area with the labels
- * @param {{from: number, to: number, hasTimes: boolean}} times
- * @returns {ChartFrame}
+ * @returns {[number, number]}
  */
-export function chartFrame(chart, area, { from, to, hasTimes }) {
+export function chartRange(chart) {
   const [least, most] = linearExtent(...valueRange(chart));
   const padding = CHART_PADDING * (most - least);
-  const [low, high] = [least - padding, most + padding];
-  const longest = Math.max(...linearTicks(low, high).map(({ label }) => label.length));
-  const left = 32 + 6.4 * longest;
+  return [least - padding, most + padding];
+}
+
+/**
+ * Room on the left of the frames of some charts: for the longest label of all, so that their times stand one above another.
+ * @param {[number, number][]} ranges
+ */
+export function leftRoom(ranges) {
+  return 12 + Math.max(...ranges.map(([low, high]) => labelRoom(low, high)));
+}
+
+/**
+ * Where everything of a chart goes.
+ * @param {[number, number]} range
+ * @param {Area} area with the labels
+ * @param {{from: number, to: number, hasTimes: boolean, left: number}} layout
+ * @returns {ChartFrame}
+ */
+export function chartFrame([low, high], area, { from, to, hasTimes, left }) {
   const bottom = hasTimes ? TIME_AXIS : 8;
   return {
     frame: { x: area.x + left, y: area.y + 8, width: area.width - left - 14, height: area.height - 8 - bottom },

@@ -1,6 +1,6 @@
 // The panel of curves: what to draw, charts of one unit each over a common time, legends with the values now.
 
-import { chartFrame, drawChart, drawCursor, drawEvents, timeAt, TIME_AXIS } from "./chart.js";
+import { chartFrame, chartRange, drawChart, drawCursor, drawEvents, leftRoom, timeAt, TIME_AXIS } from "./chart.js";
 import { element, fitCanvas, saveBlob, setText } from "./dom.js";
 import { CanvasPen, SvgPen } from "./pen.js";
 import { fileStem } from "./picture.js";
@@ -63,8 +63,42 @@ export class Curves {
     const rows = app.visible().reduce((sum, { run }) => sum + run.rows, 0);
     if (rows !== this.rowsShown && now - this.lastGrowth > REPAINT_EVERY) {
       [this.rowsShown, this.lastGrowth] = [rows, now];
+    } else if (rows !== this.rowsShown) {
+      // The last rows of a run that stops to grow are painted too.
+      setTimeout(() => app.touch(), REPAINT_EVERY);
     }
+    const stale = this.plots.filter((plot) => plot.painted !== this.wanted(plot));
+    // One range may ask for more room on the left of all.
+    if (stale.length > 0) this.paint();
     for (const plot of this.plots) this.draw(plot);
+  }
+
+  /** What the still part of a plot depends on. @param {Plot} plot */
+  wanted({ canvas }) {
+    const { palette, player } = this.app;
+    const colours = `${palette.name}${palette.background}`;
+    return [canvas.clientWidth, colours, player.start, player.end, this.rowsShown, window.devicePixelRatio].join(" ");
+  }
+
+  /** Paints all but the cursors. */
+  paint() {
+    const { app } = this;
+    const { palette, player } = app;
+    const ranges = this.plots.map(({ chart }) => chartRange(chart));
+    const left = leftRoom(ranges);
+    this.plots.forEach((plot, at) => {
+      const { chart, canvas, still, hasTimes } = plot;
+      const [width, height] = [canvas.clientWidth, chartHeight(plot)];
+      plot.painted = this.wanted(plot);
+      if (width === 0) return;
+      const context = fitCanvas(still, width, height);
+      context.clearRect(0, 0, width, height);
+      const pen = new CanvasPen(context);
+      const area = { x: 0, y: 0, width, height };
+      plot.frame = chartFrame(ranges[at], area, { from: player.start, to: player.end, hasTimes, left });
+      drawChart(pen, chart, plot.frame, palette, hasTimes);
+      if (app.run !== null) drawEvents(pen, plot.frame, app.run, palette);
+    });
   }
 
   listOffers() {
@@ -107,7 +141,7 @@ export class Curves {
       still: document.createElement("canvas"),
       painted: "",
       frame: null,
-      values: chart.series.map(() => element("output", {})),
+      values: chart.series.map(() => element("span", { class: "value" })),
       hasTimes: at === charts.length - 1,
     }));
     const figures = this.plots.map((plot) => {
@@ -161,17 +195,6 @@ export class Curves {
     const height = chartHeight(plot);
     if (width === 0) return;
     const { palette, player } = app;
-    const colours = `${palette.name}${palette.background}`;
-    const wanted = [width, colours, player.start, player.end, this.rowsShown, window.devicePixelRatio].join(" ");
-    if (plot.painted !== wanted) {
-      plot.painted = wanted;
-      const context = fitCanvas(still, width, height);
-      context.clearRect(0, 0, width, height);
-      const pen = new CanvasPen(context);
-      plot.frame = chartFrame(chart, { x: 0, y: 0, width, height }, { from: player.start, to: player.end, hasTimes: plot.hasTimes });
-      drawChart(pen, chart, plot.frame, palette, plot.hasTimes);
-      if (app.run !== null) drawEvents(pen, plot.frame, app.run, palette);
-    }
     const context = fitCanvas(canvas, width, height);
     context.clearRect(0, 0, width, height);
     context.drawImage(still, 0, 0, width, height);
@@ -239,6 +262,8 @@ export function curvesSvg(app) {
   const charts = chartsOf(app);
   const pen = new SvgPen();
   const width = 800;
+  const ranges = charts.map(chartRange);
+  const left = leftRoom(ranges);
   let y = 0;
   charts.forEach((chart, at) => {
     const hasTimes = at === charts.length - 1;
@@ -251,7 +276,7 @@ export function curvesSvg(app) {
     y += 14 + 18 * legend.length;
     const area = { x: 0, y, width, height: 190 + (hasTimes ? TIME_AXIS : 8) };
     const { start: from, end: to } = app.player;
-    drawChart(pen, chart, chartFrame(chart, area, { from, to, hasTimes }), app.palette, hasTimes);
+    drawChart(pen, chart, chartFrame(ranges[at], area, { from, to, hasTimes, left }), app.palette, hasTimes);
     y += area.height;
   });
   return pen.finish(width, Math.max(y + 8, 40), app.palette.background, `${app.run?.mechanism.name ?? ""}: curves`);

@@ -40,6 +40,12 @@ export function openOptions(app) {
   for (const [value, name] of [["auto", "as the system"], ["light", "light"], ["dark", "dark"]]) {
     theme.add(new Option(name, value, false, app.theme === value));
   }
+  const plain = element("input", {
+    type: "checkbox",
+    id: "plain-keys",
+    checked: app.hasPlainKeys,
+    onchange: () => set(() => (app.hasPlainKeys = plain.checked)),
+  });
   const set = (/** @type {() => unknown} */ change) => {
     change();
     colour.value = app.palette.background;
@@ -50,6 +56,7 @@ export function openOptions(app) {
     optionRow("Refresh rate, frames a second", rate),
     optionRow("Fast-forward step, s", step),
     optionRow("Colours", theme),
+    optionRow("Keys of one letter", plain),
   ]);
 }
 
@@ -83,8 +90,10 @@ export function openHelp(app) {
  * @param {HTMLElement[]} contents
  */
 function showDialog(title, contents) {
+  // At the top: what a dialog opens with is what can be pressed first.
   const close = element("button", { type: "button", onclick: () => dialog.close() }, "Close");
-  const dialog = element("dialog", { "aria-label": title, onclose: () => dialog.remove() }, element("h2", {}, title), ...contents, close);
+  const head = element("div", { class: "head" }, element("h2", {}, title), close);
+  const dialog = element("dialog", { "aria-label": title, onclose: () => dialog.remove() }, head, ...contents);
   document.body.append(dialog);
   dialog.showModal();
 }

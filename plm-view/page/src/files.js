@@ -30,10 +30,18 @@ export function chooseFile(app) {
 /** @param {App} app @param {File} file */
 async function loadFile(app, file) {
   try {
-    await app.load(new Uint8Array(await file.arrayBuffer()));
+    const isShown = await app.load(new Uint8Array(await file.arrayBuffer()));
+    if (isShown) showTitle(file.name);
   } catch (error) {
     app.tell("error", `${file.name} cannot be read: ${error instanceof Error ? error.message : error}`);
   }
+}
+
+/** @param {string} title */
+function showTitle(title) {
+  document.title = title;
+  const heading = document.querySelector("h1");
+  if (heading !== null) heading.textContent = title;
 }
 
 /** Files may be dropped anywhere. @param {App} app */

@@ -31,6 +31,7 @@ export function listenToKeys(app, dialogs) {
     const name = keyName(event);
     const command = COMMAND_OF_KEY.get(name);
     if (command === undefined || belongsTo(target, name)) return;
+    if (!app.hasPlainKeys && Array.from(name).length === 1) return;
     event.preventDefault();
     command.run(app, dialogs);
     app.touch();

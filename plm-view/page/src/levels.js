@@ -1,9 +1,18 @@
 // Where bodies, jacks and springs stand along z: the declared depth, and beside one another where that is the same.
 
-/** @import {Mechanism} from "./format.js" */
+/** @import {Mechanism, Part} from "./format.js" */
 
-/** Kinds of parts that have a body in pictures, though none in the equations. */
-export const LINKS = new Set(["jack", "spring"]);
+/**
+ * Whether a part is drawn as a body between two points, though it has none in the equations: a part of the user's own with a
+ * piston or a rod is a jack.
+ * @param {Part} part
+ * @returns {"jack" | "spring" | null}
+ */
+export function linkKind({ kind, pair, frames, sizes }) {
+  if (frames.length < 2 || pair !== null) return null;
+  if (kind === "jack" || "piston" in sizes || "rod" in sizes) return "jack";
+  return kind === "spring" ? "spring" : null;
+}
 
 /**
  * @typedef {{bodies: number[], links: Map<number, number>, thickness: number}} Levels middle of each body along z; that of
@@ -19,7 +28,7 @@ export const LINKS = new Set(["jack", "spring"]);
  */
 export function levelsOf(mechanism, wanted) {
   const { bodies, parts } = mechanism;
-  const links = parts.map((part, index) => ({ part, index })).filter(({ part }) => LINKS.has(part.kind));
+  const links = parts.map((part, index) => ({ part, index })).filter(({ part }) => linkKind(part) !== null);
   const depths = [
     ...bodies.map((body) => body.depth),
     ...links.map(({ part }) => depthOfFrame(mechanism, part.frames[0])),
@@ -70,7 +79,7 @@ function neighboursOf({ bodies, parts, ground }, links) {
   /** @type {(number | {depth: number})[][]} */
   const neighbours = Array.from({ length: bodies.length + links.length }, () => []);
   parts.forEach((part, index) => {
-    const isLink = LINKS.has(part.kind);
+    const isLink = linkKind(part) !== null;
     if ((part.pair === null && !isLink) || part.pair === "weld") return;
     const ends = part.frames.map((frame) =>
       frame.body ?? { depth: frame.port === null ? 0 : ground[frame.port].depth },

@@ -115,6 +115,7 @@ async function startPage() {
   runFrames(app, draw);
   // For a live source, and for tests.
   Object.assign(window, { plmPage: { app, panel } });
+  performance.mark("page is ready");
 }
 
 void startPage();

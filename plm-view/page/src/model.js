@@ -45,7 +45,7 @@ export class Model {
 
 /** @param {Report} report */
 function reportRows(report) {
-  const operations = Object.entries(report.operations).filter(([, count]) => count > 0);
+  const operations = Object.entries(report.operations ?? {}).filter(([, count]) => count > 0);
   return [
     factRow("degrees of freedom", String(report.degrees_of_freedom)),
     factRow("formulation", report.formulation),

@@ -23,7 +23,7 @@ export class Objects {
     /** @type {LiveValue[]} */
     this.values = [];
     this.list = element("select", { size: 7, "aria-label": "Objects", onchange: () => this.choose() });
-    this.facts = element("div", { class: "facts", "aria-live": "polite" });
+    this.facts = element("div", { class: "facts" });
     root.append(this.list, this.facts, arrowControls(app));
   }
 

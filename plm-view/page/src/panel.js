@@ -67,6 +67,7 @@ export class Panel {
   update() {
     const { app } = this;
     this.root.hidden = !app.hasPanel;
+    if (!this.tabs.has(app.tab)) app.tab = "curves";
     for (const [id, { button, sheet, tab }] of this.tabs) {
       const isOpen = id === app.tab;
       button.setAttribute("aria-selected", String(isOpen));

@@ -57,7 +57,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   const moment = run.momentAt(time);
   const ghost = isGhost ? ghostColour(app, run) : null;
   drawScene(pen, scene, places, projection, { palette, isWire: app.isWire, selected: isGhost ? null : selected, ghost });
-  const points = tracePoints(run);
+  const points = app.traces.length > 0 ? tracePoints(run) : [];
   app.traces.forEach((name, at) => {
     const point = points.find((candidate) => candidate.name === name);
     if (point === undefined) return;

@@ -1,6 +1,6 @@
 // What is drawn of a part: pins, rails, slots, jacks, springs.
 
-import { depthOfFrame } from "./levels.js";
+import { depthOfFrame, linkKind } from "./levels.js";
 import { boxOutline, circleOutline, coilLine, movedOutline, roundedHull } from "./outline.js";
 import { fixedPiece, framePose } from "./solid.js";
 
@@ -23,7 +23,7 @@ import { fixedPiece, framePose } from "./solid.js";
 export function piecesOfPart(scene, index) {
   const part = scene.mechanism.parts[index];
   if (part.frames.length === 0) return [];
-  const make = PART_PIECES[part.pair ?? part.kind];
+  const make = PART_PIECES[linkKind(part) ?? part.pair ?? part.kind];
   return make === undefined ? [] : make(new PartDraft(scene, index));
 }
 

@@ -89,6 +89,26 @@ test("a rail reaches as far as its carriage goes", async () => {
   assert.equal(run.mechanism.bodies[4].name, "carriage");
 });
 
+test("a port of the ground that moves takes its bearing along", async () => {
+  const made = workshop({ end: 1 });
+  const ports = made.head.mechanism.ground;
+  made.ground = made.time.flatMap((t) => ports.flatMap(({ x, y, angle }, index) => (index === 0 ? [x + t, y, angle] : [x, y, angle])));
+  const scene = await sceneOf(made);
+  const mount = piecesOf(scene, "crank_pin").find(({ tone }) => tone === "mount");
+  const lefts = [0, 0.505, 1].map((t) => Math.min(...outlineAt(mount, scene.at(t)).filter((_, at) => at % 2 === 0)));
+  assert.ok(Math.abs(lefts[1] - lefts[0] - 0.505) < 1e-12 && Math.abs(lefts[2] - lefts[0] - 1) < 1e-12, `${lefts}`);
+});
+
+test("a part of the user's own with a rod is a jack, one with a pair is that pair", async () => {
+  const made = workshop();
+  const part = (name) => made.head.mechanism.parts.find((each) => each.name === name);
+  part("ram").kind = "my_cylinder";
+  part("crank_pin").kind = "my_bearing";
+  const scene = await sceneOf(made);
+  assert.ok(piecesOf(scene, "ram").some(({ tone }) => tone === "rod"));
+  assert.ok(piecesOf(scene, "crank_pin").some(({ tone }) => tone === "mount"));
+});
+
 test("joined bodies of one depth lie side by side, and declared depths keep their order", async () => {
   const scene = await sceneOf(workshop());
   const { bodies, thickness } = scene.levels;

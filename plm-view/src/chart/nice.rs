@@ -121,7 +121,10 @@ mod tests {
             let (found_least, found_most) = extent([low, high].into_iter());
             // The table has decimal fractions: one rounding of each product and sum.
             let near = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * b.abs();
-            assert!(near(found_least, least) && near(found_most, most), "{low:e} {high:e}: {found_least} {found_most}");
+            assert!(
+                near(found_least, least) && near(found_most, most),
+                "{low:e} {high:e}: {found_least} {found_most}"
+            );
         }
     }
 

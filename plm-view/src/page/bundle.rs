@@ -118,14 +118,19 @@ mod tests {
     #[test]
     fn a_module_stands_behind_those_that_it_imports() {
         for (position, (name, text)) in MODULES.iter().enumerate() {
-            for import in text.lines().filter(|line| line.starts_with("import ") || line.starts_with("} from ")) {
+            for import in
+                text.lines().filter(|line| line.starts_with("import ") || line.starts_with("} from "))
+            {
                 let Some((_, from)) = import.split_once("\"./") else { continue };
                 let other = from.trim_end_matches(".js\";");
                 assert!(
                     MODULES[..position].iter().any(|(earlier, _)| *earlier == other),
                     "{name} imports {other}"
                 );
-                assert!(!import.contains(" as ") && !import.contains('*'), "{name} renames an import: {import}");
+                assert!(
+                    !import.contains(" as ") && !import.contains('*'),
+                    "{name} renames an import: {import}"
+                );
             }
         }
     }
@@ -134,7 +139,8 @@ mod tests {
     fn declared(line: &str) -> Option<&str> {
         let line = line.strip_prefix("export ").unwrap_or(line);
         let line = line.strip_prefix("async ").unwrap_or(line);
-        let rest = ["function ", "const ", "let ", "class "].iter().find_map(|word| line.strip_prefix(word))?;
+        let rest =
+            ["function ", "const ", "let ", "class "].iter().find_map(|word| line.strip_prefix(word))?;
         rest.split(|c: char| !c.is_alphanumeric() && c != '_').next()
     }
 
