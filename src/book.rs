@@ -44,6 +44,11 @@ pages! {
     Batch = "running/batch.md";
 }
 
+#[cfg(feature = "view")]
+pages! {
+    ThePage = "running/page.md";
+}
+
 #[cfg(all(feature = "batch", feature = "view"))]
 pages! {
     RunningRecipes = "recipes/running.md";

@@ -28,7 +28,7 @@ fn files(extensions: &[&str]) -> Vec<PathBuf> {
             let name = entry.file_name().into_string().unwrap();
             let path = entry.path();
             if path.is_dir() {
-                if !["target", ".git", "book"].contains(&name.as_str()) {
+                if !["target", ".git", "book", "node_modules"].contains(&name.as_str()) {
                     folders.push(path);
                 }
             } else if path.extension().is_some_and(|e| extensions.iter().any(|wanted| e == *wanted))

@@ -1,4 +1,5 @@
-//! Results of a run: a recording, its table (CSV) and its curves (SVG); figures beside the published ones.
+//! Results of a run: a recording, its table (CSV) and its curves (SVG), a page that moves (HTML); figures beside the
+//! published ones.
 //!
 //! ```
 //! use plm_view::{Chart, Recording};
@@ -25,9 +26,11 @@ mod chart;
 mod error;
 mod figures;
 pub mod live;
+mod page;
 mod recording;
 
 pub use chart::{Axis, Chart, Rule, Series};
 pub use error::Error;
 pub use figures::{Figure, Figures};
+pub use page::Page;
 pub use recording::{Column, Recording};

@@ -64,6 +64,7 @@ fn label(digit: i32, exponent: i32, plain: bool) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::table::cases;
     use super::*;
 
     fn labels(low: f64, high: f64) -> String {
@@ -73,24 +74,17 @@ mod tests {
 
     #[test]
     fn labels_stand_at_decades() {
-        for (low, high, expected) in [
-            (1e-12, 1e-8, "10⁻¹² 10⁻¹¹ 10⁻¹⁰ 10⁻⁹ 10⁻⁸"),
-            (3e-5, 7e-3, "10⁻⁴ 10⁻³"),
-            (10.0, 10_000.0, "10 100 1000 10000"),
-            (0.001, 1.0, "0.001 0.01 0.1 1"),
-            (1e-14, 1e4, "10⁻¹⁴ 10⁻¹² 10⁻¹⁰ 10⁻⁸ 10⁻⁶ 10⁻⁴ 10⁻² 10⁰ 10² 10⁴"),
-            (3.0, 60.0, "5 10 20 50"),
-            (3e-7, 3e-6, "5×10⁻⁷ 10⁻⁶ 2×10⁻⁶"),
-        ] {
+        for (low, high, expected) in cases::<(f64, f64, String)>("decades") {
             assert_eq!(labels(low, high), expected);
         }
     }
 
     #[test]
     fn ticks_between_labels_stand_at_whole_multiples() {
-        let values: Vec<f64> = ticks(0.0, 2.0).into_iter().map(|tick| tick.value).collect();
-        let expected: Vec<f64> = (1..10).chain((10..100).step_by(10)).chain([100]).map(f64::from).collect();
-        assert_eq!(values, expected);
+        for (low, high, expected) in cases::<(f64, f64, String)>("between") {
+            let values = ticks(low.log10(), high.log10()).into_iter().map(|tick| tick.value.to_string());
+            assert_eq!(values.collect::<Vec<_>>().join(" "), expected);
+        }
     }
 
     #[test]

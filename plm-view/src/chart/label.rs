@@ -64,40 +64,31 @@ fn superscript(character: char) -> char {
 
 #[cfg(test)]
 mod tests {
+    use super::super::table::cases;
     use super::*;
 
     #[test]
     fn units_are_typeset() {
-        for (unit, expected) in [
-            ("deg", "deg"),
-            ("N*m", "N·m"),
-            ("m/s^2", "m/s²"),
-            ("kg*m^2*s^-1", "kg·m²·s⁻¹"),
-            ("m^12/h2o", "m¹²/h2o"),
-            ("N*m/(rev/min)", "N·m/(rev/min)"),
-        ] {
-            assert_eq!(typeset(unit), expected);
+        for (unit, expected) in cases::<(String, String)>("units") {
+            assert_eq!(typeset(&unit), expected);
         }
     }
 
     #[test]
     fn an_axis_names_what_its_curves_have_in_common() {
-        for (names, expected) in [
-            (&["arm.angle", "forearm.angle"][..], "angle"),
-            (&["arm.x", "arm.y"], ""),
-            (&["tip_height"], "tip_height"),
-            (&[], ""),
-        ] {
-            assert_eq!(common_quantity(names.iter().copied()), expected);
+        for (names, expected) in cases::<(String, String)>("common") {
+            assert_eq!(common_quantity(names.split(' ')), expected);
         }
-        assert_eq!(with_unit("angle", "deg"), "angle (deg)");
-        assert_eq!(with_unit("", "N*m"), "N·m");
-        assert_eq!(with_unit("ratio", ""), "ratio");
+        assert_eq!(common_quantity([].into_iter()), "");
+        for (quantity, unit, expected) in cases::<(String, String, String)>("axes") {
+            assert_eq!(with_unit(&quantity, &unit), expected);
+        }
     }
 
     #[test]
     fn powers_of_ten_are_raised() {
-        assert_eq!(power_of_ten(-15), "10⁻¹⁵");
-        assert_eq!(power_of_ten(6), "10⁶");
+        for (exponent, expected) in cases::<(i32, String)>("powers") {
+            assert_eq!(power_of_ten(exponent), expected);
+        }
     }
 }

@@ -9,6 +9,8 @@ mod draw;
 mod label;
 mod nice;
 mod series;
+#[cfg(test)]
+mod table;
 mod thin;
 
 use std::io;

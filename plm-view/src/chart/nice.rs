@@ -101,6 +101,7 @@ fn ten_to(exponent: i32) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::table::cases;
     use super::*;
 
     fn labels(low: f64, high: f64) -> Vec<String> {
@@ -109,17 +110,21 @@ mod tests {
 
     #[test]
     fn ticks_stand_at_nice_numbers() {
-        for (low, high, expected) in [
-            (0.0, 40.0, "0 5 10 15 20 25 30 35 40"),
-            (0.0, 1.0, "0 0.2 0.4 0.6 0.8 1.0"),
-            (-0.3, 0.3, "−0.3 −0.2 −0.1 0 0.1 0.2 0.3"),
-            (-95.0, 48.0, "−80 −60 −40 −20 0 20 40"),
-            (98.0, 98.3, "98.00 98.05 98.10 98.15 98.20 98.25 98.30"),
-            (0.0, 2e-15, "0 0.5×10⁻¹⁵ 1.0×10⁻¹⁵ 1.5×10⁻¹⁵ 2.0×10⁻¹⁵"),
-            (-1.2e7, 0.0, "−1.2×10⁷ −1.0×10⁷ −0.8×10⁷ −0.6×10⁷ −0.4×10⁷ −0.2×10⁷ 0"),
-            (0.0, 30_000.0, "0 5000 10000 15000 20000 25000 30000"),
-        ] {
+        for (low, high, expected) in cases::<(f64, f64, String)>("linear") {
             assert_eq!(labels(low, high).join(" "), expected);
+        }
+    }
+
+    #[test]
+    fn a_constant_gets_room_around_it() {
+        for (low, high, least, most) in cases::<(f64, f64, f64, f64)>("linear_extents") {
+            let (found_least, found_most) = extent([low, high].into_iter());
+            // The table has decimal fractions: one rounding of each product and sum.
+            let near = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * b.abs();
+            assert!(
+                near(found_least, least) && near(found_most, most),
+                "{low:e} {high:e}: {found_least} {found_most}"
+            );
         }
     }
 

@@ -1,0 +1,159 @@
+// Chromium without a screen, pages as Rust writes them, and looks at what is drawn.
+
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { after } from "node:test";
+import { makeNpz } from "../../tests/support/npz.js";
+
+const CHROMIUM = [process.env["CHROMIUM"], "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+const executablePath = CHROMIUM.find((path) => path !== undefined && existsSync(path));
+
+/** @returns {Promise<any>} */
+async function playwright() {
+  try {
+    return (await import("playwright-core")).default;
+  } catch {
+    return null;
+  }
+}
+
+const library = await playwright();
+
+/** Why these tests are skipped; false if they run. */
+export const skip =
+  library === null
+    ? "skipped: playwright-core is missing; `npm ci` in plm-view/page installs it"
+    : executablePath === undefined
+      ? "skipped: Chromium is missing; `apt-get install chromium` installs it, or CHROMIUM names it"
+      : false;
+
+/** @type {any} */
+let browser = null;
+
+/** The browser, which is closed behind the last test. */
+export async function theBrowser() {
+  if (browser === null) {
+    // Chromium as root runs without its sandbox alone.
+    const args = process.getuid?.() === 0 ? ["--no-sandbox"] : [];
+    browser = await library.chromium.launch({ executablePath, args });
+  }
+  return browser;
+}
+
+after(async () => {
+  await browser?.close();
+});
+
+const folder = mkdtempSync(join(tmpdir(), "plm-page-"));
+
+/** A page as Rust writes it: `PLM_PAGE` is the example `page`, built; else cargo builds it. @returns {string} its address */
+export function writePage(name, bytes, title = name) {
+  const [results, html] = [join(folder, `${name}.npz`), join(folder, `${name}.html`)];
+  writeFileSync(results, bytes);
+  const program = process.env["PLM_PAGE"];
+  if (program !== undefined) execFileSync(program, [results, html, title]);
+  else execFileSync("cargo", ["run", "-q", "-p", "plm-view", "--example", "page", "--", results, html, title]);
+  return pathToFileURL(html).href;
+}
+
+export const writeRuns = (name, runs, title) => writePage(name, makeNpz(runs), title);
+
+/**
+ * Opens a page; every request and every error of it is kept.
+ * @returns {Promise<{page: any, requests: string[], errors: string[]}>}
+ */
+export async function open(address, { width = 1200, height = 800, theme = "light", hash = "" } = {}) {
+  if (used === null || used.isClosed()) used = await newPage();
+  const page = used;
+  heard = { requests: [], errors: [] };
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ colorScheme: theme });
+  // Over another page, so that an address which differs behind # alone loads anew.
+  await page.goto("about:blank");
+  heard.requests.length = 0;
+  await page.goto(address + hash);
+  await page.waitForFunction(() => "plmPage" in window);
+  await settle(page);
+  return { page, ...heard };
+}
+
+/** A page is used again and again: to make one takes longer than most tests. @type {any} */
+let used = null;
+/** @type {{requests: string[], errors: string[]}} */
+let heard = { requests: [], errors: [] };
+
+async function newPage() {
+  const page = await (await theBrowser()).newPage();
+  page.on("request", (request) => heard.requests.push(request.url()));
+  page.on("pageerror", (error) => heard.errors.push(String(error.stack ?? error)));
+  // Chromium's own warnings are no errors of the page.
+  page.on("console", (message) => message.type() === "error" && heard.errors.push(message.text()));
+  return page;
+}
+
+/** Until what was asked for is drawn. */
+export async function settle(page) {
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))),
+  );
+}
+
+/** What is on a canvas: a number of its pixels, how many differ from the background, and how many have each of some colours. */
+export async function drawn(page, selector = "#picture", colours = {}) {
+  return page.evaluate(
+    ([target, wanted]) => {
+      const canvas = document.querySelector(target);
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      const words = new Uint32Array(data.buffer);
+      const near = (at, [r, g, b], limit) =>
+        Math.abs(data[at] - r) < limit && Math.abs(data[at + 1] - g) < limit && Math.abs(data[at + 2] - b) < limit;
+      const back = [data[0], data[1], data[2], data[3]];
+      let [hash, ink] = [0, 0];
+      const counts = Object.fromEntries(Object.keys(wanted).map((name) => [name, 0]));
+      const colours = Object.entries(wanted);
+      for (let pixel = 0; pixel < words.length; pixel++) {
+        hash = (Math.imul(hash, 31) + words[pixel]) | 0;
+        // Most of a picture is background.
+        if (words[pixel] === words[0]) continue;
+        const at = 4 * pixel;
+        if (!near(at, back, 8) || Math.abs(data[at + 3] - back[3]) > 8) ink++;
+        for (const [name, rgb] of colours) if (near(at, rgb, 12)) counts[name]++;
+      }
+      return { hash, ink, back, ...counts };
+    },
+    [selector, colours],
+  );
+}
+
+/** The middle of what is drawn in a colour, in pixels of the page. */
+export async function middleOf(page, rgb) {
+  return page.evaluate((wanted) => {
+    const canvas = document.querySelector("#picture");
+    const { width, height } = canvas;
+    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    let [x, y, count] = [0, 0, 0];
+    for (let at = 0; at < data.length; at += 4) {
+      if (wanted.some((part, index) => Math.abs(part - data[at + index]) > 12)) continue;
+      x += (at / 4) % width;
+      y += Math.floor(at / 4 / width);
+      count++;
+    }
+    const box = canvas.getBoundingClientRect();
+    const ratio = width / box.width;
+    return { x: box.left + x / count / ratio, y: box.top + y / count / ratio, count };
+  }, rgb);
+}
+
+/** What a command does to the page. */
+export const state = (page, read) => page.evaluate(`(({app}) => (${read}))(window.plmPage)`);
+
+/** Saves a screenshot where `PLM_SHOTS` says, to be looked at. */
+export async function shot(page, name) {
+  const place = process.env["PLM_SHOTS"];
+  if (place === undefined) return;
+  mkdirSync(place, { recursive: true });
+  await page.screenshot({ path: join(place, `${name}.png`) });
+}

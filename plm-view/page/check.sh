@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# All tests of the page: installs what they need, then the modules, their types, and the page in a browser.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+if ! command -v node >/dev/null; then
+    printf 'NOT CHECKED: node is missing (20 or later; `apt-get install nodejs npm`)\n'
+    exit 0
+fi
+if ! [ node_modules/.package-lock.json -nt package-lock.json ]; then
+    npm ci --silent
+fi
+browser=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+if [ -z "$browser" ] && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+    apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium fonts-dejavu-core || true
+fi
+
+printf '== types\n'
+node_modules/.bin/tsc --project tsconfig.json
+
+printf '== modules\n'
+node --test --test-reporter=dot tests/*.test.js
+
+# The browser opens pages as Rust writes them.
+program=$(cargo build -q -p plm-view --example page --message-format=json |
+    sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1)
+export PLM_PAGE=${PLM_PAGE:-$program}
+
+printf '== browser\n'
+node --test --test-reporter=spec --test-concurrency=2 browser/*.test.js

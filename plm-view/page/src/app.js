@@ -1,0 +1,330 @@
+// What is shown, as plain data, and what can be done with it. It knows nothing of elements of the page.
+
+import { forceField, velocityField } from "./arrows.js";
+import { onBackground, DARK, LIGHT } from "./palette.js";
+import { Player } from "./player.js";
+import { readResults } from "./results.js";
+import { Scene } from "./scene.js";
+import { timeText } from "./text.js";
+import { View } from "./view.js";
+
+/** @import {ArrowField} from "./arrows.js" */
+/** @import {Run} from "./run.js" */
+/** @import {Item} from "./solid.js" */
+/** @import {Area, PresetName} from "./view.js" */
+
+/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info"} Mode what dragging does */
+/** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
+/** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} Shown */
+/** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
+
+export class App {
+  constructor() {
+    /** @type {Shown[]} */
+    this.shown = [];
+    this.active = 0;
+    /** @type {Layout} */
+    this.layout = "one";
+    this.view = new View();
+    this.player = new Player();
+    /** @type {Mode} */
+    this.mode = "pan";
+    this.isWire = false;
+    /** @type {Item | null} */
+    this.selected = null;
+    /** Names of quantities. @type {string[]} */
+    this.curves = [];
+    /** Names of points. @type {string[]} */
+    this.traces = [];
+    this.showsForces = false;
+    this.showsVelocities = false;
+    /** Length of arrows against the usual one. */
+    this.arrowFactor = 1;
+    /** @type {"auto" | "light" | "dark"} */
+    this.theme = "auto";
+    this.prefersDark = false;
+    /** @type {string | null} */
+    this.background = null;
+    /** Frames a second at most. */
+    this.refreshRate = 60;
+    /** Whether keys without Ctrl do something: who dictates to the computer may not want that. */
+    this.hasPlainKeys = true;
+    this.tab = "curves";
+    this.hasPanel = true;
+    /** The window of "zoom to window" while it is chosen, in pixels. @type {Area | null} */
+    this.window = null;
+    /** @type {Message[]} */
+    this.messages = [];
+    this.madeBy = "";
+    /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
+    this.bytes = null;
+    /** Where the scene is drawn. @type {Area} */
+    this.area = { x: 0, y: 0, width: 800, height: 600 };
+    /** Rises with everything that panels have to be built anew for. */
+    this.revision = 0;
+    /** Called when something is to be drawn. */
+    this.onTouch = () => {};
+  }
+
+  get run() {
+    return this.shown[this.active]?.run ?? null;
+  }
+
+  get scene() {
+    return this.shown[this.active]?.scene ?? null;
+  }
+
+  get isDark() {
+    return this.theme === "dark" || (this.theme === "auto" && this.prefersDark);
+  }
+
+  get palette() {
+    return onBackground(this.isDark ? DARK : LIGHT, this.background);
+  }
+
+  /** Something is to be drawn. */
+  touch() {
+    this.onTouch();
+  }
+
+  /** Something is to be drawn, and panels are to be built anew. */
+  change() {
+    this.revision += 1;
+    this.touch();
+  }
+
+  /** @param {Message["kind"]} kind @param {string} text */
+  tell(kind, text) {
+    if (!this.messages.some((message) => message.text === text)) this.messages.push({ kind, text });
+    this.change();
+  }
+
+  /**
+   * Shows a results file; what cannot be read is told, and what was shown stays.
+   * @param {Uint8Array} bytes
+   * @returns {Promise<boolean>} whether it is shown
+   */
+  async load(bytes) {
+    this.messages = [];
+    try {
+      const { runs, madeBy, warnings } = await readResults(bytes);
+      this.bytes = bytes;
+      this.madeBy = madeBy;
+      this.showRuns(runs);
+      for (const warning of warnings) this.tell("warning", warning);
+      return true;
+    } catch (error) {
+      this.tell("error", error instanceof Error ? error.message : String(error));
+      return false;
+    }
+  }
+
+  /** @param {Run[]} runs */
+  showRuns(runs) {
+    this.shown = [];
+    for (const run of runs) this.addRun(run);
+    this.active = 0;
+    this.layout = "one";
+    this.selected = null;
+    const names = new Set(this.run?.quantities().map(({ name }) => name));
+    this.curves = this.curves.filter((name) => names.has(name));
+    this.traces = [];
+    if (this.curves.length === 0) this.curves = usualCurves(this.run);
+    this.player.stop();
+    this.player.chosenStep = null;
+    this.updateBounds();
+    this.player.seek(this.player.start);
+    this.lookFrom("front");
+    this.tellFault();
+  }
+
+  /**
+   * A further run, which may be live: its rows may grow, and `rowsAppended` tells that.
+   * @param {Run} run
+   */
+  addRun(run) {
+    const scene = new Scene(run);
+    this.shown.push({ run, scene, forces: forceField(scene), velocities: velocityField(scene), isShown: true });
+    this.updateBounds();
+    this.change();
+  }
+
+  /** A source has appended rows to a run, or has cleared it. @param {Run} run */
+  rowsAppended(run) {
+    const shown = this.shown.find((candidate) => candidate.run === run);
+    if (shown !== undefined) growArrows(shown);
+    this.updateBounds();
+    this.touch();
+  }
+
+  /** Tells what ended the active run. */
+  tellFault() {
+    this.messages = this.messages.filter(({ kind }) => kind !== "fault");
+    const fault = this.run?.fault ?? null;
+    if (fault === null) return;
+    const text = `The run ended at ${timeText(fault.time, fault.time)}: ${fault.part}: ${fault.text}`;
+    this.tell("fault", text);
+  }
+
+  updateBounds() {
+    const runs = this.visible().map(({ run }) => run).filter((run) => run.rows > 0);
+    if (runs.length === 0) this.player.setBounds(0, 0);
+    else this.player.setBounds(Math.min(...runs.map((run) => run.start)), Math.max(...runs.map((run) => run.end)));
+  }
+
+  /** The runs that are drawn, the active one last, so that it lies over the others. */
+  visible() {
+    const active = this.shown[this.active];
+    if (active === undefined) return [];
+    if (this.layout === "one") return [active];
+    const others = this.shown.filter((shown) => shown.isShown && shown !== active);
+    return this.layout === "overlay" ? [...others, active] : this.shown.filter((shown) => shown.isShown || shown === active);
+  }
+
+  /**
+   * Where each visible run is drawn: side by side in rows and columns, or all in one place.
+   * @returns {Area[]}
+   */
+  areas() {
+    const count = this.visible().length;
+    const { x, y, width, height } = this.area;
+    if (this.layout !== "side" || count < 2) return Array.from({ length: count }, () => this.area);
+    const columns = Math.min(count, Math.max(1, Math.round(Math.sqrt((count * width) / height))));
+    const [w, h] = [width / columns, height / Math.ceil(count / columns)];
+    return Array.from({ length: count }, (_, at) => ({
+      x: x + (at % columns) * w,
+      y: y + Math.floor(at / columns) * h,
+      width: w,
+      height: h,
+    }));
+  }
+
+  clear() {
+    this.shown = [];
+    this.active = 0;
+    this.selected = null;
+    this.messages = [];
+    this.player.stop();
+    this.updateBounds();
+    this.change();
+  }
+
+  /** The last file again, at its start. */
+  async reload() {
+    if (this.bytes !== null) await this.load(this.bytes);
+  }
+
+  zoomToExtents() {
+    const boxes = this.visible().map(({ scene }) => scene.extents());
+    if (boxes.length > 0) {
+      const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
+      const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));
+      this.view.fit({ low, high }, this.areas()[0]);
+    }
+    this.touch();
+  }
+
+  /** @param {PresetName} name */
+  lookFrom(name) {
+    this.view.lookFrom(name);
+    this.zoomToExtents();
+  }
+
+  /** @param {Item | null} item */
+  select(item) {
+    this.selected = item;
+    this.change();
+  }
+
+  /** Everything that can be selected, in the order of the declaration. @returns {Item[]} */
+  items() {
+    const mechanism = this.run?.mechanism;
+    if (mechanism === undefined) return [];
+    /** @type {(list: unknown[], kind: Item["kind"]) => Item[]} */
+    const all = (list, kind) => list.map((_, index) => ({ kind, index }));
+    return [...all(mechanism.bodies, "body"), ...all(mechanism.parts, "part"), ...all(mechanism.ground, "port")];
+  }
+
+  /** @param {number} steps */
+  selectNext(steps) {
+    const items = this.items();
+    if (items.length === 0) return;
+    const { selected } = this;
+    const at = items.findIndex((item) => item.kind === selected?.kind && item.index === selected.index);
+    const first = steps > 0 ? -1 : items.length;
+    this.select(items[((at < 0 ? first : at) + steps + items.length) % items.length]);
+  }
+
+  /** @param {number} index */
+  activate(index) {
+    if (this.shown[index] === undefined) return;
+    this.active = index;
+    this.shown[index].isShown = true;
+    if (this.selected !== null && this.items().every((item) => item.kind !== this.selected?.kind || item.index !== this.selected.index)) {
+      this.selected = null;
+    }
+    this.updateBounds();
+    this.tellFault();
+    this.change();
+  }
+
+  /** @param {Layout} layout */
+  setLayout(layout) {
+    this.layout = layout;
+    this.updateBounds();
+    this.zoomToExtents();
+    this.change();
+  }
+
+  /** @param {string[]} list curves or traces @param {string} name */
+  toggleName(list, name) {
+    const at = list.indexOf(name);
+    if (at < 0) list.push(name);
+    else list.splice(at, 1);
+    this.change();
+  }
+
+  /**
+   * The times of events of the active run, of its fault too, in rising order.
+   * @returns {number[]}
+   */
+  eventTimes() {
+    const { run } = this;
+    if (run === null) return [];
+    const times = run.events.map(({ time }) => time);
+    if (run.fault !== null) times.push(run.fault.time);
+    return [...new Set(times)].sort((a, b) => a - b);
+  }
+
+  /** @param {number} direction 1 or -1 */
+  jumpToEvent(direction) {
+    const { time } = this.player;
+    const times = this.eventTimes();
+    const next = direction > 0 ? times.find((at) => at > time) : times.findLast((at) => at < time);
+    this.player.stop();
+    if (next !== undefined) this.player.seek(next);
+    this.touch();
+  }
+}
+
+/**
+ * Curves for a first look: the first few columns of the most common unit.
+ * @param {Run | null} run
+ */
+function usualCurves(run) {
+  const quantities = run?.quantities() ?? [];
+  const first = quantities[0];
+  return quantities.filter(({ unit }) => unit === first.unit).slice(0, 3).map(({ name }) => name);
+}
+
+/** Arrows keep the scale of the largest that was ever seen. @param {Shown} shown */
+function growArrows(shown) {
+  const moment = { row: Math.max(0, shown.run.rows - 1), share: 0 };
+  if (shown.run.rows === 0) return;
+  for (const field of [shown.forces, shown.velocities]) {
+    for (const { u, v } of field.arrows(shown.scene.places, moment)) {
+      const size = Math.hypot(u, v);
+      if (Number.isFinite(size)) field.largest = Math.max(field.largest, size);
+    }
+  }
+}

@@ -1,0 +1,288 @@
+// The panel of curves: what to draw, charts of one unit each over a common time, legends with the values now.
+
+import { chartFrame, chartRange, drawChart, drawCursor, drawEvents, leftRoom, timeAt, TIME_AXIS } from "./chart.js";
+import { element, fitCanvas, saveBlob, setText } from "./dom.js";
+import { CanvasPen, SvgPen } from "./pen.js";
+import { fileStem } from "./picture.js";
+import { quantityText, withUnit, commonQuantity } from "./text.js";
+
+/** @import {App} from "./app.js" */
+/** @import {Chart, ChartFrame, Series} from "./chart.js" */
+
+/**
+ * A chart on the page. `still` holds all but the cursor, and is painted when something of it has changed.
+ * @typedef {{chart: Chart, canvas: HTMLCanvasElement, still: HTMLCanvasElement, painted: string, frame: ChartFrame | null,
+ *   values: HTMLElement[], hasTimes: boolean}} Plot
+ */
+
+/** Height of a chart without the labels of times. */
+const CHART_HEIGHT = 150;
+/** So many quantities are offered; the filter finds the others. */
+const MOST_OFFERED = 150;
+/** Dashes tell runs apart; the active one is solid. */
+const DASHES = [[6, 4], [2, 3], [9, 3, 2, 3], [12, 4]];
+/** Curves of a run that grows are painted anew so often, ms. */
+const REPAINT_EVERY = 120;
+
+export class Curves {
+  /**
+   * @param {App} app
+   * @param {HTMLElement} root
+   */
+  constructor(app, root) {
+    this.app = app;
+    this.revision = -1;
+    /** @type {Plot[]} */
+    this.plots = [];
+    this.lastGrowth = 0;
+    this.rowsShown = 0;
+    this.filter = element("input", {
+      type: "search",
+      placeholder: "Filter, such as angle or force",
+      "aria-label": "Filter quantities",
+      oninput: () => this.listOffers(),
+    });
+    this.offers = element("div", { class: "offers", role: "group", "aria-label": "Quantities to draw" });
+    this.summary = element("summary", {}, "Quantities");
+    this.charts = element("div", { class: "charts" });
+    root.append(
+      element("details", { class: "picker" }, this.summary, this.filter, this.offers),
+      this.charts,
+      element("div", { class: "row" }, element("button", { type: "button", onclick: () => saveCurves(this.app) }, "Save curves (SVG)")),
+    );
+  }
+
+  update() {
+    const { app } = this;
+    if (this.revision !== app.revision) {
+      this.revision = app.revision;
+      this.listOffers();
+      this.build();
+    }
+    const now = performance.now();
+    const rows = app.visible().reduce((sum, { run }) => sum + run.rows, 0);
+    if (rows !== this.rowsShown && now - this.lastGrowth > REPAINT_EVERY) {
+      [this.rowsShown, this.lastGrowth] = [rows, now];
+    } else if (rows !== this.rowsShown) {
+      // The last rows of a run that stops to grow are painted too.
+      setTimeout(() => app.touch(), REPAINT_EVERY);
+    }
+    const stale = this.plots.filter((plot) => plot.painted !== this.wanted(plot));
+    // One range may ask for more room on the left of all.
+    if (stale.length > 0) this.paint();
+    for (const plot of this.plots) this.draw(plot);
+  }
+
+  /** What the still part of a plot depends on. @param {Plot} plot */
+  wanted({ canvas }) {
+    const { palette, player } = this.app;
+    const colours = `${palette.name}${palette.background}`;
+    return [canvas.clientWidth, colours, player.start, player.end, this.rowsShown, window.devicePixelRatio].join(" ");
+  }
+
+  /** Paints all but the cursors. */
+  paint() {
+    const { app } = this;
+    const { palette, player } = app;
+    const ranges = this.plots.map(({ chart }) => chartRange(chart));
+    const left = leftRoom(ranges);
+    this.plots.forEach((plot, at) => {
+      const { chart, canvas, still, hasTimes } = plot;
+      const [width, height] = [canvas.clientWidth, chartHeight(plot)];
+      plot.painted = this.wanted(plot);
+      if (width === 0) return;
+      const context = fitCanvas(still, width, height);
+      context.clearRect(0, 0, width, height);
+      const pen = new CanvasPen(context);
+      const area = { x: 0, y: 0, width, height };
+      plot.frame = chartFrame(ranges[at], area, { from: player.start, to: player.end, hasTimes, left });
+      drawChart(pen, chart, plot.frame, palette, hasTimes);
+      if (app.run !== null) drawEvents(pen, plot.frame, app.run, palette);
+    });
+  }
+
+  listOffers() {
+    const { app } = this;
+    const words = this.filter.value.toLowerCase().split(/\s+/).filter((word) => word !== "");
+    const all = app.run?.quantities() ?? [];
+    const found = all.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
+    const offers = found.slice(0, MOST_OFFERED).map(({ name, unit }) =>
+      element(
+        "label",
+        {},
+        element("input", {
+          type: "checkbox",
+          checked: app.curves.includes(name),
+          "data-name": name,
+          onchange: () => this.choose(name),
+        }),
+        withUnit(name, unit),
+      ),
+    );
+    const more = found.length - offers.length;
+    this.offers.replaceChildren(...offers, ...(more > 0 ? [element("p", {}, `and ${more} more: type to filter`)] : []));
+    setText(this.summary, `Quantities (${app.curves.length} of ${all.length} drawn)`);
+  }
+
+  /** @param {string} name */
+  choose(name) {
+    this.app.toggleName(this.app.curves, name);
+    // The list has been built anew: the box that was pressed keeps the focus.
+    this.update();
+    const box = [...this.offers.querySelectorAll("input")].find((input) => input.dataset["name"] === name);
+    box?.focus();
+  }
+
+  build() {
+    const charts = chartsOf(this.app);
+    this.plots = charts.map((chart, at) => ({
+      chart,
+      canvas: element("canvas", { role: "img", "aria-label": chartLabel(chart) }),
+      still: document.createElement("canvas"),
+      painted: "",
+      frame: null,
+      values: chart.series.map(() => element("span", { class: "value" })),
+      hasTimes: at === charts.length - 1,
+    }));
+    const figures = this.plots.map((plot) => {
+      plot.canvas.style.height = `${chartHeight(plot)}px`;
+      this.listen(plot);
+      return element("figure", {}, this.legend(plot), plot.canvas);
+    });
+    const hint = this.app.run === null ? "" : "No curve is chosen. Open “Quantities” above.";
+    this.charts.replaceChildren(...(figures.length > 0 ? figures : [element("p", { class: "hint" }, hint)]));
+  }
+
+  /** @param {Plot} plot */
+  legend({ chart, values }) {
+    const manyRuns = this.app.visible().length > 1;
+    const entries = chart.series.map(({ run, quantity, colour, dash }, at) => {
+      const swatch = lineSwatch(colour, dash);
+      const name = manyRuns ? `${quantity.name}, ${run.name}` : quantity.name;
+      const remove = element(
+        "button",
+        { type: "button", class: "plain", title: `Remove ${quantity.name}`, "aria-label": `Remove ${quantity.name}`, onclick: () => this.choose(quantity.name) },
+        "×",
+      );
+      return element("li", {}, swatch, element("span", {}, name), values[at], remove);
+    });
+    return element("ul", { class: "legend" }, ...entries);
+  }
+
+  /** A press goes to its time, and dragging goes along. @param {Plot} plot */
+  listen(plot) {
+    const { canvas } = plot;
+    const go = (/** @type {PointerEvent} */ event) => {
+      if (plot.frame === null) return;
+      this.app.player.stop();
+      this.app.player.seek(timeAt(plot.frame, event.clientX - canvas.getBoundingClientRect().left));
+      this.app.touch();
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      go(event);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons !== 0) go(event);
+    });
+  }
+
+  /** @param {Plot} plot */
+  draw(plot) {
+    const { app } = this;
+    const { chart, canvas, still } = plot;
+    const { clientWidth: width } = canvas;
+    const height = chartHeight(plot);
+    if (width === 0) return;
+    const { palette, player } = app;
+    const context = fitCanvas(canvas, width, height);
+    context.clearRect(0, 0, width, height);
+    context.drawImage(still, 0, 0, width, height);
+    if (plot.frame !== null) drawCursor(new CanvasPen(context), chart, plot.frame, palette, player.time);
+    chart.series.forEach((series, at) => setText(plot.values[at], valueNow(series, player.time)));
+  }
+}
+
+/** A piece of a curve, for its name. @param {string} colour @param {number[]} dash */
+function lineSwatch(colour, dash) {
+  const swatch = element("canvas", { class: "swatch", "aria-hidden": "true" });
+  new CanvasPen(fitCanvas(swatch, 24, 8)).line([1, 4, 23, 4], { stroke: colour, width: 2, dash });
+  return swatch;
+}
+
+/** @param {Series} series @param {number} time */
+function valueNow({ run, quantity }, time) {
+  if (time > run.end) return "–";
+  return quantityText(run.valueAt(quantity, run.momentAt(time)), quantity.unit);
+}
+
+/** @param {Plot} plot */
+function chartHeight({ hasTimes }) {
+  return CHART_HEIGHT + (hasTimes ? TIME_AXIS - 8 : 0);
+}
+
+/**
+ * One chart for each unit, in the order in which they were chosen; every visible run has its curve.
+ * @param {App} app
+ * @returns {Chart[]}
+ */
+export function chartsOf(app) {
+  /** @type {Map<string, Series[]>} */
+  const byUnit = new Map();
+  const { curves } = app.palette;
+  const runs = app.visible().map(({ run }) => ({
+    run,
+    quantities: new Map(run.quantities().map((quantity) => [quantity.name, quantity])),
+  }));
+  let others = 0;
+  for (const { run, quantities } of runs) {
+    const dash = run === app.run ? [] : DASHES[others++ % DASHES.length];
+    app.curves.forEach((name, at) => {
+      const quantity = quantities.get(name);
+      if (quantity === undefined) return;
+      const list = byUnit.get(quantity.unit) ?? [];
+      byUnit.set(quantity.unit, list);
+      list.push({ run, quantity, colour: curves[at % curves.length], dash });
+    });
+  }
+  return [...byUnit].map(([unit, series]) => ({ unit, series }));
+}
+
+/** @param {Chart} chart */
+function chartLabel({ unit, series }) {
+  const names = [...new Set(series.map(({ quantity }) => quantity.name))];
+  return `${withUnit(commonQuantity(names), unit)} over time: ${names.join(", ")}`;
+}
+
+/**
+ * All charts in one SVG file, without the cursor.
+ * @param {App} app
+ */
+export function curvesSvg(app) {
+  const charts = chartsOf(app);
+  const pen = new SvgPen();
+  const width = 800;
+  const ranges = charts.map(chartRange);
+  const left = leftRoom(ranges);
+  let y = 0;
+  charts.forEach((chart, at) => {
+    const hasTimes = at === charts.length - 1;
+    const legend = chart.series.map(({ run, quantity, colour, dash }, index) => ({ run, quantity, colour, dash, y: y + 18 + 18 * index }));
+    for (const entry of legend) {
+      pen.line([70, entry.y, 94, entry.y], { stroke: entry.colour, width: 2, dash: entry.dash });
+      const name = app.visible().length > 1 ? `${entry.quantity.name}, ${entry.run.name}` : entry.quantity.name;
+      pen.text(102, entry.y, name, { colour: app.palette.ink, size: 12 });
+    }
+    y += 14 + 18 * legend.length;
+    const area = { x: 0, y, width, height: 190 + (hasTimes ? TIME_AXIS : 8) };
+    const { start: from, end: to } = app.player;
+    drawChart(pen, chart, chartFrame(ranges[at], area, { from, to, hasTimes, left }), app.palette, hasTimes);
+    y += area.height;
+  });
+  return pen.finish(width, Math.max(y + 8, 40), app.palette.background, `${app.run?.mechanism.name ?? ""}: curves`);
+}
+
+/** @param {App} app */
+function saveCurves(app) {
+  saveBlob(new Blob([curvesSvg(app)], { type: "image/svg+xml" }), `${fileStem(app)}-curves.svg`);
+}

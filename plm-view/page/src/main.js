@@ -1,0 +1,121 @@
+// Puts the page together and draws its frames.
+
+import { addressKeeper, showAddress } from "./address.js";
+import { App } from "./app.js";
+import { openHelp, openOptions } from "./dialogs.js";
+import { byId } from "./dom.js";
+import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
+import { listenToKeys } from "./keys.js";
+import { Panel } from "./panel.js";
+import { listenToPointers } from "./pointer.js";
+import { Stage } from "./stage.js";
+import { Timeline } from "./timeline.js";
+import { makeToolbars } from "./toolbar.js";
+
+/** @import {Dialogs} from "./commands.js" */
+
+/**
+ * The whole page, with everything that draws.
+ * @param {App} app
+ */
+function assemblePage(app) {
+  /** @type {Dialogs} */
+  const dialogs = {
+    openFile: () => chooseFile(app),
+    openOptions: () => openOptions(app),
+    openHelp: () => openHelp(app),
+    leave: () => {
+      window.close();
+      // A page that was opened by hand may not close itself.
+      setTimeout(() => app.tell("note", "The browser alone can close this page (Ctrl+W)."), 100);
+    },
+  };
+  const canvas = byId("picture", HTMLCanvasElement);
+  const stage = new Stage(app, {
+    stage: byId("stage", HTMLElement),
+    canvas,
+    messages: byId("messages", HTMLElement),
+    empty: byId("empty", HTMLElement),
+    spoken: byId("spoken", HTMLElement),
+  });
+  const timeline = new Timeline(app, {
+    slider: byId("time", HTMLInputElement),
+    marks: byId("marks", HTMLCanvasElement),
+    now: byId("now", HTMLElement),
+    end: byId("end", HTMLElement),
+    speed: byId("speed", HTMLSelectElement),
+  });
+  const panel = new Panel(app, byId("panel", HTMLElement));
+  const showButtons = makeToolbars(app, dialogs, [
+    [byId("tools", HTMLElement), ["file", "camera", "view", "show", "page"]],
+    [byId("transport", HTMLElement), ["animate"]],
+  ]);
+  listenToKeys(app, dialogs);
+  listenToPointers(app, canvas);
+  listenToDrops(app);
+  return { stage, panel, parts: [{ update: showButtons }, panel, stage, timeline] };
+}
+
+/**
+ * Draws when something has changed, at most as often as the refresh rate allows.
+ * @param {App} app
+ * @param {() => void} draw
+ */
+function runFrames(app, draw) {
+  let isAsked = false;
+  let drawnAt = -Infinity;
+  const frame = (/** @type {number} */ now) => {
+    isAsked = false;
+    // Half a millisecond, because frames of the screen do not come exactly in time.
+    if (now - drawnAt < 1000 / app.refreshRate - 2) {
+      ask();
+      return;
+    }
+    drawnAt = now;
+    app.player.tick(now);
+    draw();
+    if (app.player.isPlaying) ask();
+  };
+  const ask = () => {
+    if (isAsked) return;
+    isAsked = true;
+    requestAnimationFrame(frame);
+  };
+  app.onTouch = ask;
+  ask();
+}
+
+/** @param {App} app */
+function followSystem(app) {
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  app.prefersDark = dark.matches;
+  dark.addEventListener("change", () => {
+    app.prefersDark = dark.matches;
+    app.change();
+  });
+  window.addEventListener("resize", () => app.touch());
+}
+
+async function startPage() {
+  const app = new App();
+  followSystem(app);
+  const { stage, panel, parts } = assemblePage(app);
+  const keepAddress = addressKeeper(app);
+  const draw = () => {
+    document.documentElement.dataset["theme"] = app.isDark ? "dark" : "light";
+    for (const part of parts) part.update();
+    keepAddress();
+  };
+  const address = location.hash;
+  window.addEventListener("hashchange", () => showAddress(app, location.hash));
+  stage.measure();
+  const bytes = embeddedResults();
+  if (bytes !== null) await app.load(bytes);
+  if (address.length > 1) showAddress(app, address);
+  runFrames(app, draw);
+  // For a live source, and for tests.
+  Object.assign(window, { plmPage: { app, panel } });
+  performance.mark("page is ready");
+}
+
+void startPage();

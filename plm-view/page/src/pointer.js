@@ -1,0 +1,161 @@
+// Mouse, pen and fingers on the picture.
+
+import { pickAt } from "./picture.js";
+
+/** @import {App, Mode} from "./app.js" */
+/** @import {Area} from "./view.js" */
+
+/** Below this many pixels a press is a click. */
+const CLICK = 4;
+
+/** @typedef {{x: number, y: number}} Spot */
+
+/** What dragging a pointer does, from press to release. */
+class Drag {
+  /**
+   * @param {Spot} from
+   * @param {Mode} mode
+   */
+  constructor(from, mode) {
+    this.from = from;
+    this.last = from;
+    this.mode = mode;
+    this.hasMoved = false;
+  }
+}
+
+/**
+ * @param {App} app
+ * @param {HTMLCanvasElement} canvas
+ */
+export function listenToPointers(app, canvas) {
+  /** @type {Map<number, Spot>} */
+  const down = new Map();
+  /** @type {Drag | null} */
+  let drag = null;
+  const spot = (/** @type {MouseEvent} */ event) => {
+    const { left, top } = canvas.getBoundingClientRect();
+    return { x: event.clientX - left, y: event.clientY - top };
+  };
+
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    down.set(event.pointerId, spot(event));
+    drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event)) : null;
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const before = down.get(event.pointerId);
+    if (before === undefined) return;
+    const at = spot(event);
+    if (down.size === 2) pinch(app, down, event.pointerId, at);
+    down.set(event.pointerId, at);
+    if (drag !== null) moveDrag(app, drag, at);
+    app.touch();
+  });
+  const release = (/** @type {PointerEvent} */ event) => {
+    down.delete(event.pointerId);
+    if (drag !== null && event.type === "pointerup") endDrag(app, drag, event.button);
+    drag = null;
+    app.touch();
+  };
+  canvas.addEventListener("pointerup", release);
+  canvas.addEventListener("pointercancel", release);
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener("dblclick", () => app.zoomToExtents());
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      const { dx, dy } = fromMiddle(app, spot(event));
+      app.view.zoom(Math.exp(-0.0015 * event.deltaY * (event.deltaMode === 1 ? 16 : 1)), dx, dy);
+      app.touch();
+    },
+    { passive: false },
+  );
+}
+
+/**
+ * The mode of the left button; the others orbit and pan whatever is chosen.
+ * @param {App} app
+ * @param {PointerEvent} event
+ * @returns {Mode}
+ */
+function modeOf(app, event) {
+  if (event.button === 2) return "orbit";
+  if (event.button === 1) return "pan";
+  return app.mode;
+}
+
+/**
+ * @param {App} app
+ * @param {Spot} at
+ */
+function fromMiddle(app, at) {
+  const area = areaAt(app, at);
+  return { dx: at.x - area.x - 0.5 * area.width, dy: at.y - area.y - 0.5 * area.height };
+}
+
+/** @param {App} app @param {Spot} at @returns {Area} of the run there */
+function areaAt(app, { x, y }) {
+  const holds = (/** @type {Area} */ area) =>
+    x >= area.x && y >= area.y && x <= area.x + area.width && y <= area.y + area.height;
+  return app.areas().find(holds) ?? app.area;
+}
+
+/** @param {App} app @param {Drag} drag @param {Spot} at */
+function moveDrag(app, drag, at) {
+  const [dx, dy] = [at.x - drag.last.x, at.y - drag.last.y];
+  drag.hasMoved ||= Math.hypot(at.x - drag.from.x, at.y - drag.from.y) > CLICK;
+  if (!drag.hasMoved) return;
+  drag.last = at;
+  const { dx: fromX, dy: fromY } = fromMiddle(app, drag.from);
+  if (drag.mode === "pan" || drag.mode === "info") app.view.pan(dx, dy);
+  else if (drag.mode === "orbit") app.view.orbit(dx, dy);
+  // As in the manual: upwards enlarges.
+  else if (drag.mode === "zoom") app.view.zoom(Math.exp(-0.01 * dy), fromX, fromY);
+  else app.window = windowBetween(drag.from, at);
+}
+
+/** @param {App} app @param {Drag} drag @param {number} button */
+function endDrag(app, drag, button) {
+  if (!drag.hasMoved) {
+    if (button !== 0) return;
+    const { index, item } = pickAt(app, drag.from.x, drag.from.y);
+    if (index !== app.active) app.activate(index);
+    app.select(item);
+    if (item !== null && app.mode === "info") {
+      app.hasPanel = true;
+      app.tab = "objects";
+    }
+  } else if (drag.mode === "window" && app.window !== null) {
+    if (app.window.width > CLICK && app.window.height > CLICK) app.view.zoomTo(app.window, areaAt(app, drag.from));
+    app.window = null;
+  }
+}
+
+/** @param {Spot} a @param {Spot} b @returns {Area} */
+function windowBetween(a, b) {
+  return {
+    x: Math.min(a.x, b.x),
+    y: Math.min(a.y, b.y),
+    width: Math.abs(a.x - b.x),
+    height: Math.abs(a.y - b.y),
+  };
+}
+
+/**
+ * Two fingers move and enlarge at once.
+ * @param {App} app
+ * @param {Map<number, Spot>} down
+ * @param {number} moving
+ * @param {Spot} at
+ */
+function pinch(app, down, moving, at) {
+  const other = [...down].find(([id]) => id !== moving)?.[1];
+  const before = down.get(moving);
+  if (other === undefined || before === undefined) return;
+  const distance = (/** @type {Spot} */ spot) => Math.max(Math.hypot(spot.x - other.x, spot.y - other.y), 1);
+  const { dx, dy } = fromMiddle(app, { x: 0.5 * (at.x + other.x), y: 0.5 * (at.y + other.y) });
+  app.view.pan(0.5 * (at.x - before.x), 0.5 * (at.y - before.y));
+  app.view.zoom(distance(at) / distance(before), dx, dy);
+}

@@ -1,0 +1,142 @@
+//! Results as one HTML file that moves: everything in it, nothing asked of a network.
+
+mod bundle;
+
+use std::io;
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::error::{Error, write_file};
+
+/// The page before anything is put into it.
+const TEMPLATE: &str = include_str!("../page/page.html");
+const STYLE: &str = include_str!("../page/style.css");
+
+/// A page that shows results: one HTML file for any browser, without network.
+///
+/// ```
+/// use plm_view::Page;
+///
+/// let html = Page::new(&[], "Nothing yet").to_html();
+/// assert!(html.starts_with("<!doctype html>"));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Page {
+    results: Vec<u8>,
+    title: String,
+}
+
+impl Page {
+    /// A page for the bytes of a results file (`.npz`) under a title, which may hold any text.
+    ///
+    /// The bytes are not looked at: what is wrong with them the page tells whoever opens it. Without bytes it waits
+    /// for a file to be opened or dropped.
+    pub fn new(results: &[u8], title: impl Into<String>) -> Self {
+        Self { results: results.to_vec(), title: title.into() }
+    }
+
+    /// The text of the file.
+    pub fn to_html(&self) -> String {
+        let results = STANDARD.encode(&self.results);
+        let script = bundle::script();
+        let mut html = String::with_capacity(TEMPLATE.len() + STYLE.len() + script.len() + results.len());
+        let mut rest = TEMPLATE;
+        // In one pass, so that braces in a title stay what they are.
+        while let Some((before, (name, after))) = next_place(rest) {
+            html.push_str(before);
+            match name {
+                "title" => html.push_str(&escape(&self.title)),
+                "style" => html.push_str(STYLE),
+                "script" => html.push_str(&script),
+                "results" => html.push_str(&results),
+                other => html.push_str(other),
+            }
+            rest = after;
+        }
+        html.push_str(rest);
+        html
+    }
+
+    /// Writes the page as a file and makes the folders above it where they are missing.
+    ///
+    /// # Errors
+    /// If the file cannot be written; the error names it.
+    pub fn write_html(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        write_file(path.as_ref(), io::Result::Ok(self.to_html().into_bytes()))
+    }
+}
+
+/// What stands before the next `{{name}}`, the name, and what stands behind it.
+fn next_place(text: &str) -> Option<(&str, (&str, &str))> {
+    let (before, from) = text.split_once("{{")?;
+    Some((before, from.split_once("}}")?))
+}
+
+/// A text as HTML shows it.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn between<'a>(html: &'a str, from: &str, to: &str) -> &'a str {
+        html.split_once(from).and_then(|(_, rest)| rest.split_once(to)).map_or("", |(inner, _)| inner)
+    }
+
+    #[test]
+    fn results_come_back_to_the_byte() {
+        let bytes: Vec<u8> = (0..=255).collect();
+        let html = Page::new(&bytes, "x").to_html();
+        let text = between(&html, "id=\"results\">", "</script>");
+        assert_eq!(STANDARD.decode(text).ok(), Some(bytes));
+    }
+
+    #[test]
+    fn a_title_is_text_and_nothing_else() {
+        let html = Page::new(&[], "</title><script>alert('a & \"b\"')</script> {{results}}").to_html();
+        let title =
+            "&lt;/title&gt;&lt;script&gt;alert(&#39;a &amp; &quot;b&quot;&#39;)&lt;/script&gt; {{results}}";
+        assert_eq!(between(&html, "<title>", "</title>"), title);
+        assert_eq!(between(&html, "<h1>", "</h1>"), title);
+    }
+
+    #[test]
+    fn every_place_of_the_template_is_filled() {
+        let mut names = Vec::new();
+        let mut rest = TEMPLATE;
+        while let Some((_, (name, after))) = next_place(rest) {
+            names.push(name);
+            rest = after;
+        }
+        assert_eq!(names, ["title", "style", "title", "results", "script"]);
+        assert!(!STYLE.contains("</"), "a style that would end its element");
+    }
+
+    #[test]
+    fn nothing_is_asked_of_a_network() {
+        let html = Page::new(&[], "x").to_html();
+        let addresses: Vec<&str> = html.split("http").skip(1).collect();
+        // The name of a vocabulary, which nobody fetches.
+        assert!(addresses.iter().all(|text| text.starts_with("://www.w3.org/2000/svg")), "{addresses:?}");
+        for word in
+            ["src=", "@import url", "url(//", "fetch(", "XMLHttpRequest", "WebSocket", "importScripts"]
+        {
+            assert!(!html.contains(word), "{word}");
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The modules of the page as one script: imports and exports, comments and indentation are left out.
+//!
+//! All modules share one scope then, so no two of them may declare the same name at the top, and a module stands
+//! behind those that it imports. Tests hold the modules to that.
+
+/// The modules, each behind those that it imports.
+const MODULES: &[(&str, &str)] = &[
+    ("numbers", include_str!("../../page/src/numbers.js")),
+    ("text", include_str!("../../page/src/text.js")),
+    ("ticks", include_str!("../../page/src/ticks.js")),
+    ("thin", include_str!("../../page/src/thin.js")),
+    ("zip", include_str!("../../page/src/zip.js")),
+    ("npy", include_str!("../../page/src/npy.js")),
+    ("format", include_str!("../../page/src/format.js")),
+    ("run", include_str!("../../page/src/run.js")),
+    ("results", include_str!("../../page/src/results.js")),
+    ("outline", include_str!("../../page/src/outline.js")),
+    ("view", include_str!("../../page/src/view.js")),
+    ("levels", include_str!("../../page/src/levels.js")),
+    ("solid", include_str!("../../page/src/solid.js")),
+    ("pieces", include_str!("../../page/src/pieces.js")),
+    ("scene", include_str!("../../page/src/scene.js")),
+    ("palette", include_str!("../../page/src/palette.js")),
+    ("pen", include_str!("../../page/src/pen.js")),
+    ("place", include_str!("../../page/src/place.js")),
+    ("draw", include_str!("../../page/src/draw.js")),
+    ("pick", include_str!("../../page/src/pick.js")),
+    ("arrows", include_str!("../../page/src/arrows.js")),
+    ("traces", include_str!("../../page/src/traces.js")),
+    ("decor", include_str!("../../page/src/decor.js")),
+    ("player", include_str!("../../page/src/player.js")),
+    ("app", include_str!("../../page/src/app.js")),
+    ("dom", include_str!("../../page/src/dom.js")),
+    ("picture", include_str!("../../page/src/picture.js")),
+    ("icons", include_str!("../../page/src/icons.js")),
+    ("commands", include_str!("../../page/src/commands.js")),
+    ("keys", include_str!("../../page/src/keys.js")),
+    ("pointer", include_str!("../../page/src/pointer.js")),
+    ("timeline", include_str!("../../page/src/timeline.js")),
+    ("chart", include_str!("../../page/src/chart.js")),
+    ("curves", include_str!("../../page/src/curves.js")),
+    ("objects", include_str!("../../page/src/objects.js")),
+    ("runs", include_str!("../../page/src/runs.js")),
+    ("model", include_str!("../../page/src/model.js")),
+    ("panel", include_str!("../../page/src/panel.js")),
+    ("toolbar", include_str!("../../page/src/toolbar.js")),
+    ("dialogs", include_str!("../../page/src/dialogs.js")),
+    ("files", include_str!("../../page/src/files.js")),
+    ("stage", include_str!("../../page/src/stage.js")),
+    ("address", include_str!("../../page/src/address.js")),
+    ("main", include_str!("../../page/src/main.js")),
+];
+
+/// The script of the page.
+pub(super) fn script() -> String {
+    let mut script = String::new();
+    for (_, text) in MODULES {
+        for line in without_comments(&without_imports(text)).lines() {
+            let line = line.trim();
+            let line = line.strip_prefix("export ").unwrap_or(line);
+            if !line.is_empty() {
+                script.push_str(line);
+                script.push('\n');
+            }
+        }
+    }
+    script
+}
+
+/// A module without its import statements, which end with a semicolon.
+fn without_imports(text: &str) -> String {
+    let mut kept = String::new();
+    let mut in_import = false;
+    for line in text.lines() {
+        in_import |= line.starts_with("import ");
+        if !in_import {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+        in_import &= !line.ends_with(';');
+    }
+    kept
+}
+
+/// Without comments of documentation, wherever they are, and without lines that are nothing but a comment.
+fn without_comments(text: &str) -> String {
+    let mut kept = String::new();
+    let mut rest = text;
+    while let Some((before, (_, after))) =
+        rest.split_once("/**").and_then(|(before, from)| Some((before, from.split_once("*/")?)))
+    {
+        kept.push_str(before);
+        rest = after;
+    }
+    kept.push_str(rest);
+    kept.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn every_module_is_in_the_list() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/page/src");
+        let mut found: Vec<String> = fs::read_dir(folder)
+            .map(|entries| entries.flatten().filter_map(|e| e.file_name().into_string().ok()).collect())
+            .unwrap_or_default();
+        let mut listed: Vec<String> = MODULES.iter().map(|(name, _)| format!("{name}.js")).collect();
+        found.sort();
+        listed.sort();
+        assert_eq!(found, listed);
+    }
+
+    #[test]
+    fn a_module_stands_behind_those_that_it_imports() {
+        for (position, (name, text)) in MODULES.iter().enumerate() {
+            for import in
+                text.lines().filter(|line| line.starts_with("import ") || line.starts_with("} from "))
+            {
+                let Some((_, from)) = import.split_once("\"./") else { continue };
+                let other = from.trim_end_matches(".js\";");
+                assert!(
+                    MODULES[..position].iter().any(|(earlier, _)| *earlier == other),
+                    "{name} imports {other}"
+                );
+                assert!(
+                    !import.contains(" as ") && !import.contains('*'),
+                    "{name} renames an import: {import}"
+                );
+            }
+        }
+    }
+
+    /// The name that a line at the top of a module declares.
+    fn declared(line: &str) -> Option<&str> {
+        let line = line.strip_prefix("export ").unwrap_or(line);
+        let line = line.strip_prefix("async ").unwrap_or(line);
+        let rest =
+            ["function ", "const ", "let ", "class "].iter().find_map(|word| line.strip_prefix(word))?;
+        rest.split(|c: char| !c.is_alphanumeric() && c != '_').next()
+    }
+
+    #[test]
+    fn no_two_modules_declare_the_same_name() {
+        let mut owners = BTreeMap::new();
+        for (module, text) in MODULES {
+            for name in text.lines().filter_map(declared) {
+                if let Some(other) = owners.insert(name, module) {
+                    unreachable!("{name} is declared by {other} and by {module}");
+                }
+            }
+        }
+        assert!(owners.len() > 100, "the reader of names found only {owners:?}");
+    }
+
+    #[test]
+    fn no_text_goes_over_lines() {
+        // Indentation would be part of it.
+        for (module, text) in MODULES {
+            for line in text.lines() {
+                assert!(line.matches('`').count() % 2 == 0, "{module}: {line}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_script_is_code_alone() {
+        let script = script();
+        for line in script.lines() {
+            assert!(!line.starts_with("import ") && !line.starts_with("export "), "{line}");
+            assert!(!line.starts_with("//") && !line.starts_with('*') && !line.contains("/**"), "{line}");
+        }
+        // Either would end or hide the script in the page.
+        assert!(!script.contains("</script") && !script.contains("<!--"));
+        assert!(script.contains("startPage();"));
+    }
+
+    #[test]
+    fn comments_and_imports_are_left_out() {
+        let text = "// one\nimport {\n  a,\n} from \"./b.js\";\n\n/** two\n * three */\nexport const c = /** @type {D} */ (a);\n";
+        assert_eq!(without_comments(&without_imports(text)).trim(), "export const c =  (a);");
+    }
+}
