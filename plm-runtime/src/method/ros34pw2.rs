@@ -125,6 +125,7 @@ fn worst<M: Linear>(course: &Course<'_, M>, trial: &Trial<M::X>) -> M::S {
 
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     const DENSE: bool = false;
+    const NAME: &'static str = "Ros34Pw2";
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.plan = Plan::of_course(course, self.longest_step)?;
