@@ -189,6 +189,7 @@ macro_rules! whichever {
 
 impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
     const DENSE: bool = true;
+    const NAME: &'static str = "Auto";
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         whichever!(mut self, method => method.begin(course))

@@ -34,6 +34,11 @@ pages! {
     Linearise = "running/linearise.md";
 }
 
+#[cfg(feature = "view")]
+pages! {
+    Results = "running/results.md";
+}
+
 #[cfg(feature = "lanes")]
 pages! {
     Lanes = "running/lanes.md";

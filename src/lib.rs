@@ -74,4 +74,4 @@ pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalance
 pub use starts::{BadStarts, StartProblem, read_starts};
 
 #[cfg(feature = "view")]
-pub use plm_view as view;
+pub mod view;

@@ -74,7 +74,7 @@ pub use observed::Observed;
 pub use operations::Operations;
 pub use ports::Ports;
 pub use scalar::{Real, Scalar};
-pub use sim::{Notice, Sim, Snapshot, Stats};
+pub use sim::{Notice, Seen, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, System};

@@ -9,10 +9,12 @@ mod samples;
 mod steps;
 mod times;
 mod told;
+mod watched;
 
 pub(crate) use self::clock::Clock;
 pub(crate) use self::kept::Kept;
-use self::samples::{Observer, Sampler, Unobserved};
+pub use self::samples::Seen;
+use self::samples::{Observer, Sampler, Samples, Times, Unobserved};
 pub(crate) use self::steps::{Limits, alone, came_near, look};
 use self::steps::{pass, stretch};
 pub use self::told::{Notice, Stats};
@@ -94,8 +96,26 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// When the run cannot be continued; the samples before that moment have been given. Before all, when `until` has passed,
     /// or when `every` is not positive or too short to move the time.
     pub fn run(&mut self, until: M::S, every: M::S, mut sample: impl FnMut(&M::State)) -> Result<(), Fault> {
+        let times = self.times(until, every)?;
+        let one = M::S::lit(1.0);
+        sample(&self.state);
+        let mut k = one;
+        if !I::DENSE {
+            while k <= times.last {
+                self.advance(times.at(k), every, &mut Unobserved)?;
+                sample(&self.state);
+                k = k + one;
+            }
+            return self.advance(until, until - times.start, &mut Unobserved);
+        }
+        let samples = Samples { times, next: one, moment: self.state };
+        self.advance(until, until - times.start, &mut Sampler { samples, sample })
+    }
+
+    /// The communication points of a run, after a look at what was changed.
+    fn times(&mut self, until: M::S, every: M::S) -> Result<Times<M::S>, Fault> {
         let start = self.state.time();
-        let (length, one) = (until - start, M::S::lit(1.0));
+        let length = until - start;
         if !(until >= start && until.is_finite()) {
             return Err(self.bad_interval(length));
         }
@@ -105,20 +125,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         }
         self.take_changes()?;
         // Rounding must not cost the last sample.
-        let last = (length / every * (one + M::S::lit(16.0) * M::S::EPSILON)).floor();
-        let time_of = |k: M::S| (start + k * every).min(until);
-        sample(&self.state);
-        let mut k = one;
-        if !I::DENSE {
-            while k <= last {
-                self.advance(time_of(k), every, &mut Unobserved)?;
-                sample(&self.state);
-                k = k + one;
-            }
-            return self.advance(until, length, &mut Unobserved);
-        }
-        let mut sampler = Sampler { next: one, last, time_of, moment: self.state, sample };
-        self.advance(until, length, &mut sampler)
+        let last = (length / every * (M::S::lit(1.0) + M::S::lit(16.0) * M::S::EPSILON)).floor();
+        Ok(Times { start, every, until, last })
     }
 
     /// Projects the state onto its constraints.
@@ -217,7 +225,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             course.end = instant.unwrap_or(end);
             outcome = stretch(method, &mut course, (watch, limits), observer);
             match outcome {
-                Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch),
+                Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch, observer),
                 Ok(()) => {}
                 Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),
             }

@@ -1,4 +1,4 @@
-//! What can go wrong when a file is written.
+//! What can go wrong when a file is written or read.
 
 use std::fmt;
 use std::fs;
@@ -49,4 +49,64 @@ pub(crate) fn write_file(path: &Path, contents: io::Result<Vec<u8>>) -> Result<(
             fs::write(path, bytes)
         })
         .map_err(|source| Error { path: path.to_owned(), source })
+}
+
+/// A file that could not be read, or not as a whole; what is whole of it is given all the same.
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
+pub struct Unread<T> {
+    path: PathBuf,
+    problems: Vec<String>,
+    whole: Box<T>,
+}
+
+impl<T> Unread<T> {
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What is missing or wrong, in sentences without their end: `0/values.npy is cut off`.
+    pub fn problems(&self) -> &[String] {
+        &self.problems
+    }
+
+    /// What could be read.
+    pub fn whole(&self) -> &T {
+        &self.whole
+    }
+
+    /// What could be read.
+    pub fn into_whole(self) -> T {
+        *self.whole
+    }
+}
+
+impl<T> fmt::Debug for Unread<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<T> fmt::Display for Unread<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot read all of {}: {}", self.path.display(), self.problems.join("; "))
+    }
+}
+
+impl<T> std::error::Error for Unread<T> {}
+
+/// Reads the file `path`: what is whole of it, or that with what is wrong.
+pub(crate) fn read_file<T: Default>(
+    path: &Path,
+    read: impl FnOnce(&[u8]) -> (T, Vec<String>),
+) -> Result<T, Unread<T>> {
+    let (whole, problems) = match fs::read(path) {
+        Ok(bytes) => read(&bytes),
+        Err(error) => (T::default(), vec![error.to_string()]),
+    };
+    if problems.is_empty() {
+        return Ok(whole);
+    }
+    Err(Unread { path: path.to_owned(), problems, whole: Box::new(whole) })
 }

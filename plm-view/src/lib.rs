@@ -1,5 +1,5 @@
-//! Results of a run: a recording, its table (CSV) and its curves (SVG), a page that moves (HTML); figures beside the
-//! published ones.
+//! Results of runs: recordings, the files that they are kept in (results files of NumPy arrays, CSV), their curves (SVG), a page
+//! that moves (HTML); figures beside the published ones.
 //!
 //! ```
 //! use plm_view::{Chart, Recording};
@@ -11,6 +11,7 @@
 //! }
 //!
 //! let folder = std::env::temp_dir().join("plm-view-doc");
+//! recording.write(folder.join("arm.npz"))?;
 //! recording.write_csv(folder.join("arm.csv"))?;
 //! Chart::over_time(&recording).titled("Arm").write_svg(folder.join("arm.svg"))?;
 //! # std::fs::remove_dir_all(folder).ok();
@@ -20,7 +21,7 @@
 //! A recording belongs to the caller, not to the run: when a run fails, everything that was recorded before
 //! the failure is still there to be written and looked at.
 //!
-//! The crate knows numbers, names and units, and nothing of mechanisms.
+//! The crate knows numbers, names and units, and of a mechanism what a results file tells. `plm::view` records one.
 
 mod chart;
 mod error;
@@ -28,9 +29,13 @@ mod figures;
 pub mod live;
 mod page;
 mod recording;
+mod results;
 
 pub use chart::{Axis, Chart, Rule, Series};
-pub use error::Error;
+pub use error::{Error, Unread};
 pub use figures::{Figure, Figures};
 pub use page::Page;
-pub use recording::{Column, Recording};
+pub use recording::{About, Column, Event, Fault, Recording, Row};
+pub use results::{
+    Body, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Report, Results,
+};

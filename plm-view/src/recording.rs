@@ -1,12 +1,23 @@
-//! A table of samples over time.
+//! What was recorded of a run: samples over time, and what they are samples of.
 
-use std::io::{self, Write};
-use std::path::Path;
+mod csv;
+mod table;
 
-use crate::error::{Error, write_file};
+use std::io;
+
+use serde::{Deserialize, Serialize};
+
+use crate::results::Mechanism;
+use crate::results::number::or_nan;
+pub(crate) use table::Table;
+
+/// Numbers of the pose of a body: x, y, angle of G, and their rates.
+pub(crate) const OF_POSE: usize = 6;
+/// Numbers of a port of the ground: x, y, angle.
+pub(crate) const OF_GROUND: usize = 3;
 
 /// What one number of a row is.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Column {
     /// Name as in the declaration, such as `arm.angle`.
     pub name: String,
@@ -27,33 +38,148 @@ impl<N: Into<String>, U: Into<String>> From<(N, U)> for Column {
     }
 }
 
-/// Samples of `N` quantities over time, in the order in which they were taken.
-///
-/// The number of quantities is part of the type: a row with one number too many or too few does not compile.
-#[derive(Clone, Debug)]
-pub struct Recording<const N: usize> {
-    columns: [Column; N],
-    times: Vec<f64>,
-    rows: Vec<[f64; N]>,
+/// Something that switched.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// When, s.
+    pub time: f64,
+    /// What: the part or condition, as diagnostics name it.
+    pub what: String,
+    /// The first row after it; none if none came.
+    pub row: Option<usize>,
 }
 
-impl<const N: usize> Recording<N> {
+/// What ended a run before its time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Fault {
+    /// When, s.
+    #[serde(deserialize_with = "or_nan")]
+    pub time: f64,
+    /// The part by its name in the declaration; empty where no single part is to blame.
+    pub part: String,
+    /// What happened, in words.
+    pub text: String,
+}
+
+/// What stands beside the numbers of a recording.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct About {
+    /// Name of the run, such as `mass = 3 kg`; unique in a file.
+    pub name: String,
+    /// The mechanism with its parameters; empty for a table of numbers.
+    pub mechanism: Mechanism,
+    /// By which method it ran.
+    pub method: String,
+    pub(crate) columns: Vec<Column>,
+    /// What switched, in the order of time.
+    pub events: Vec<Event>,
+    /// What ended the run.
+    pub fault: Option<Fault>,
+}
+
+/// Numbers of one moment.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Row<'a> {
+    /// s.
+    pub time: f64,
+    /// x, y, angle of G and their rates, body by body: m, m, rad; m/s, m/s, rad/s.
+    pub poses: &'a [f64],
+    /// x, y, angle of the ports of the ground: m, m, rad. Nothing where none moves.
+    pub ground: &'a [f64],
+    /// The columns, in their units.
+    pub values: &'a [f64],
+}
+
+/// Samples of some quantities over time, in the order in which they were taken; those of a mechanism with the poses of its
+/// bodies.
+#[derive(Clone, Debug, Default)]
+pub struct Recording {
+    /// What was recorded, and what happened.
+    pub about: About,
+    times: Vec<f64>,
+    values: Table,
+    poses: Table,
+    ground: Table,
+    /// The first row that had another length than the columns, and how many numbers it had.
+    uneven: Option<[usize; 2]>,
+}
+
+impl Recording {
     /// An empty recording of these columns, each `(name, unit)`.
-    pub fn new<C: Into<Column>>(columns: [C; N]) -> Self {
-        Self { columns: columns.map(Into::into), times: Vec::new(), rows: Vec::new() }
+    pub fn new<C: Into<Column>>(columns: impl IntoIterator<Item = C>) -> Self {
+        Self::of(Mechanism::default(), columns)
     }
 
-    /// Adds the sample `row`, in the units of the columns, taken at `time` (s).
+    /// An empty recording of a mechanism: its poses and these columns.
+    pub fn of<C: Into<Column>>(mechanism: Mechanism, columns: impl IntoIterator<Item = C>) -> Self {
+        let columns: Vec<Column> = columns.into_iter().map(Into::into).collect();
+        Self::empty(About { mechanism, columns, ..About::default() })
+    }
+
+    pub(crate) fn empty(about: About) -> Self {
+        let About { mechanism, columns, .. } = &about;
+        let ground = if mechanism.ground_moves() { mechanism.ground.len() } else { 0 };
+        Self {
+            times: Vec::new(),
+            values: Table::new(columns.len()),
+            poses: Table::new(OF_POSE * mechanism.bodies.len()),
+            ground: Table::new(OF_GROUND * ground),
+            uneven: None,
+            about,
+        }
+    }
+
+    /// Puts whole tables in place of what there is.
+    pub(crate) fn fill(&mut self, times: Vec<f64>, [poses, ground, values]: [Vec<f64>; 3]) {
+        let rows = times.len();
+        self.times = times;
+        self.poses.fill(poses, rows);
+        self.ground.fill(ground, rows);
+        self.values.fill(values, rows);
+    }
+
+    /// Adds the sample `row`, an array or a slice in the units of the columns, taken at `time` (s).
     ///
-    /// Every number is kept, NaN and infinities too: they show where a run went wrong.
-    pub fn push(&mut self, time: f64, row: [f64; N]) {
-        self.times.push(time);
-        self.rows.push(row);
+    /// Every number is kept, NaN and infinities too: they show where a run went wrong. A row is to have a number for each
+    /// column; of one that has not, gaps are left and what is too much is not kept, and to write the recording is an error.
+    pub fn push(&mut self, time: f64, row: impl AsRef<[f64]>) {
+        self.push_row(&Row { time, values: row.as_ref(), ..Row::default() });
+    }
+
+    /// Adds a moment with its poses.
+    pub fn push_row(&mut self, row: &Row) {
+        if row.values.len() != self.values.width() {
+            self.uneven = self.uneven.or(Some([self.times.len(), row.values.len()]));
+        }
+        for event in self.about.events.iter_mut().rev().take_while(|event| event.row.is_none()) {
+            event.row = Some(self.times.len());
+        }
+        self.times.push(row.time);
+        self.values.push(row.values);
+        self.poses.push(row.poses);
+        self.ground.push(row.ground);
+    }
+
+    /// Is this moment the last row, to the bit?
+    pub fn ends_with(&self, row: &Row) -> bool {
+        let same = |a: &[f64], b: &[f64]| {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+        };
+        let Some(last) = self.times.len().checked_sub(1) else { return false };
+        same(&self.times[last..], &[row.time])
+            && same(self.values.row(last), row.values)
+            && same(self.poses.row(last), row.poses)
+            && same(self.ground.row(last), row.ground)
+    }
+
+    /// Adds something that switched; the row that is pushed next is the first after it.
+    pub fn push_event(&mut self, time: f64, what: impl Into<String>) {
+        self.about.events.push(Event { time, what: what.into(), row: None });
     }
 
     /// The columns after the time.
-    pub fn columns(&self) -> &[Column; N] {
-        &self.columns
+    pub fn columns(&self) -> &[Column] {
+        &self.about.columns
     }
 
     /// The times of the samples (s).
@@ -62,52 +188,39 @@ impl<const N: usize> Recording<N> {
     }
 
     /// The samples, one row for each time.
-    pub fn rows(&self) -> &[[f64; N]] {
-        &self.rows
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
+        (0..self.len()).map(|row| self.values.row(row))
+    }
+
+    /// Poses at the time of a row: x, y, angle of G of each body, and their rates; m, m, rad; m/s, m/s, rad/s.
+    pub fn poses(&self, row: usize) -> &[[f64; OF_POSE]] {
+        self.poses.row(row).as_chunks().0
+    }
+
+    /// Ports of the ground at the time of a row: x, y, angle; m, m, rad. Nothing where none moves.
+    pub fn ground(&self, row: usize) -> &[[f64; OF_GROUND]] {
+        self.ground.row(row).as_chunks().0
+    }
+
+    /// All numbers of a kind: poses, ground, values.
+    pub(crate) fn tables(&self) -> [&Table; 3] {
+        [&self.poses, &self.ground, &self.values]
     }
 
     /// Number of samples.
     pub fn len(&self) -> usize {
-        self.rows.len()
+        self.times.len()
     }
 
     /// Whether nothing was recorded.
     pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
+        self.times.is_empty()
     }
 
-    /// Writes the table as a CSV file (RFC 4180) and makes the folders above it where they are missing.
-    ///
-    /// The first line holds names and units, `time (s),arm.angle (deg)`. Each number is the shortest text that
-    /// reads back to the same bits.
-    ///
-    /// # Errors
-    /// If the file cannot be written; the error names it.
-    pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<(), Error> {
-        let mut bytes = Vec::new();
-        let contents = self.write_csv_to(&mut bytes).map(|()| bytes);
-        write_file(path.as_ref(), contents)
-    }
-
-    /// Writes the table as CSV to `writer`; see [`Recording::write_csv`].
-    ///
-    /// # Errors
-    /// If `writer` fails.
-    pub fn write_csv_to(&self, writer: impl Write) -> io::Result<()> {
-        let mut csv = csv::Writer::from_writer(writer);
-        csv.write_field("time (s)")?;
-        for column in &self.columns {
-            csv.write_field(column.heading())?;
-        }
-        csv.write_record(None::<&[u8]>)?;
-        for (time, row) in self.times.iter().zip(&self.rows) {
-            for number in std::iter::once(time).chain(row) {
-                // `Debug` is the shortest text that reads back to the same bits, with an exponent where
-                // `Display` would write hundreds of digits.
-                csv.write_field(format!("{number:?}"))?;
-            }
-            csv.write_record(None::<&[u8]>)?;
-        }
-        csv.flush()
+    /// Has every row a number for each column?
+    pub(crate) fn check(&self) -> io::Result<()> {
+        let Some([row, found]) = self.uneven else { return Ok(()) };
+        let message = format!("row {row} has {found} numbers, and there are {} columns", self.values.width());
+        Err(io::Error::new(io::ErrorKind::InvalidInput, message))
     }
 }

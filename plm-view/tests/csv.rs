@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use plm_view::Recording;
 
-fn text<const N: usize>(recording: &Recording<N>) -> String {
+fn text(recording: &Recording) -> String {
     let mut bytes = Vec::new();
     recording.write_csv_to(&mut bytes).unwrap();
     String::from_utf8(bytes).unwrap()
@@ -59,7 +59,7 @@ fn numbers_read_back_to_the_same_bits() {
 #[test]
 fn what_was_recorded_before_a_failure_is_written() {
     let mut recording = Recording::new([("x", "m")]);
-    let run = |recording: &mut Recording<1>| -> Result<(), &str> {
+    let run = |recording: &mut Recording| -> Result<(), &str> {
         recording.push(0.0, [1.0]);
         recording.push(0.1, [f64::NAN]);
         Err("the mechanism cannot be moved further")
@@ -96,4 +96,37 @@ fn a_writer_that_fails_is_an_error() {
     }
     let error = Recording::new([("x", "m")]).write_csv_to(Full).unwrap_err();
     assert_eq!(error.kind(), std::io::ErrorKind::StorageFull);
+}
+
+#[test]
+fn a_table_is_read_back() {
+    let mut recording = Recording::new([("force, x", "N"), ("ratio", ""), ("odd (name)", "m")]);
+    recording.push(0.0, [1.5, f64::NAN, -0.0]);
+    recording.push(1e-300, [f64::INFINITY, 0.1 + 0.2, 5e-324]);
+    let path = scratch("back.csv");
+    recording.write_csv(&path).unwrap();
+    let read = Recording::read_csv(&path).unwrap();
+    assert_eq!(read.columns(), recording.columns());
+    assert_eq!(format!("{:?}", read.times()), format!("{:?}", recording.times()));
+    let rows = |of: &Recording| of.rows().map(|row| format!("{row:?}")).collect::<Vec<_>>();
+    assert_eq!(rows(&read), rows(&recording));
+}
+
+/// The rows before a line that is wrong or cut off are given.
+#[test]
+fn what_is_whole_of_a_table_is_read() {
+    let path = scratch("cut.csv");
+    std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+    for (text, rows, problem) in [
+        ("time (s),x (m)\n0,1\n0.1,2\n0.2", 2, "CSV error: record 3 "),
+        ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3: `abc` is no number"),
+        ("PK\u{3}\u{4}", 0, "its first column is not `time (s)`"),
+        ("", 0, "its first column is not `time (s)`"),
+    ] {
+        std::fs::write(&path, text).unwrap();
+        let error = Recording::read_csv(&path).unwrap_err();
+        assert!(error.problems()[0].starts_with(problem), "{error}");
+        assert_eq!(error.into_whole().len(), rows);
+    }
+    assert_eq!(Recording::read_csv(scratch("nowhere.csv")).unwrap_err().problems().len(), 1);
 }

@@ -8,7 +8,7 @@ use roxmltree::{Document, Node};
 const FIRST: &str = "#0072B2";
 const SECOND: &str = "#D55E00";
 
-fn sampled<const N: usize>(columns: [(&str, &str); N], row: impl Fn(f64) -> [f64; N]) -> Recording<N> {
+fn sampled<const N: usize>(columns: [(&str, &str); N], row: impl Fn(f64) -> [f64; N]) -> Recording {
     let mut recording = Recording::new(columns);
     for step in 0..=200 {
         let time = f64::from(step) / 50.0;

@@ -35,19 +35,31 @@ const LEAST_ULPS: f64 = 32.0;
 /// A condition may switch another one: it is repeated until none is past, but not for ever.
 pub fn switch_where_due<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> u32 {
     let mut switched = 0;
+    switch_each(system, t, u, x, |_| switched += 1);
+    switched
+}
+
+/// The same; gives `each` that switches.
+pub(crate) fn switch_each<M: System<S: Real>>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &M::X,
+    mut each: impl FnMut(usize),
+) {
     for _ in 0..=M::G::LEN {
-        let before = switched;
+        let mut any = false;
         for i in 0..M::G::LEN {
             if is_past(system, &guards(system, t, u, x), i) {
                 system.switch(t, u, x, i);
-                switched += 1;
+                each(i);
+                any = true;
             }
         }
-        if switched == before {
+        if !any {
             break;
         }
     }
-    switched
 }
 
 /// Holds the sides of conditions that are past their guards at the state reached.

@@ -15,6 +15,7 @@ pub type SemiImplicitEuler<S> = FixedStep<S, SemiImplicitEulerFormula>;
 pub struct SemiImplicitEulerFormula;
 
 impl Formula for SemiImplicitEulerFormula {
+    const NAME: &'static str = "SemiImplicitEuler";
     const STAGES: u64 = 1;
 
     // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.

@@ -11,6 +11,8 @@ use crate::vector::Vector;
 
 /// The formula of a fixed-step method.
 pub trait Formula: Copy {
+    /// [`Method::NAME`] of the method.
+    const NAME: &'static str = "";
     /// Rates per step.
     const STAGES: u64;
 
@@ -155,6 +157,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     const DENSE: bool = false;
+    const NAME: &'static str = F::NAME;
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.plan = Plan::of_course(course, self.longest_step)?;

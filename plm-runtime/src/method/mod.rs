@@ -54,6 +54,8 @@ use crate::vector::Vector;
 pub trait Method<M: System>: Copy {
     /// Whether [`interpolate`](Self::interpolate) gives states inside the last step.
     const DENSE: bool;
+    /// By which results tell what made them.
+    const NAME: &'static str = "";
 
     /// Plans the interval from `course.time` to `course.end`.
     ///

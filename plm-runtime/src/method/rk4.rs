@@ -15,6 +15,7 @@ pub type Rk4<S> = FixedStep<S, Rk4Formula>;
 pub struct Rk4Formula;
 
 impl Formula for Rk4Formula {
+    const NAME: &'static str = "Rk4";
     const STAGES: u64 = 4;
 
     // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the

@@ -170,6 +170,7 @@ fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, F
 
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     const DENSE: bool = false;
+    const NAME: &'static str = "Ros34Pw2";
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.plan = Plan::of_course(course, self.longest_step)?;

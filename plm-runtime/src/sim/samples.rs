@@ -1,14 +1,32 @@
 //! Who sees the steps of a run, and the samples that it gives.
 
+use crate::events;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Method};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// Who sees the steps of a run.
 pub(super) trait Observer<M: Mechanism> {
     /// A step was accepted; what was held over it is held still.
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
+
+    /// Something has switched; `before` is what was held until then.
+    #[inline]
+    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: What) {
+        let _ = (course, before, what);
+    }
+}
+
+/// What has switched.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum What {
+    /// This condition.
+    Condition(usize),
+    /// All conditions that were past their guards.
+    Due,
+    /// Conditions on the time alone.
+    Time,
 }
 
 /// Nobody.
@@ -21,24 +39,106 @@ impl<M: Mechanism> Observer<M> for Unobserved {
     }
 }
 
-/// Gives samples at even times.
-pub(super) struct Sampler<M: Mechanism, T, F> {
-    /// Number of the next sample, and of the last one.
-    pub(super) next: M::S,
-    pub(super) last: M::S,
-    pub(super) time_of: T,
-    pub(super) moment: M::State,
-    pub(super) sample: F,
+/// The communication points of a run: its begin, and after every so many seconds.
+#[derive(Clone, Copy)]
+pub(super) struct Times<S> {
+    pub(super) start: S,
+    pub(super) every: S,
+    pub(super) until: S,
+    /// Number of the last one.
+    pub(super) last: S,
 }
 
-impl<M: Mechanism, T: Fn(M::S) -> M::S, F: FnMut(&M::State)> Observer<M> for Sampler<M, T, F> {
-    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        while self.next <= self.last && (self.time_of)(self.next) <= course.time {
-            sample_at(method, course, (self.time_of)(self.next), &mut self.moment)?;
-            (self.sample)(&self.moment);
+impl<S: Real> Times<S> {
+    pub(super) fn at(&self, k: S) -> S {
+        (self.start + k * self.every).min(self.until)
+    }
+}
+
+/// The communication points that are to come.
+pub(super) struct Samples<M: Mechanism> {
+    pub(super) times: Times<M::S>,
+    /// Number of the next one.
+    pub(super) next: M::S,
+    pub(super) moment: M::State,
+}
+
+impl<M: Mechanism> Samples<M> {
+    /// After a step: gives those within it.
+    fn give<I: Method<M>>(
+        &mut self,
+        method: &mut I,
+        course: &mut Course<'_, M>,
+        mut sample: impl FnMut(&M::State),
+    ) -> Result<(), Fault> {
+        while self.next <= self.times.last && self.times.at(self.next) <= course.time {
+            sample_at(method, course, self.times.at(self.next), &mut self.moment)?;
+            sample(&self.moment);
             self.next = self.next + M::S::lit(1.0);
         }
         Ok(())
+    }
+}
+
+/// Gives samples at even times.
+pub(super) struct Sampler<M: Mechanism, F> {
+    pub(super) samples: Samples<M>,
+    pub(super) sample: F,
+}
+
+impl<M: Mechanism, F: FnMut(&M::State)> Observer<M> for Sampler<M, F> {
+    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.samples.give(method, course, &mut self.sample)
+    }
+}
+
+/// What a run shows on its way, to [`Sim::watch`](super::Sim::watch).
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Seen<'a, T> {
+    /// The state at a communication point.
+    Sample(&'a T),
+    /// The state at the end of an internal step.
+    Step(&'a T),
+    /// The condition with this index switches ([`System::guard_name`](crate::System::guard_name)); the state before that.
+    Condition(usize, &'a T),
+    /// The time comes to where conditions on it alone change
+    /// ([`Described::instant_name`](crate::Described::instant_name)); the state before that.
+    Instant(&'a T),
+    /// The state after all that has switched at its time.
+    Switched(&'a T),
+}
+
+/// Shows samples, steps and switches.
+pub(super) struct Watcher<M: Mechanism, F> {
+    pub(super) samples: Samples<M>,
+    pub(super) see: F,
+}
+
+impl<M: Mechanism, F: FnMut(Seen<'_, M::State>)> Observer<M> for Watcher<M, F> {
+    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let Self { samples, see } = self;
+        samples.give(method, course, |state| see(Seen::Sample(state)))?;
+        sample_at(method, course, course.time, &mut samples.moment)?;
+        see(Seen::Step(&samples.moment));
+        Ok(())
+    }
+
+    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: What) {
+        let Self { samples: Samples { moment, .. }, see } = self;
+        moment.set(course.time, before, &course.x);
+        match what {
+            What::Condition(index) => see(Seen::Condition(index, moment)),
+            What::Time => see(Seen::Instant(moment)),
+            What::Due => {
+                let mut held = *before;
+                events::switch_each(course.system, course.time, &mut held, &course.x, |index| {
+                    see(Seen::Condition(index, moment));
+                });
+            }
+        }
+        moment.set(course.time, &course.held, &course.x);
+        see(Seen::Switched(moment));
     }
 }
 

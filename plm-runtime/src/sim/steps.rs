@@ -2,7 +2,7 @@
 
 use super::audit::audit;
 use super::kept::Begun;
-use super::samples::{Observer, Unobserved};
+use super::samples::{Observer, Unobserved, What};
 use crate::events::{self, Watch};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
@@ -21,7 +21,11 @@ pub(super) fn stretch<M: Mechanism, I: Method<M>>(
     guarded: Guarded<'_, M>,
     observer: &mut impl Observer<M>,
 ) -> Result<(), Fault> {
+    let (held, switches) = (course.held, course.stats.switches);
     guarded.0.begin(method, course)?;
+    if course.stats.switches > switches {
+        observer.switched(course, &held, What::Due);
+    }
     method.begin(course)?;
     go_on(method, course, guarded, (Ok(()), observer))
 }
@@ -85,7 +89,12 @@ fn step<M: Mechanism, I: Method<M>>(
         kept.see((&*method, course.system), || Begun { time: before.0, held, x: before.1 });
     }
     next.hold(method, course);
-    watch.switch(method, course, due)
+    let (held, switches) = (course.held, course.stats.switches);
+    watch.switch(method, course, due)?;
+    if course.stats.switches > switches {
+        observer.switched(course, &held, due.map_or(What::Due, What::Condition));
+    }
+    Ok(())
 }
 
 /// Steps near singular poses, until the mechanism's own coordinates are regular again; also where they are said to be
@@ -257,12 +266,14 @@ pub(super) fn pass<M: Mechanism, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     watch: &mut Watch<M::S, M::G>,
+    observer: &mut impl Observer<M>,
 ) -> Result<(), Fault> {
-    let mut after = course.held;
+    let (before, mut after) = (course.held, course.held);
     course.system.pass(course.time, &mut after);
     events::hold(course, after)?;
     course.stats.switches += 1;
     method.restart();
     watch.forget();
+    observer.switched(course, &before, What::Time);
     Ok(())
 }

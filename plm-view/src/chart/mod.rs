@@ -65,7 +65,7 @@ impl Chart {
     }
 
     /// The recorded quantities over time, in one panel for each unit, in the order of the columns.
-    pub fn over_time<const N: usize>(recording: &Recording<N>) -> Self {
+    pub fn over_time(recording: &Recording) -> Self {
         let mut units: Vec<&str> = Vec::new();
         for column in recording.columns() {
             if !units.contains(&column.unit.as_str()) {
@@ -141,7 +141,7 @@ impl Panel {
     }
 
     /// The columns of this unit over time.
-    fn of_unit<const N: usize>(recording: &Recording<N>, unit: &str) -> Self {
+    fn of_unit(recording: &Recording, unit: &str) -> Self {
         let times = recording.times();
         let mut series = Vec::new();
         for (index, column) in recording.columns().iter().enumerate() {

@@ -47,6 +47,7 @@ impl<X> Stages<X> {
 }
 
 impl Pair for DormandPrince853 {
+    const NAME: &'static str = "Dop853";
     const ORDER: u32 = 8;
     const EVALUATIONS: u64 = 11;
     /// As dear as Dormand-Prince 5(4) at 1e-8, and a hundred times as accurate.

@@ -37,6 +37,7 @@ impl<X> Stages<X> {
 }
 
 impl Pair for DormandPrince5 {
+    const NAME: &'static str = "Dopri5";
     const ORDER: u32 = 5;
     const EVALUATIONS: u64 = 6;
     const RTOL: f64 = 1e-8;

@@ -223,6 +223,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 
 impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     const DENSE: bool = true;
+    const NAME: &'static str = P::NAME;
 
     fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.steps_left = self.most_steps;

@@ -9,6 +9,8 @@ use crate::vector::Vector;
 
 /// Two explicit Runge-Kutta formulas on the same stages: one gives the state, their difference its error.
 pub trait Pair: Copy + Debug {
+    /// [`Method::NAME`](crate::Method::NAME) of the method.
+    const NAME: &'static str = "";
     /// Order of the formula that the steps are continued with.
     const ORDER: u32;
     /// Evaluations of a trial step, without the rate at its beginning.

@@ -170,6 +170,7 @@ where
     Legendre: Nodes<STAGES>,
 {
     const DENSE: bool = false;
+    const NAME: &'static str = "Gauss";
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.plan = Plan::of_course(course, self.longest_step)?;

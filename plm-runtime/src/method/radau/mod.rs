@@ -265,6 +265,7 @@ impl<M: Linear> RadauIia5<M> {
 
 impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     const DENSE: bool = true;
+    const NAME: &'static str = "RadauIia5";
 
     fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.steps_left = self.most_steps;

@@ -1,0 +1,108 @@
+//! What a mechanism tells of itself, for a results file.
+
+use std::borrow::ToOwned;
+use std::string::String;
+use std::vec::Vec;
+
+use plm_runtime::described::{self, Described, Place};
+use plm_runtime::{Scalar, System};
+use plm_view::{Body, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Report};
+
+/// What a results file tells of a mechanism with its parameters as they are.
+pub fn mechanism<M: Described>(of: &M) -> Mechanism {
+    let tables = M::TABLES;
+    Mechanism {
+        name: tables.name.to_owned(),
+        doc: tables.docs.to_owned(),
+        report: report(&tables.report),
+        bodies: (0..tables.bodies.len()).map(|k| body(of, k)).collect(),
+        ground: (0..tables.ground.len()).map(|k| ground(of, k)).collect(),
+        parts: (0..tables.parts.len()).map(|k| part(of, k)).collect(),
+        parameters: tables.parameters.iter().enumerate().map(|(k, row)| parameter(of, k, row)).collect(),
+        inputs: tables.inputs.iter().map(quantity).collect(),
+        states: tables.states.iter().map(quantity).collect(),
+    }
+}
+
+/// A number of the tables; what is not there is none.
+fn number<S: Scalar>(number: Option<S>) -> f64 {
+    number.map_or(f64::NAN, Scalar::to_f64)
+}
+
+fn report(report: &described::Report) -> Report {
+    let plm_runtime::Operations { add, mul, div, sqrt, sin_cos, other } = report.operations;
+    Report {
+        formulation: report.formulation.to_owned(),
+        reason: report.reason.to_owned(),
+        degrees_of_freedom: report.degrees_of_freedom as i64,
+        operations: Operations { add, mul, div, sqrt, sin_cos, other },
+    }
+}
+
+fn body<M: Described>(of: &M, k: usize) -> Body {
+    let row = &M::TABLES.bodies[k];
+    let ports = row.ports.iter().enumerate().map(|(j, name)| {
+        let [x, y, angle] = numbers(of.port(k, j));
+        Port { name: (*name).to_owned(), x, y, angle }
+    });
+    let points = (0..row.contour).map(|point| of.contour(k, point).map(|at| at.map(Scalar::to_f64)));
+    // Parameters may make one that cannot be drawn.
+    let contour: Option<Vec<[f64; 2]>> = points.collect();
+    let contour =
+        contour.filter(|points| !points.is_empty() && points.iter().flatten().all(|x| x.is_finite()));
+    Body {
+        name: row.name.to_owned(),
+        mass: number(of.mass(k)),
+        inertia: number(of.inertia(k)),
+        depth: number(of.depth(k)),
+        ports: ports.collect(),
+        contour,
+    }
+}
+
+/// Place and angle.
+pub(super) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
+    place.map_or([f64::NAN; 3], |Place { x, y, angle }| [x, y, angle].map(Scalar::to_f64))
+}
+
+fn ground<M: Described>(of: &M, k: usize) -> GroundPort {
+    let row = &M::TABLES.ground[k];
+    let [x, y, angle] = numbers(of.ground(<M as System>::S::lit(0.0), k));
+    GroundPort { name: row.name.to_owned(), x, y, angle, depth: number(of.ground_depth(k)), moves: row.moves }
+}
+
+fn part<M: Described>(of: &M, k: usize) -> Part {
+    let row = &M::TABLES.parts[k];
+    let frames = row.frames.iter().map(|frame| Frame {
+        argument: frame.argument.to_owned(),
+        body: frame.body,
+        port: Some(frame.port),
+    });
+    let sizes = row.sizes.iter().enumerate().map(|(j, name)| (size_name(name), number(of.size(k, j))));
+    Part {
+        name: row.name.to_owned(),
+        kind: row.kind.to_owned(),
+        pair: row.pair.map(ToOwned::to_owned),
+        frames: frames.collect(),
+        sizes: sizes.filter(|(_, size)| size.is_finite() && *size != 0.0).collect(),
+    }
+}
+
+/// In the file a diameter is called by what has it: `pin`, `piston`, `rod`.
+fn size_name(parameter: &str) -> String {
+    parameter.strip_suffix("_diameter").unwrap_or(parameter).to_owned()
+}
+
+fn parameter<M: Described>(of: &M, k: usize, row: &described::Quantity) -> Parameter {
+    Parameter { quantity: quantity(row), default: row.default, value: number(of.parameter(k)) }
+}
+
+fn quantity(row: &described::Quantity) -> Quantity {
+    Quantity {
+        name: row.name.to_owned(),
+        doc: row.docs.to_owned(),
+        unit: row.unit.to_owned(),
+        factor: row.factor,
+        exponents: row.exponents,
+    }
+}

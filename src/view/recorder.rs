@@ -1,0 +1,206 @@
+//! Records any mechanism.
+
+use core::marker::PhantomData;
+use std::borrow::ToOwned;
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use plm_runtime::sim::Seen;
+use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Scalar, Sim, System};
+use plm_view::{Column, Recording, Row};
+
+use super::described::{mechanism, numbers};
+
+/// Takes poses and quantities of a mechanism while it runs: at communication points, before and after what switches, and at
+/// every internal step if asked.
+///
+/// The recording belongs to the recorder, not to the run: after a fault it has everything up to the fault, and the fault.
+///
+/// ```
+/// # plm::mechanism! {
+/// #     pub Pendulum {
+/// #         gravity: 9.81 m/s^2;
+/// #         ground { port o: (0, 0) m; }
+/// #         body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pivot: (0, 1) m; start angle: 30 deg, locked; }
+/// #         revolute hinge(ground.o, bob.pivot);
+/// #         output bob.angle in deg, hinge.force;
+/// #     }
+/// # }
+/// use plm::view::{Recorder, Results};
+///
+/// fn main() -> Result<(), Box<dyn std::error::Error>> {
+///     let mut sim = Pendulum::new().start()?;
+///     let mut recorder = Recorder::new(&sim);
+///     recorder.run(&mut sim, 4.0, 0.01)?;
+///     let path = std::env::temp_dir().join("plm-recorder-doc/pendulum.npz");
+///     recorder.recording().write(&path)?;
+///
+///     let run = &Results::read(&path)?.runs[0];
+///     assert_eq!((run.len(), run.about.mechanism.bodies[0].mass), (401, 1.0));
+///     assert_eq!(run.poses(400)[0][2], sim.bob().angle);
+///     # std::fs::remove_dir_all(path.parent().unwrap())?;
+///     Ok(())
+/// }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Recorder<M> {
+    recording: Recording,
+    quantities: Vec<Taken>,
+    steps: bool,
+    mechanism: PhantomData<M>,
+}
+
+/// Where a column comes from.
+#[derive(Clone, Copy, Debug)]
+enum Taken {
+    /// The declared output with this number, in its unit.
+    Output(usize),
+    /// The observed quantity with this number, SI.
+    Observed(usize),
+}
+
+impl<M: Described> Recorder<M> {
+    /// Records the poses and the declared outputs, in their units, of a mechanism with the parameters that it has now; of a
+    /// `Sim` or of a state.
+    pub fn new(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
+        let columns = M::OUTPUTS.iter().copied();
+        Self::of(of, columns, (0..M::OUTPUTS.len()).map(Taken::Output).collect())
+    }
+
+    /// Records the poses and these quantities of [`Described::OBSERVED`], SI.
+    ///
+    /// # Errors
+    /// The first name that is not there.
+    pub fn observing<'n>(
+        of: &impl AsMoment<State: Moment<M = M>>,
+        names: impl IntoIterator<Item = &'n str>,
+    ) -> Result<Self, &'n str> {
+        let find = |name| M::OBSERVED.iter().position(|(known, _)| *known == name).ok_or(name);
+        let found: Vec<usize> = names.into_iter().map(find).collect::<Result<_, &str>>()?;
+        let columns: Vec<(&str, &str)> = found.iter().map(|k| M::OBSERVED[*k]).collect();
+        Ok(Self::of(of, columns, found.into_iter().map(Taken::Observed).collect()))
+    }
+
+    /// Records the poses and all outputs and observed quantities, SI.
+    pub fn observing_all(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
+        Self::of(of, M::OBSERVED.iter().copied(), (0..M::OBSERVED.len()).map(Taken::Observed).collect())
+    }
+
+    fn of<C: Into<Column>>(
+        of: &impl AsMoment<State: Moment<M = M>>,
+        columns: impl IntoIterator<Item = C>,
+        quantities: Vec<Taken>,
+    ) -> Self {
+        let recording = Recording::of(mechanism(of.as_moment().mechanism()), columns);
+        Self { recording, quantities, steps: false, mechanism: PhantomData }
+    }
+
+    /// The same under a name, by which it is told from other runs in a file.
+    #[must_use]
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.recording.about.name = name.into();
+        self
+    }
+
+    /// The same with every internal step of the method.
+    #[must_use]
+    pub fn with_steps(mut self) -> Self {
+        self.steps = true;
+        self
+    }
+
+    /// Runs until the time `until` and records every `every`, in s; the run has the bits of [`Sim::run`]. It may be called
+    /// again, to go on.
+    ///
+    /// # Errors
+    /// As [`Sim::run`]; the recording has what came before, and the fault.
+    pub fn run<I: Method<M>>(&mut self, sim: &mut Sim<M, I>, until: M::S, every: M::S) -> Result<(), Fault> {
+        self.recording.about.method = method(sim.method());
+        self.recording.about.fault = None;
+        let outcome = Sim::watch(sim, until, every, |seen| self.see(seen));
+        if let Err(fault) = &outcome {
+            // The moment of the fault, as far as it came.
+            self.take(sim.state());
+            let (part, text) = (fault.part.to_owned(), fault.cause.to_string());
+            self.recording.about.fault = Some(plm_view::Fault { time: fault.time, part, text });
+        }
+        outcome
+    }
+
+    /// Adds a moment by hand.
+    pub fn take(&mut self, state: &M::State) {
+        let (time, mut poses, mut ground) = (state.time(), Vec::new(), Vec::new());
+        M::poses(state, &mut |pose| {
+            poses.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega].map(Scalar::to_f64));
+        });
+        if self.recording.about.mechanism.ground_moves() {
+            let ports = 0..M::TABLES.ground.len();
+            ground.extend(ports.flat_map(|k| numbers(state.mechanism().ground(time, k))));
+        }
+        let values = self.values(state);
+        let row = Row { time: time.to_f64(), poses: &poses, ground: &ground, values: &values };
+        // What is seen for several reasons is one row.
+        if !self.recording.ends_with(&row) {
+            self.recording.push_row(&row);
+        }
+    }
+
+    /// The columns at a moment.
+    fn values(&self, state: &M::State) -> Vec<f64> {
+        let mut outputs = Vec::new();
+        if self.quantities.iter().any(|taken| matches!(taken, Taken::Output(_))) {
+            M::outputs(state, &mut |output| outputs.push(output.to_f64()));
+        }
+        let value = |taken: &Taken| match *taken {
+            Taken::Output(k) => outputs.get(k).copied().unwrap_or(f64::NAN),
+            Taken::Observed(k) => M::observed(state, k).map_or(f64::NAN, Scalar::to_f64),
+        };
+        self.quantities.iter().map(value).collect()
+    }
+
+    fn see(&mut self, seen: Seen<'_, M::State>) {
+        match seen {
+            Seen::Sample(state) | Seen::Switched(state) => self.take(state),
+            Seen::Step(state) if self.steps => self.take(state),
+            Seen::Condition(index, before) => {
+                self.event(before, before.mechanism().guard_name(index));
+            }
+            Seen::Instant(before) => {
+                let name = before.mechanism().instant_name(before.time(), &before.held());
+                self.event(before, name);
+            }
+            _ => {}
+        }
+    }
+
+    /// Something switches at the end of this moment.
+    fn event(&mut self, before: &M::State, what: &str) {
+        let time = before.time().to_f64();
+        // Of several at once the first has its row.
+        let is_new =
+            self.recording.about.events.last().is_none_or(|last| last.row.is_some() || last.time != time);
+        if is_new {
+            self.take(before);
+        }
+        self.recording.push_event(time, what);
+    }
+
+    /// What was recorded so far.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// What was recorded.
+    pub fn into_recording(self) -> Recording {
+        self.recording
+    }
+}
+
+/// A method in words: `Dop853, relative tolerance 1e-9`.
+fn method<M: System, I: Method<M>>(method: &I) -> String {
+    match method.tolerance() {
+        Some(tolerance) => format!("{}, relative tolerance {:e}", I::NAME, tolerance.to_f64()),
+        None => I::NAME.to_owned(),
+    }
+}
