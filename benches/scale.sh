@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What mechanisms of many bodies cost: expansion, compilation, stack of a start, a step. The table in the book:
 #
-#     bash benches/scale.sh >docs/src/internals/scale-table.md
+#     bash benches/scale.sh >docs/src/internals/scale-table.txt
 #
 # Times are those of the processor, of one run; a step of RK4 is counted in instructions. With arguments (`chain 64`) one scene alone.
 set -euo pipefail

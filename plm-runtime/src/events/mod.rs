@@ -9,11 +9,13 @@
 
 mod kinks;
 mod looks;
+mod past;
 mod root;
 mod search;
 
 use self::kinks::Kinks;
 use self::looks::Looks;
+pub(crate) use self::past::switch_past;
 use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, Method, Path};
@@ -60,23 +62,6 @@ pub(crate) fn switch_each<M: System<S: Real>>(
             break;
         }
     }
-}
-
-/// Holds the sides of conditions that are past their guards at the state reached.
-#[inline]
-pub(crate) fn switch_past<M: System<S: Real>>(course: &mut Course<'_, M>) -> Result<(), Fault> {
-    if M::G::LEN == 0 {
-        return Ok(());
-    }
-    let here = guards_here(course)?;
-    for index in (0..M::G::LEN).filter(|i| is_past(course.system, &here, *i)) {
-        required(course, index)?;
-    }
-    let mut after = course.held;
-    if switch_where_due(course.system, course.time, &mut after, &course.x) > 0 {
-        hold(course, after)?;
-    }
-    Ok(())
 }
 
 /// What is known of the guards on the way.

@@ -1,7 +1,7 @@
 //! A mechanism as WebAssembly: its declaration in a crate of its own, which cargo builds.
 //!
 //! The crate stands in a folder of the caller's and is built again only where something changed. What it exports are
-//! functions of numbers; `shim.rs` lists them.
+//! functions of numbers; `shim.rs.txt` lists them.
 
 use std::fmt;
 use std::fs;
@@ -13,7 +13,7 @@ use crate::error::write_file;
 /// The target for which a module is built.
 const TARGET: &str = "wasm32-unknown-unknown";
 /// The functions that a module exports, for a mechanism called `NAME`.
-const SHIM: &str = include_str!("shim.rs");
+const SHIM: &str = include_str!("shim.rs.txt");
 
 /// What a module is made of.
 #[derive(Clone, Debug)]
