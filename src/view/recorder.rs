@@ -116,9 +116,28 @@ impl<M: Described> Recorder<M> {
     /// # Errors
     /// As [`Sim::run`]; the recording has what came before, and the fault.
     pub fn run<I: Method<M>>(&mut self, sim: &mut Sim<M, I>, until: M::S, every: M::S) -> Result<(), Fault> {
+        self.run_seen(sim, until, every, &mut |_| {})
+    }
+
+    /// The same, and gives `told` the time of every step.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub(super) fn run_seen<I: Method<M>>(
+        &mut self,
+        sim: &mut Sim<M, I>,
+        until: M::S,
+        every: M::S,
+        told: &mut impl FnMut(M::S),
+    ) -> Result<(), Fault> {
         self.recording.about.method = method(sim.method());
         self.recording.about.fault = None;
-        let outcome = Sim::watch(sim, until, every, |seen| self.see(seen));
+        let outcome = Sim::watch(sim, until, every, |seen| {
+            if let Seen::Step(state) = &seen {
+                told(state.time());
+            }
+            self.see(seen);
+        });
         if let Err(fault) = &outcome {
             // The moment of the fault, as far as it came.
             self.take(sim.state());

@@ -1,0 +1,174 @@
+//! A whole program over a mechanism: options, a run with progress, and what is written of it.
+
+use std::boxed::Box;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::string::String;
+use std::vec::Vec;
+use std::{eprintln, format, println};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use plm_runtime::{Described, Fault, Method, Moment, Sim};
+use plm_view::{Chart, Page, Recording, Results};
+
+use super::options::{HELP, Options};
+use super::recorder::Recorder;
+
+/// A run of a mechanism as its command line asks for it.
+///
+/// ```no_run
+/// plm::mechanism! {
+///     pub Pendulum {
+///         gravity: 9.81 m/s^2;
+///         param mass: kg = 1 kg;
+///         ground { port o: (0, 0) m; }
+///         body bob { mass: mass; inertia: 0.01 kg*m^2; port pivot: (0, 1) m; start angle: 30 deg, locked; }
+///         revolute hinge(ground.o, bob.pivot);
+///     }
+/// }
+///
+/// fn main() -> std::process::ExitCode {
+///     plm::view::Program::new(Pendulum::new()).until(4.0).every(0.01).main()
+/// }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Program<M> {
+    mechanism: M,
+    until: f64,
+    every: f64,
+}
+
+/// Samples in a run where nobody says how many.
+const SAMPLES: f64 = 1000.0;
+/// A bar is drawn so often in a run.
+const TICKS: u64 = 1000;
+
+impl<M: Described<S = f64>> Program<M> {
+    /// Runs this mechanism, for 10 s unless it is told otherwise.
+    pub fn new(mechanism: M) -> Self {
+        Self { mechanism, until: 10.0, every: 0.0 }
+    }
+
+    /// Runs until this time, s, unless `--until` says another one.
+    #[must_use]
+    pub fn until(self, until: f64) -> Self {
+        Self { until, ..self }
+    }
+
+    /// Samples so often, s, unless `--every` says otherwise.
+    #[must_use]
+    pub fn every(self, every: f64) -> Self {
+        Self { every, ..self }
+    }
+
+    /// Does what the command line says, and tells what it wrote, in its last lines.
+    pub fn main(self) -> ExitCode {
+        let done = Options::from_args().map_err(Into::into).and_then(|options| self.with(&options));
+        match done {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("{error}");
+                ExitCode::FAILURE
+            }
+        }
+    }
+
+    /// Does what options say. What was recorded before a fault is written all the same.
+    ///
+    /// # Errors
+    /// A parameter that is not there; a fault of the run; a file that cannot be written.
+    pub fn with(mut self, options: &Options) -> Result<(), Box<dyn Error>> {
+        if options.help {
+            println!("{HELP}");
+            return Ok(());
+        }
+        options.apply(&mut self.mechanism)?;
+        let until = options.until.unwrap_or(self.until);
+        let usual = if self.every > 0.0 { self.every } else { until / SAMPLES };
+        let mut sim = self.mechanism.start()?;
+        let mut recorder = Recorder::observing_all(&sim);
+        let outcome = run(&mut sim, &mut recorder, until, options.every.unwrap_or(usual));
+        let written = write::<M>(options, recorder.recording())?;
+        outcome?;
+        for path in written {
+            println!("written: {}", path.display());
+        }
+        Ok(())
+    }
+}
+
+/// Runs with a bar of the time on a terminal, and nothing elsewhere.
+///
+/// # Errors
+/// As [`Recorder::run`].
+pub fn run<M: Described<S = f64>, I: Method<M>>(
+    sim: &mut Sim<M, I>,
+    recorder: &mut Recorder<M>,
+    until: f64,
+    every: f64,
+) -> Result<(), Fault> {
+    let (start, bar) = (Moment::time(sim.state()), bar(until));
+    let outcome = recorder.run_seen(sim, until, every, &mut |time| {
+        let share = ((time - start) / (until - start)).clamp(0.0, 1.0);
+        bar.set_position((share * TICKS as f64) as u64);
+    });
+    bar.finish_and_clear();
+    outcome
+}
+
+/// A bar with what is simulated in a second.
+fn bar(until: f64) -> ProgressBar {
+    let style =
+        ProgressStyle::with_template(&format!("{{wide_bar}} {{percent}} % of {until} s, {{eta}} left"));
+    ProgressBar::new(TICKS).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// Writes what options ask for; the page where they ask for nothing. Gives the files.
+///
+/// # Errors
+/// A file that cannot be written, or a module that cannot be built.
+pub fn write<M: Described<S = f64>>(
+    options: &Options,
+    recording: &Recording,
+) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let mut written = Vec::new();
+    if let Some(path) = &options.out {
+        recording.write(path)?;
+        written.push(path.clone());
+    }
+    if let Some(path) = &options.csv {
+        recording.write_csv(path)?;
+        written.push(path.clone());
+    }
+    if let Some(path) = &options.svg {
+        Chart::over_time(recording).titled(M::TABLES.name).write_svg(path)?;
+        written.push(path.clone());
+    }
+    if options.view.is_some() || options.live || written.is_empty() {
+        let usual = || Path::new("target/plm").join(snake_case(M::TABLES.name)).with_extension("html");
+        let path = options.view.clone().unwrap_or_else(usual);
+        page::<M>(options, recording)?.write_html(&path)?;
+        written.push(path);
+    }
+    Ok(written)
+}
+
+/// The page, with the mechanism in it where that is asked for.
+fn page<M: Described<S = f64>>(options: &Options, recording: &Recording) -> Result<Page, Box<dyn Error>> {
+    let results = Results { runs: std::vec![recording.clone()], ..Results::default() }.to_bytes()?;
+    let _ = options;
+    Ok(Page::new(&results, M::TABLES.name))
+}
+
+/// `DoublePendulum` becomes `double_pendulum`.
+fn snake_case(name: &str) -> String {
+    let mut text = String::new();
+    for (k, letter) in name.chars().enumerate() {
+        if letter.is_uppercase() && k > 0 {
+            text.push('_');
+        }
+        text.extend(letter.to_lowercase());
+    }
+    text
+}

@@ -1,0 +1,71 @@
+//! Programs over a mechanism: options in, files out.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use std::path::Path;
+
+use plm::view::{Options, Program, Results};
+
+plm::mechanism! {
+    /// A mass on a spring that must not go too far.
+    pub Mass {
+        param load: kg = 2 kg;
+        param stretch: mm = 100 mm;
+        ground { port o: (0, 0) m; }
+        body mass { mass: load; inertia: 0.1 kg*m^2; port a: (0, 0) m; start x: stretch, locked; }
+        prismatic rail(mass.a, ground.o) { stiffness: 200 N/m; drive: 30 N/s*t; }
+        require within: abs(mass.x) < 0.3 m;
+        output mass.x in mm;
+    }
+}
+
+fn options(folder: &Path, words: &[&str]) -> Options {
+    let file = |name: &str| folder.join(name).display().to_string();
+    let files = [
+        "--out",
+        &file("run.npz"),
+        "--csv",
+        &file("run.csv"),
+        "--svg",
+        &file("run.svg"),
+        "--view",
+        &file("run.html"),
+    ];
+    Options::parse(files.iter().chain(words).copied()).unwrap()
+}
+
+#[test]
+fn a_run_is_written_in_every_form() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program");
+    let words = ["--until", "0.5", "--every", "0.01", "--set", "load=3", "--set", "stretch=120"];
+    Program::new(Mass::new()).with(&options(&folder, &words)).unwrap();
+    let run = &Results::read(folder.join("run.npz")).unwrap().runs[0];
+    assert_eq!((run.len(), run.times()[50]), (51, 0.5));
+    let parameters = &run.about.mechanism.parameters;
+    assert_eq!([parameters[0].value, parameters[1].value], [3.0, 0.12]);
+    // A start is a value of its own, which was made of the parameter as declared.
+    assert_eq!(run.poses(0)[0][0], 0.1);
+    assert!(std::fs::read_to_string(folder.join("run.csv")).unwrap().lines().count() == 52);
+    for (file, begins) in [("run.svg", "<svg"), ("run.html", "<!doctype html>")] {
+        assert!(std::fs::read_to_string(folder.join(file)).unwrap().contains(begins), "{file}");
+    }
+}
+
+/// Nothing is lost: what came before the fault stands in every file, and the fault in the results.
+#[test]
+fn a_fault_ends_the_program_and_loses_nothing() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-fault");
+    let error = Program::new(Mass::new()).with(&options(&folder, &["--until", "10"])).unwrap_err();
+    assert!(error.to_string().contains("within"), "{error}");
+    let run = &Results::read(folder.join("run.npz")).unwrap().runs[0];
+    let fault = run.about.fault.as_ref().unwrap();
+    assert_eq!(fault.part, "within");
+    assert!(run.len() > 10 && run.times()[run.len() - 1] <= fault.time, "{} {fault:?}", run.len());
+    assert!(folder.join("run.html").exists());
+}
+
+#[test]
+fn a_parameter_that_is_not_there_is_told_with_those_that_are() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-name");
+    let error = Program::new(Mass::new()).with(&options(&folder, &["--set", "mass=3"])).unwrap_err();
+    assert_eq!(error.to_string(), "there is no parameter `mass`; there are load (kg), stretch (mm)");
+}
