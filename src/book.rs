@@ -11,6 +11,7 @@ macro_rules! pages {
 
 pages! {
     Readme = "../../README.md";
+    LookAtIt = "look-at-it.md";
     GettingStarted = "getting-started.md";
     GeneratedCode = "generated-code.md";
     Bodies = "language/bodies.md";
