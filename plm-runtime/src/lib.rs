@@ -12,6 +12,7 @@
 //! | [`events`] | switching: where it happens, and how often it may |
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
+//! | [`held`] | what is held over a step |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
@@ -36,6 +37,7 @@ pub mod charts;
 pub mod dual;
 pub mod events;
 pub mod fault;
+pub mod held;
 pub mod lanes;
 pub mod limits;
 pub mod linalg;
@@ -61,6 +63,7 @@ pub use axes::{to_absolute, to_relative};
 pub use body::{BodyMotion, BodyState};
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
+pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;
 pub use mechanism::{AsMoment, Mechanism, Moment};

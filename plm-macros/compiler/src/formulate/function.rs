@@ -7,6 +7,8 @@ use plm_cas::{Expr, Tape, algebra};
 pub(crate) enum Place {
     /// An element of an array, `dx[3]`.
     Element(&'static str, usize),
+    /// A number within a structure, `memory.turns[0].cos`.
+    Path(String),
     /// The value that the function returns.
     Value,
 }

@@ -11,7 +11,6 @@ use crate::formulate::{Augmented, Chart, Part, Term};
 /// `Linear`.
 pub(crate) fn linear(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let [held, lifted] = [quote!(S), quote!(rt::Dual<S, K>)].map(|scalar| emission.held(&scalar));
     let (derivatives, differentiate) = match of_tree(emission) {
         Some((_, augmented)) => of_augmented(emission, augmented),
         None => (quote!([[S; #length]; #length]), TokenStream::new()),
@@ -28,7 +27,7 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
             type Lifted<const K: usize> = #name<rt::Dual<S, K>>;
             type Derivatives = #derivatives;
 
-            fn lift<const K: usize>(&self, held: &#held) -> (#name<rt::Dual<S, K>>, #lifted) {
+            fn lift<const K: usize>(&self, held: &Held<S>) -> (#name<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -78,13 +77,12 @@ fn of_augmented(emission: &Emission, augmented: &Augmented) -> (TokenStream, Tok
 pub(crate) fn augmented(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let Some((chart, augmented)) = of_tree(emission) else { return TokenStream::new() };
-    let inputs = emission.inputs(&quote!(S));
     let count = number(augmented.coefficients.results.len());
     let linearised = function(
         emission,
         "The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.",
         &quote! {
-            fn linearised(&self, t: S, u: &#inputs, x: &[S; #length], dx: &[S; #length], c: &mut [S; #count])
+            fn linearised(&self, t: S, u: &Held<S>, x: &[S; #length], dx: &[S; #length], c: &mut [S; #count])
         },
         (&augmented.coefficients, Origin::Chart(chart)),
     );

@@ -302,6 +302,7 @@ impl<'a> Lowering<'a> {
                 return;
             }
             Place::Element(array, i) => format!("{array}[{i}]"),
+            Place::Path(path) => path.clone(),
         };
         self.lines.statements.push(Statement::Store { place, value: piece.text, reads: piece.reads });
     }
