@@ -73,6 +73,7 @@ impl Scalar for F64x8 {
 
     const HEALTHY: f64 = f64::HEALTHY;
     const AGREEMENT: f64 = f64::AGREEMENT;
+    const PRECISION: f64 = f64::PRECISION;
 
     #[inline]
     fn lit(x: f64) -> Self {

@@ -188,7 +188,7 @@ fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction)
             x.set(j, Dual::variable(x.at(j).value, 0));
         }
         Direction::Input(j) => {
-            if let Some(input) = <Lifted<T> as Ports>::input(&mut held, j) {
+            if let Some(input) = <Lifted<T>>::input(<Lifted<T>>::inputs(&mut held), j) {
                 *input = Dual::variable(input.value, 0);
             }
         }

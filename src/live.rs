@@ -139,7 +139,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// An input, SI; not a number beyond the last, and where nothing was assembled.
     pub fn input(&self, index: usize) -> f64 {
         let mut held = self.sim.as_ref().map(|sim| sim.state().held());
-        held.as_mut().and_then(|held| M::input(held, index).copied()).unwrap_or(f64::NAN)
+        held.as_mut().and_then(|held| M::input(M::inputs(held), index).copied()).unwrap_or(f64::NAN)
     }
 
     /// Sets an input, SI.
@@ -247,7 +247,7 @@ impl BodyTurn {
 fn set_input<M: Described<S = f64>>(sim: &mut Sim<M>, index: usize, value: f64) {
     let state = sim.state();
     let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
-    if let Some(input) = M::input(&mut held, index) {
+    if let Some(input) = M::input(M::inputs(&mut held), index) {
         *input = value;
     }
     **sim = Moment::new(mechanism, held, time, x);

@@ -1,6 +1,7 @@
 //! Implicit methods on trees and in absolute coordinates: the linearised equations against the full matrix of derivatives, by dual numbers.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+use plm::runtime::held::Loops as _;
 use plm::runtime::linalg::{Complex, Dense, Derivatives};
 use plm::runtime::{Linear, System, Vector};
 use plm::{Dop853, Mechanism, Moment, RadauIia5, Ros34Pw2};
@@ -186,7 +187,7 @@ fn the_matrix_of_a_loop_is_that_of_dual_numbers() {
     for _ in 0..200 {
         sim.step(0.02).unwrap();
         let (mechanism, held, t, x) = (sim.mechanism, sim.state().held(), sim.time(), *sim.state().x());
-        charts[held.chart] = true;
+        charts[held.of_loops.chart().unwrap()] = true;
         let mut by_x = [[0.0; 5]; 5];
         let mut by_t = [0.0; 5];
         assert!(mechanism.jacobian(t, &held, &x, &mut by_x, Some(&mut by_t)).is_good());

@@ -206,6 +206,32 @@ fn every_allow_has_a_reason() {
     fail_with("an `allow` without its reason", &wrong);
 }
 
+/// Words that have given way to those of docs/src/theory/vocabulary.md: where, the word, what stands instead.
+const OLD_WORDS: [(&str, &str, &str); 8] = [
+    ("plm-macros/compiler/src/", "driver", "independent coordinate"),
+    ("plm-macros/compiler/src/", "drivers", "independent"),
+    ("plm-macros/compiler/src/", "jacobian", "phi_q; a Jacobian is df/dx"),
+    ("plm-macros/compiler/src/", "survey", "remember_pose"),
+    ("plm-runtime/src/", "survey", "remember_pose"),
+    ("plm-macros/compiler/src/formulate/", "drift", "time_rate; drift is the violation of constraints"),
+    ("plm-macros/compiler/src/formulate/", "hold", "tree edge"),
+    ("plm-macros/compiler/src/formulate/", "sides", "switches"),
+];
+
+#[test]
+fn names_are_those_of_the_vocabulary() {
+    let mut wrong = Vec::new();
+    for (file, place, line) in lines(files(&["rs"])) {
+        let code = line.split("//").next().unwrap_or("");
+        let names = code.split(|letter: char| !letter.is_ascii_alphanumeric()).map(str::to_lowercase);
+        let names: BTreeSet<String> = names.collect();
+        let old =
+            OLD_WORDS.iter().filter(|(folder, word, _)| file.starts_with(folder) && names.contains(*word));
+        wrong.extend(old.map(|(_, word, now)| format!("{place}: `{word}` is called {now}")));
+    }
+    fail_with("words that are not those of docs/src/theory/vocabulary.md", &wrong);
+}
+
 #[test]
 fn every_package_takes_the_lints_of_the_workspace() {
     let mut wrong = Vec::new();

@@ -13,6 +13,7 @@
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`sim`] | a running simulation |
 //! | [`step`] | a step of fixed length by itself |
+//! | [`held`] | what is held over a step |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
 //! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
@@ -39,6 +40,7 @@ pub mod described;
 pub mod dual;
 pub mod events;
 pub mod fault;
+pub mod held;
 pub mod lanes;
 pub mod limits;
 pub mod linalg;
@@ -66,6 +68,7 @@ pub use body::{BodyMotion, BodyState};
 pub use described::Described;
 pub use dual::Dual;
 pub use fault::{Cause, Fault, Names};
+pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;
 pub use mechanism::{AsMoment, Mechanism, Moment};

@@ -5,13 +5,18 @@ use crate::system::System;
 
 /// The inputs and outputs of a mechanism, in the order of the declaration.
 pub trait Ports: Mechanism {
+    /// The inputs, as they stand in a simulation.
+    type Input;
     /// Names and units of the inputs.
     const INPUTS: &'static [(&'static str, &'static str)];
     /// Names and units of the outputs; a vector is two outputs.
     const OUTPUTS: &'static [(&'static str, &'static str)];
 
+    /// The inputs among what is held over a step.
+    fn inputs(held: &mut <Self as System>::U) -> &mut Self::Input;
+
     /// The input with this index, in SI units; none beyond the last.
-    fn input(held: &mut <Self as System>::U, index: usize) -> Option<&mut <Self as System>::S>;
+    fn input(input: &mut Self::Input, index: usize) -> Option<&mut <Self as System>::S>;
 
     /// Gives `each` the value of every output, in its unit.
     fn outputs(state: &Self::State, each: &mut impl FnMut(<Self as System>::S));

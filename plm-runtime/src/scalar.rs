@@ -35,6 +35,8 @@ pub trait Scalar:
     const MOST_GROWTH: f64 = f64::INFINITY;
     /// Lengths that repeat each other may differ by one part in so many; the rest of what they differ by is not rounding.
     const AGREEMENT: f64;
+    /// A unit in the last place of 1: two numbers that differ by less are one.
+    const PRECISION: f64;
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;
@@ -172,6 +174,7 @@ macro_rules! real {
 
             const HEALTHY: f64 = $healthy;
             const AGREEMENT: f64 = $agreement;
+            const PRECISION: f64 = $real::EPSILON as f64;
 
             #[inline]
             fn lit(x: f64) -> Self {

@@ -94,11 +94,15 @@ macro_rules! mechanism {
         }
 
         impl<S: Real> Ports for $name<S> {
+            type Input = S;
             const INPUTS: &'static [(&'static str, &'static str)] = &[(stringify!($input), $input_unit)];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &$names;
 
-            fn input(held: &mut S, index: usize) -> Option<&mut S> {
-                [held].into_iter().nth(index)
+            fn inputs(held: &mut S) -> &mut S {
+                held
+            }
+            fn input(input: &mut S, index: usize) -> Option<&mut S> {
+                [input].into_iter().nth(index)
             }
             fn outputs($s: &State<Self>, each: &mut impl FnMut(S)) {
                 $outputs.into_iter().for_each(each);

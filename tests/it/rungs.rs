@@ -1,6 +1,6 @@
 //! Every scene on every rung that holds it: the same accelerations, the same motion, the same reactions.
 
-use plm::runtime::charts::Charted;
+use plm::runtime::charts::{Charted, OfLoops};
 use plm::runtime::{Absolute, Vector};
 use plm::{BodyState, Dop853, Mechanism, Moment, System};
 
@@ -325,6 +325,7 @@ where
         let (state, n) = (*sim.state(), L::NQ);
         let (t, held) = (state.time(), state.held());
         let (q, v, _) = least.pose(t, &held, state.x());
+        let OfLoops::InChart { chart, .. } = held.of_loops else { panic!("no chart") };
         let half = N / 2;
         let x: [f64; N] = std::array::from_fn(|k| if k < half { q.at(k) } else { v.at(k - half) });
         let (mut of_5, mut own) = (x, *state.x());
@@ -332,7 +333,7 @@ where
         assert!(least.rate(t, &held, state.x(), &mut own).is_good());
         let rates = |t: f64, q: &L::Q, v: &L::Q| {
             let mut y = *state.x();
-            least.project(held.chart, t, q, v, &mut y);
+            least.project(chart, t, q, v, &mut y);
             y
         };
         let a = L::Q::from_fn(|k| of_5[half + k]);

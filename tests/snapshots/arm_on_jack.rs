@@ -86,13 +86,8 @@ mod plm_arm_on_jack_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Held<S = f64> {
-            /// The inputs.
-            pub input: Input<S>,
-            switches: [S; 8],
-        }
+        /// What is held over a step.
+        type Held<S> = rt::Held<Input<S>, [S; 8], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,6 +99,7 @@ mod plm_arm_on_jack_ {
             time: S,
             x: [S; 10],
             switches: [S; 8],
+            of_loops: (),
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -325,8 +321,8 @@ mod plm_arm_on_jack_ {
 
         impl<S: Scalar> ArmOnJack<S> {
             /// The inputs as declared.
-            fn declared_input(&self) -> Held<S> {
-                Held { input: Input { none: core::marker::PhantomData }, switches: [S::lit(1.0); 8] }
+            fn declared_input(&self) -> Input<S> {
+                Input { none: core::marker::PhantomData }
             }
         }
 
@@ -420,13 +416,13 @@ mod plm_arm_on_jack_ {
 
             fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
-                self.instants(&u, &mut at, &mut slope);
+                self.instants(u, &mut at, &mut slope);
                 at.into_iter().filter(|at| *at > t).reduce(S::min)
             }
 
             fn pass(&self, t: S, u: &mut Self::U) {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
-                self.instants(&u, &mut at, &mut slope);
+                self.instants(u, &mut at, &mut slope);
                 for ((side, at), slope) in u.switches.iter_mut().skip(4).zip(at).zip(slope) {
                     *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
                 }
@@ -498,13 +494,7 @@ mod plm_arm_on_jack_ {
             #[inline]
             fn pose_(&self) -> ([S; 3], [S; 3]) {
                 let (mut q, mut v) = ([S::lit(0.0); 3], [S::lit(0.0); 3]);
-                self.mechanism.pose(
-                    self.time,
-                    &Held { input: self.input, switches: self.switches },
-                    &self.x,
-                    &mut q,
-                    &mut v,
-                );
+                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -526,7 +516,8 @@ mod plm_arm_on_jack_ {
             type M = ArmOnJack<S>;
 
             fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
-                State { mechanism, time, x, input: held.input, switches: held.switches }
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &ArmOnJack<S> {
@@ -534,7 +525,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn held(&self) -> Held<S> {
-                Held { input: self.input, switches: self.switches }
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -546,10 +537,10 @@ mod plm_arm_on_jack_ {
             }
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
-                let held = *held;
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -577,7 +568,7 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Real> ArmOnJack<S> {
-            fn start_holding_(&self, t: S, input: Held<S>) -> Result<(Held<S>, [S; 10]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
                 rt::Mechanism::check(self, t)?;
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 10];
@@ -589,8 +580,8 @@ mod plm_arm_on_jack_ {
                 x[7] = self.start.line2_inlet_pressure.value;
                 x[8] = self.start.valve_servo_value.value;
                 x[9] = self.start.valve_servo_swing.value;
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 8], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
-                let mut held = input;
                 rt::System::pass(self, t, &mut held);
                 rt::events::switch_where_due(self, t, &mut held, &x);
                 Ok((held, x))
@@ -598,7 +589,7 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Scalar> ArmOnJack<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 2 mul, 1 sin_cos.
             #[cold]
@@ -755,19 +746,25 @@ mod plm_arm_on_jack_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                _: &Held<S>,
+                first: &Held<S>,
                 all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches = core::array::from_fn(|k| number(all.map(|held| held.switches[k])));
-                let input = Held { input, switches };
-                input
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(_t: S, _held: &Held<S>, _x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
+            }
+
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -803,10 +800,17 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Real> rt::Ports for ArmOnJack<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut Held<S>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -1067,7 +1071,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 3], [S; 3]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1079,7 +1083,7 @@ mod plm_arm_on_jack_ {
 
             fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
-                self.instants(&held, &mut at, &mut slope);
+                self.instants(held, &mut at, &mut slope);
                 described::nearest(
                     t,
                     &["valve.servo.swing", "valve.servo.swing", "valve.servo.swing", "valve.servo.swing"],
@@ -1293,7 +1297,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
+                self.start_holding_(t, held.input)
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

@@ -66,13 +66,8 @@ mod plm_bouncer_ {
             pub push: S,
         }
 
-        /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Held<S = f64> {
-            /// The inputs.
-            pub input: Input<S>,
-            switches: [S; 4],
-        }
+        /// What is held over a step.
+        type Held<S> = rt::Held<Input<S>, [S; 4], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +79,7 @@ mod plm_bouncer_ {
             time: S,
             x: [S; 4],
             switches: [S; 4],
+            of_loops: (),
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -273,9 +269,9 @@ mod plm_bouncer_ {
 
         impl<S: Scalar> Bouncer<S> {
             /// The inputs as declared.
-            fn declared_input(&self) -> Held<S> {
+            fn declared_input(&self) -> Input<S> {
                 let lit = S::lit;
-                Held { input: Input { push: lit(0.0) }, switches: [S::lit(1.0); 4] }
+                Input { push: lit(0.0) }
             }
         }
 
@@ -364,13 +360,13 @@ mod plm_bouncer_ {
 
             fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
-                self.instants(&u, &mut at, &mut slope);
+                self.instants(u, &mut at, &mut slope);
                 at.into_iter().filter(|at| *at > t).reduce(S::min)
             }
 
             fn pass(&self, t: S, u: &mut Self::U) {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
-                self.instants(&u, &mut at, &mut slope);
+                self.instants(u, &mut at, &mut slope);
                 for ((side, at), slope) in u.switches.iter_mut().skip(2).zip(at).zip(slope) {
                     *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
                 }
@@ -409,13 +405,7 @@ mod plm_bouncer_ {
             #[inline]
             fn pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
-                self.mechanism.pose(
-                    self.time,
-                    &Held { input: self.input, switches: self.switches },
-                    &self.x,
-                    &mut q,
-                    &mut v,
-                );
+                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -434,7 +424,8 @@ mod plm_bouncer_ {
             type M = Bouncer<S>;
 
             fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
-                State { mechanism, time, x, input: held.input, switches: held.switches }
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &Bouncer<S> {
@@ -442,7 +433,7 @@ mod plm_bouncer_ {
             }
 
             fn held(&self) -> Held<S> {
-                Held { input: self.input, switches: self.switches }
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -454,10 +445,10 @@ mod plm_bouncer_ {
             }
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
-                let held = *held;
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -494,12 +485,12 @@ mod plm_bouncer_ {
         }
 
         impl<S: Real> Bouncer<S> {
-            fn start_holding_(&self, t: S, input: Held<S>) -> Result<(Held<S>, [S; 4]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 4]), Fault> {
                 rt::Mechanism::check(self, t)?;
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 4], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
-                let mut held = input;
                 rt::System::pass(self, t, &mut held);
                 rt::events::switch_where_due(self, t, &mut held, &x);
                 Ok((held, x))
@@ -507,7 +498,7 @@ mod plm_bouncer_ {
         }
 
         impl<S: Scalar> Bouncer<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             #[cold]
             fn phi_q_entries(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
                 let lit = S::lit;
@@ -643,19 +634,25 @@ mod plm_bouncer_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                _: &Held<S>,
+                first: &Held<S>,
                 all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { push: number(all.map(|held| held.input.push)) };
-                let switches = core::array::from_fn(|k| number(all.map(|held| held.switches[k])));
-                let input = Held { input, switches };
-                input
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(_t: S, _held: &Held<S>, _x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
+            }
+
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -691,11 +688,16 @@ mod plm_bouncer_ {
         }
 
         impl<S: Real> rt::Ports for Bouncer<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[("push", "N")];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(held: &mut Held<S>, index: usize) -> Option<&mut S> {
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
                 match index {
-                    0 => Some(&mut held.input.push),
+                    0 => Some(&mut input.push),
                     _ => None,
                 }
             }
@@ -821,7 +823,7 @@ mod plm_bouncer_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 6], [S; 6]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -833,7 +835,7 @@ mod plm_bouncer_ {
 
             fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
-                self.instants(&held, &mut at, &mut slope);
+                self.instants(held, &mut at, &mut slope);
                 described::nearest(t, &["pulse", "pulse"], &at)
             }
         }
@@ -929,7 +931,7 @@ mod plm_bouncer_ {
             }
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, Held { input: held.input, ..self.declared_input() })
+                self.start_holding_(t, held.input)
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

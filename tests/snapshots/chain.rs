@@ -74,6 +74,9 @@ mod plm_chain_ {
             pub none: core::marker::PhantomData<S>,
         }
 
+        /// What is held over a step.
+        type Held<S> = rt::Held<Input<S>, [S; 0], ()>;
+
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -83,6 +86,8 @@ mod plm_chain_ {
             pub input: Input<S>,
             time: S,
             x: [S; 10],
+            switches: [S; 0],
+            of_loops: (),
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -421,7 +426,7 @@ mod plm_chain_ {
         impl<S: Scalar> rt::lanes::Rate for Chain<S> {
             type S = S;
             type X = [S; 10];
-            type U = Input<S>;
+            type U = Held<S>;
             const NQ: usize = 5;
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
@@ -433,7 +438,7 @@ mod plm_chain_ {
         impl<S: Real> rt::System for Chain<S> {
             type S = S;
             type X = [S; 10];
-            type U = Input<S>;
+            type U = Held<S>;
             type G = [S; 0];
             const NQ: usize = 5;
             const SHORT: bool = true;
@@ -488,7 +493,7 @@ mod plm_chain_ {
             #[inline]
             fn pose_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, mut v) = ([S::lit(0.0); 15], [S::lit(0.0); 15]);
-                self.mechanism.pose(self.time, &self.input, &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -506,16 +511,17 @@ mod plm_chain_ {
         impl<S: Real> rt::Moment for State<S> {
             type M = Chain<S>;
 
-            fn new(mechanism: Chain<S>, held: Input<S>, time: S, x: [S; 10]) -> Self {
-                State { mechanism, time, x, input: held }
+            fn new(mechanism: Chain<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &Chain<S> {
                 &self.mechanism
             }
 
-            fn held(&self) -> Input<S> {
-                self.input
+            fn held(&self) -> Held<S> {
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -526,10 +532,11 @@ mod plm_chain_ {
                 &self.x
             }
 
-            fn set(&mut self, time: S, held: &Input<S>, x: &[S; 10]) {
-                let held = *held;
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
                 self.time = time;
-                self.input = held;
+                self.input = held.input;
+                self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -538,28 +545,28 @@ mod plm_chain_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-            fn start_state(&self, t: S) -> Result<(Input<S>, [S; 10]), Fault> {
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 10]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
 
-            fn opening(&self, t: S, held: &Input<S>, x: &[S; 10]) -> rt::Drift<S> {
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 10]) -> rt::Drift<S> {
                 let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
             }
         }
 
         impl<S: Real> Chain<S> {
-            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Input<S>, [S; 10]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 10];
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
-                let held = input;
                 Ok((held, x))
             }
         }
 
         impl<S: Scalar> Chain<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 10 mul, 5 sin_cos.
             #[cold]
@@ -1106,17 +1113,25 @@ mod plm_chain_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                _: &Input<S>,
-                all: [&Input<S>; N],
+                first: &Held<S>,
+                all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
-            ) -> Input<T> {
+            ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                input
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(_t: S, _held: &Input<S>, _x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
+            }
+
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -1124,10 +1139,7 @@ mod plm_chain_ {
             type Lifted<const K: usize> = Chain<rt::Dual<S, K>>;
             type Derivatives = rt::linalg::Sparse<S, Augmented, 61, 25, 5>;
 
-            fn lift<const K: usize>(
-                &self,
-                held: &Input<S>,
-            ) -> (Chain<rt::Dual<S, K>>, Input<rt::Dual<S, K>>) {
+            fn lift<const K: usize>(&self, held: &Held<S>) -> (Chain<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -1152,10 +1164,17 @@ mod plm_chain_ {
         }
 
         impl<S: Real> rt::Ports for Chain<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut Input<S>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -1329,7 +1348,7 @@ mod plm_chain_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 15], [S; 15]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1475,7 +1494,7 @@ mod plm_chain_ {
             }
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, *held)
+                self.start_holding_(t, held.input)
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {
@@ -1496,7 +1515,7 @@ mod plm_chain_ {
             ///
             /// 81 add, 144 mul, 4 div, 5 sin_cos.
             #[inline(always)]
-            fn motion(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &mut [S; 10]) {
+            fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
                 let bar_0_angle = x[0];
@@ -1665,7 +1684,7 @@ mod plm_chain_ {
             ///
             /// 32 add, 30 mul, 5 sin_cos.
             #[inline]
-            fn pose(&self, t: S, u: &Input<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
+            fn pose(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
                 let lit = S::lit;
                 let bar_0_angle = x[0];
                 let bar_1_angle = x[1];
@@ -1757,7 +1776,7 @@ mod plm_chain_ {
             /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
             ///
             /// 60 add, 163 mul, 4 neg, 5 sin_cos.
-            fn linearised(&self, t: S, u: &Input<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 61]) {
+            fn linearised(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 61]) {
                 let lit = S::lit;
                 // Derivatives of M a - Q and of the rates of the states
                 let bar_0_angle = x[0];

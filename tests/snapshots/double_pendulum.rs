@@ -62,6 +62,9 @@ mod plm_double_pendulum_ {
             pub none: core::marker::PhantomData<S>,
         }
 
+        /// What is held over a step.
+        type Held<S> = rt::Held<Input<S>, [S; 0], ()>;
+
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -71,6 +74,8 @@ mod plm_double_pendulum_ {
             pub input: Input<S>,
             time: S,
             x: [S; 4],
+            switches: [S; 0],
+            of_loops: (),
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -320,7 +325,7 @@ mod plm_double_pendulum_ {
         impl<S: Scalar> rt::lanes::Rate for DoublePendulum<S> {
             type S = S;
             type X = [S; 4];
-            type U = Input<S>;
+            type U = Held<S>;
             const NQ: usize = 2;
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
@@ -332,7 +337,7 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::System for DoublePendulum<S> {
             type S = S;
             type X = [S; 4];
-            type U = Input<S>;
+            type U = Held<S>;
             type G = [S; 0];
             const NQ: usize = 2;
             const SHORT: bool = true;
@@ -373,7 +378,7 @@ mod plm_double_pendulum_ {
             #[inline]
             fn pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
-                self.mechanism.pose(self.time, &self.input, &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -391,16 +396,17 @@ mod plm_double_pendulum_ {
         impl<S: Real> rt::Moment for State<S> {
             type M = DoublePendulum<S>;
 
-            fn new(mechanism: DoublePendulum<S>, held: Input<S>, time: S, x: [S; 4]) -> Self {
-                State { mechanism, time, x, input: held }
+            fn new(mechanism: DoublePendulum<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &DoublePendulum<S> {
                 &self.mechanism
             }
 
-            fn held(&self) -> Input<S> {
-                self.input
+            fn held(&self) -> Held<S> {
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -411,10 +417,11 @@ mod plm_double_pendulum_ {
                 &self.x
             }
 
-            fn set(&mut self, time: S, held: &Input<S>, x: &[S; 4]) {
-                let held = *held;
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
                 self.time = time;
-                self.input = held;
+                self.input = held.input;
+                self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -423,28 +430,28 @@ mod plm_double_pendulum_ {
             type State = State<S>;
             type Rescue = rt::singular::Never<Self>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-            fn start_state(&self, t: S) -> Result<(Input<S>, [S; 4]), Fault> {
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 4]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
 
-            fn opening(&self, t: S, held: &Input<S>, x: &[S; 4]) -> rt::Drift<S> {
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 4]) -> rt::Drift<S> {
                 let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
             }
         }
 
         impl<S: Real> DoublePendulum<S> {
-            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Input<S>, [S; 4]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 4]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
-                let held = input;
                 Ok((held, x))
             }
         }
 
         impl<S: Scalar> DoublePendulum<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 2 mul, 1 neg, 2 sin_cos.
             #[cold]
@@ -660,7 +667,7 @@ mod plm_double_pendulum_ {
             #[inline]
             fn solved_(&self) -> ([S; 6], [S; 4]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); 6], [S::lit(0.0); 4]);
-                self.mechanism.reactions(self.time, &self.input, &self.x, &mut a, &mut lambda);
+                self.mechanism.reactions(self.time, &rt::Moment::held(self), &self.x, &mut a, &mut lambda);
                 (a, lambda)
             }
 
@@ -688,17 +695,25 @@ mod plm_double_pendulum_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                _: &Input<S>,
-                all: [&Input<S>; N],
+                first: &Held<S>,
+                all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
-            ) -> Input<T> {
+            ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                input
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(_t: S, _held: &Input<S>, _x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
+            }
+
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -708,8 +723,8 @@ mod plm_double_pendulum_ {
 
             fn lift<const K: usize>(
                 &self,
-                held: &Input<S>,
-            ) -> (DoublePendulum<rt::Dual<S, K>>, Input<rt::Dual<S, K>>) {
+                held: &Held<S>,
+            ) -> (DoublePendulum<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -734,10 +749,17 @@ mod plm_double_pendulum_ {
         }
 
         impl<S: Real> rt::Ports for DoublePendulum<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut Input<S>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -865,7 +887,7 @@ mod plm_double_pendulum_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 6], [S; 6]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -955,7 +977,7 @@ mod plm_double_pendulum_ {
             }
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, *held)
+                self.start_holding_(t, held.input)
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {
@@ -976,7 +998,7 @@ mod plm_double_pendulum_ {
             ///
             /// 11 add, 22 mul, 1 div, 2 sin_cos.
             #[inline(always)]
-            fn motion(&self, t: S, u: &Input<S>, x: &[S; 4], dx: &mut [S; 4]) {
+            fn motion(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &mut [S; 4]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -1011,7 +1033,7 @@ mod plm_double_pendulum_ {
             ///
             /// 8 add, 8 mul, 2 sin_cos.
             #[inline]
-            fn pose(&self, t: S, u: &Input<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
+            fn pose(&self, t: S, u: &Held<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
@@ -1038,7 +1060,7 @@ mod plm_double_pendulum_ {
             ///
             /// 23 add, 38 mul, 1 div, 2 sin_cos.
             #[inline]
-            fn reactions(&self, t: S, u: &Input<S>, x: &[S; 4], a: &mut [S; 6], lambda: &mut [S; 4]) {
+            fn reactions(&self, t: S, u: &Held<S>, x: &[S; 4], a: &mut [S; 6], lambda: &mut [S; 4]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -1105,7 +1127,7 @@ mod plm_double_pendulum_ {
             /// The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.
             ///
             /// 8 add, 21 mul, 2 sin_cos.
-            fn linearised(&self, t: S, u: &Input<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 11]) {
+            fn linearised(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &[S; 4], c: &mut [S; 11]) {
                 let [_, _, acceleration_2, acceleration, ..] = *dx;
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;

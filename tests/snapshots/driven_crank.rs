@@ -70,6 +70,10 @@ mod plm_driven_crank_ {
             pub none: core::marker::PhantomData<S>,
         }
 
+        /// What is held over a step.
+        type Held<S> =
+            rt::Held<Input<S>, [S; 0], rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>>;
+
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -79,8 +83,8 @@ mod plm_driven_crank_ {
             pub input: Input<S>,
             time: S,
             x: [S; 0],
-            chart: usize,
-            memory: [S; 18],
+            switches: [S; 0],
+            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -321,33 +325,45 @@ mod plm_driven_crank_ {
 
         impl<S: Real> rt::charts::Charted for DrivenCrank<S> {
             type Input = Input<S>;
-            type Memory = [S; 18];
+            type Switches = [S; 0];
+            type Memory = rt::charts::Memory<S, 0, 2, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 1;
-            const BEFORE_AREAS: usize = 8;
             const TURNING: &'static [&'static str] = &["crank", "rod"];
-            const BEFORE_FOLLOWED: usize = 9;
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
-                let measure = self.pose_0(t, &held.input, &held.memory, x, &mut q, &mut v);
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.pose_0(t, held, m, x, &mut q, &mut v)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => {
+                        (q, v) = (*free_q, *free_v);
+                        S::lit(0.0)
+                    }
+                };
                 (q, v, measure)
             }
 
-            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 18], S) {
-                let mut memory = [S::lit(0.0); 18];
-                let measure = self.remember_0(t, &held.input, &held.memory, x, &mut memory);
+            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.remember_0(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                };
                 (memory, measure)
             }
 
-            fn remember_pose(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
-                let mut memory = [S::lit(0.0); 18];
+            fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
                 let measure = self.remember_pose_0(t, q, v, &mut memory);
                 (memory, measure)
             }
 
-            fn project(&self, _chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
+            fn project(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
             }
         }
@@ -355,18 +371,21 @@ mod plm_driven_crank_ {
         impl<S: Scalar> rt::lanes::Rate for DrivenCrank<S> {
             type S = S;
             type X = [S; 0];
-            type U = rt::charts::Held<Input<S>, [S; 18]>;
+            type U = Held<S>;
             const NQ: usize = 0;
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
-                rt::Health(self.motion_0(t, &u.input, &u.memory, x, dx))
+                rt::Health(match &u.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => self.motion_0(t, u, m, x, dx),
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                })
             }
         }
 
         impl<S: Real> rt::System for DrivenCrank<S> {
             type S = S;
             type X = [S; 0];
-            type U = rt::charts::Held<Input<S>, [S; 18]>;
+            type U = Held<S>;
             type G = [S; 0];
             const NQ: usize = 0;
             const SHORT: bool = true;
@@ -417,12 +436,12 @@ mod plm_driven_crank_ {
         #[doc(hidden)]
         impl<S: Real> rt::singular::Fine<9, 9, 18> for DrivenCrank<S> {
             type Twofold = DrivenCrank<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
+            type Inputs = Held<rt::Twofold<S>>;
 
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
                 let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+                (self.pack([self], exact), Self::pack_held(held, [held], exact))
             }
 
             #[cold]
@@ -482,21 +501,17 @@ mod plm_driven_crank_ {
         impl<S: Real> rt::Moment for State<S> {
             type M = DrivenCrank<S>;
 
-            fn new(
-                mechanism: DrivenCrank<S>,
-                held: rt::charts::Held<Input<S>, [S; 18]>,
-                time: S,
-                x: [S; 0],
-            ) -> Self {
-                State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
+            fn new(mechanism: DrivenCrank<S>, held: Held<S>, time: S, x: [S; 0]) -> Self {
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &DrivenCrank<S> {
                 &self.mechanism
             }
 
-            fn held(&self) -> rt::charts::Held<Input<S>, [S; 18]> {
-                rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
+            fn held(&self) -> Held<S> {
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -507,12 +522,11 @@ mod plm_driven_crank_ {
                 &self.x
             }
 
-            fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 0]) {
-                let held = *held;
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 0]) {
                 self.time = time;
                 self.input = held.input;
-                self.chart = held.chart;
-                self.memory = held.memory;
+                self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -521,7 +535,7 @@ mod plm_driven_crank_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 9, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-            fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 0]), Fault> {
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
 
@@ -534,34 +548,25 @@ mod plm_driven_crank_ {
                 rt::limits::fingerprint([self.amplitude])
             }
 
-            fn renew(
-                &self,
-                t: S,
-                held: &mut rt::charts::Held<Input<S>, [S; 18]>,
-                x: &mut [S; 0],
-            ) -> Result<(), Fault> {
-                let (mut q, mut v): ([S; 9], [S; 9]) = rt::charts::pose(self, t, held, x);
+            fn renew(&self, t: S, held: &mut Held<S>, x: &mut [S; 0]) -> Result<(), Fault> {
+                let (mut q, mut v): ([S; 9], [S; 9]) =
+                    <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::renew::<S, Self, NQ, NC>(self, t, &mut q, &mut v)?;
                 rt::charts::enter(self, t, held, (&q, &v), x);
                 Ok(())
             }
 
-            fn opening(&self, t: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 0]) -> rt::Drift<S> {
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 0]) -> rt::Drift<S> {
                 let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
             }
         }
 
         impl<S: Real> DrivenCrank<S> {
-            fn start_holding_(
-                &self,
-                t: S,
-                input: Input<S>,
-            ) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 0]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 0]), Fault> {
                 rt::Mechanism::check(self, t)?;
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 0];
-                let memory = [S::lit(0.0); 18];
                 if assembly.redundant.contains(&true) {
                     let joints = rt::Names::marked(
                         &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
@@ -569,14 +574,21 @@ mod plm_driven_crank_ {
                     );
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
-                let mut held = rt::charts::Held { input, chart: 0, memory };
+                let mut held = rt::Held {
+                    input,
+                    switches: [S::lit(1.0); 0],
+                    of_loops: rt::charts::OfLoops::InChart {
+                        chart: 0,
+                        memory: rt::charts::Remembered::nothing(),
+                    },
+                };
                 rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
                 Ok((held, x))
             }
         }
 
         impl<S: Scalar> DrivenCrank<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 4 mul, 2 sin_cos.
             #[cold]
@@ -963,7 +975,7 @@ mod plm_driven_crank_ {
             fn accelerate(
                 &self,
                 t: S,
-                u: &Input<S>,
+                u: &Held<S>,
                 x: &[S; 18],
             ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
                 let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
@@ -980,10 +992,10 @@ mod plm_driven_crank_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 9]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 9]);
-                let x = self.absolute_();
-                let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
+                let (u, x) = (rt::Moment::held(self), self.absolute_());
+                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -993,7 +1005,7 @@ mod plm_driven_crank_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 9] {
-                match self.mechanism.accelerate(self.time, &self.input, &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 9],
                 }
@@ -1019,22 +1031,25 @@ mod plm_driven_crank_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                first: &rt::charts::Held<Input<S>, [S; 18]>,
-                all: [&rt::charts::Held<Input<S>, [S; 18]>; N],
+                first: &Held<S>,
+                all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
-            ) -> rt::charts::Held<Input<T>, [T; 18]> {
+            ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let memory = core::array::from_fn(|k| number(all.map(|held| held.memory[k])));
-                rt::charts::Held { input, chart: first.chart, memory }
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(t: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 rt::charts::is_calm::<Self>(t, held, x)
             }
 
-            fn chart(held: &Self::U) -> usize {
-                held.chart
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -1044,9 +1059,8 @@ mod plm_driven_crank_ {
 
             fn lift<const K: usize>(
                 &self,
-                held: &rt::charts::Held<Input<S>, [S; 18]>,
-            ) -> (DrivenCrank<rt::Dual<S, K>>, rt::charts::Held<Input<rt::Dual<S, K>>, [rt::Dual<S, K>; 18]>)
-            {
+                held: &Held<S>,
+            ) -> (DrivenCrank<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -1054,10 +1068,17 @@ mod plm_driven_crank_ {
         }
 
         impl<S: Real> rt::Ports for DrivenCrank<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut rt::charts::Held<Input<S>, [S; 18]>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -1242,7 +1263,7 @@ mod plm_driven_crank_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 9], [S; 9]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1338,15 +1359,7 @@ mod plm_driven_crank_ {
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
             /// constraints, rates of the first-order states, without accelerations.
             #[cold]
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 18],
-                lambda: &[S; 9],
-                each: &mut impl FnMut(S),
-            ) {
-                let u = &held.input;
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 18], lambda: &[S; 9], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 9], [S::lit(0.0); 0]);
                 let lit = S::lit;
                 force[0] = lit(0.0);
@@ -1389,7 +1402,7 @@ mod plm_driven_crank_ {
             ///
             /// 89 add, 125 mul, 8 div, 4 neg, 3 sin_cos, 24 select.
             #[inline(always)]
-            fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 9]) -> S {
+            fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 9]) -> S {
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
                 let crank_angle = x[2];
@@ -1559,7 +1572,7 @@ mod plm_driven_crank_ {
             ///
             /// 3 add, 13 mul, 3 sin_cos.
             #[cold]
-            fn free(&self, t: S, u: &Input<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 9]) {
+            fn free(&self, t: S, u: &Held<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 9]) {
                 let crank_angle = x[2];
                 let rod_angle = x[5];
                 let crank_omega = x[11];
@@ -1601,7 +1614,14 @@ mod plm_driven_crank_ {
             ///
             /// 3 add, 6 mul, 2 sin_cos.
             #[inline(always)]
-            fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], dx: &mut [S; 0]) -> S {
+            fn motion_0(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 2, 1, 0>,
+                x: &[S; 0],
+                dx: &mut [S; 0],
+            ) -> S {
                 let lit = S::lit;
                 // Results
                 let amplitude = self.amplitude;
@@ -1618,8 +1638,8 @@ mod plm_driven_crank_ {
             fn pose_0(
                 &self,
                 t: S,
-                u: &Input<S>,
-                m: &[S; 18],
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 2, 1, 0>,
                 x: &[S; 0],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -1637,7 +1657,7 @@ mod plm_driven_crank_ {
                 let crank_y = t2 + t3;
                 q[1] = crank_y;
                 q[2] = crank_angle;
-                let last_area_0 = m[8];
+                let last_area_0 = m.areas[0];
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
                 let root_0 = lit(0.0).max(square_0).sqrt();
@@ -1646,10 +1666,10 @@ mod plm_driven_crank_ {
                 q[3] = crank_x + t4 + crank_x;
                 let t5 = lit(0.5) * loop_0_y;
                 q[4] = t3 - t5 + crank_y;
-                let last_angle_2 = m[5];
-                let last_cosine_2 = m[6];
+                let last_angle_2 = m.turns[1].angle;
+                let last_cosine_2 = m.turns[1].cos;
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
-                let last_sine_2 = m[7];
+                let last_sine_2 = m.turns[1].sin;
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t6 = last_angle_2
                     + (-last_sine_2)
@@ -1684,10 +1704,17 @@ mod plm_driven_crank_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 7 add, 17 mul, 3 div, 1 neg, 2 sqrt, 3 sin_cos, 5 select, 1 other.
-            fn remember_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 0], memory: &mut [S; 18]) -> S {
-                let [_, _, _, _, _, last_angle_2, last_cosine_2, last_sine_2, last_area_0, ..] = *m;
+            fn remember_0(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 2, 1, 0>,
+                x: &[S; 0],
+                memory: &mut rt::charts::Memory<S, 0, 2, 1, 0>,
+            ) -> S {
+                let [last_area_0, ..] = m.areas;
                 let lit = S::lit;
-                memory[0] = t;
+                memory.time.last = t;
                 let amplitude = self.amplitude;
                 let t1 = lit(20.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
@@ -1700,21 +1727,24 @@ mod plm_driven_crank_ {
                 let t2 = (lit(1.0) / area_0
                     * lit(-0.6).mul_add(cos_crank_angle, lit(-20.0) * amplitude * cos_t1))
                 .abs();
-                memory[1] = lit(-0.1) / t2.max(lit(0.6) * t2 / square_0.sqrt());
-                memory[2] = crank_angle;
-                memory[3] = cos_crank_angle;
-                memory[4] = sin_crank_angle;
+                memory.time.reach = lit(-0.1) / t2.max(lit(0.6) * t2 / square_0.sqrt());
+                memory.turns[0].angle = crank_angle;
+                memory.turns[0].cos = cos_crank_angle;
+                memory.turns[0].sin = sin_crank_angle;
+                let last_angle_2 = m.turns[1].angle;
+                let last_cosine_2 = m.turns[1].cos;
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
+                let last_sine_2 = m.turns[1].sin;
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(rod_cos, last_cosine_2 * rod_sin)
                         .atan2(last_sine_2.mul_add(rod_sin, last_cosine_2 * rod_cos));
-                memory[5] = t3;
+                memory.turns[1].angle = t3;
                 let (sin_t3, cos_t3) = t3.sin_cos();
-                memory[6] = cos_t3;
-                memory[7] = sin_t3;
-                memory[8] = area_0;
+                memory.turns[1].cos = cos_t3;
+                memory.turns[1].sin = sin_t3;
+                memory.areas[0] = area_0;
                 lit(2.7777777777777777) * square_0
             }
 
@@ -1722,20 +1752,26 @@ mod plm_driven_crank_ {
             ///
             /// 2 mul, 2 sin_cos.
             #[cold]
-            fn remember_pose_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_0(
+                &self,
+                t: S,
+                q: &[S; 9],
+                v: &[S; 9],
+                memory: &mut rt::charts::Memory<S, 0, 2, 1, 0>,
+            ) -> S {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
-                memory[0] = t;
-                memory[1] = lit(0.0);
-                memory[2] = crank_angle;
+                memory.time.last = t;
+                memory.time.reach = lit(0.0);
+                memory.turns[0].angle = crank_angle;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                memory[3] = cos_crank_angle;
-                memory[4] = sin_crank_angle;
-                memory[5] = rod_angle;
-                memory[6] = cos_rod_angle;
-                memory[7] = sin_rod_angle;
-                memory[8] = lit(0.6) * cos_rod_angle;
+                memory.turns[0].cos = cos_crank_angle;
+                memory.turns[0].sin = sin_crank_angle;
+                memory.turns[1].angle = rod_angle;
+                memory.turns[1].cos = cos_rod_angle;
+                memory.turns[1].sin = sin_rod_angle;
+                memory.areas[0] = lit(0.6) * cos_rod_angle;
                 cos_rod_angle * cos_rod_angle
             }
         }

@@ -70,6 +70,10 @@ mod plm_four_bar_ {
             pub none: core::marker::PhantomData<S>,
         }
 
+        /// What is held over a step.
+        type Held<S> =
+            rt::Held<Input<S>, [S; 0], rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>>;
+
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -79,8 +83,8 @@ mod plm_four_bar_ {
             pub input: Input<S>,
             time: S,
             x: [S; 2],
-            chart: usize,
-            memory: [S; 18],
+            switches: [S; 0],
+            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -330,37 +334,53 @@ mod plm_four_bar_ {
 
         impl<S: Real> rt::charts::Charted for FourBar<S> {
             type Input = Input<S>;
-            type Memory = [S; 18];
+            type Switches = [S; 0];
+            type Memory = rt::charts::Memory<S, 1, 3, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 3;
-            const BEFORE_AREAS: usize = 13;
             const TURNING: &'static [&'static str] = &["crank", "rocker", "coupler"];
-            const BEFORE_FOLLOWED: usize = 14;
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] =
                 &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
-                let measure = match held.chart {
-                    0 => self.pose_0(t, &held.input, &held.memory, x, &mut q, &mut v),
-                    1 => self.pose_1(t, &held.input, &held.memory, x, &mut q, &mut v),
-                    _ => self.pose_2(t, &held.input, &held.memory, x, &mut q, &mut v),
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => {
+                        self.pose_0(t, held, m, x, &mut q, &mut v)
+                    }
+                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
+                        self.pose_1(t, held, m, x, &mut q, &mut v)
+                    }
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.pose_2(t, held, m, x, &mut q, &mut v)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => {
+                        (q, v) = (*free_q, *free_v);
+                        S::lit(0.0)
+                    }
                 };
                 (q, v, measure)
             }
 
-            fn remember(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 18], S) {
-                let mut memory = [S::lit(0.0); 18];
-                let measure = match held.chart {
-                    0 => self.remember_0(t, &held.input, &held.memory, x, &mut memory),
-                    1 => self.remember_1(t, &held.input, &held.memory, x, &mut memory),
-                    _ => self.remember_2(t, &held.input, &held.memory, x, &mut memory),
+            fn remember(&self, t: S, held: &Self::U, x: &[S; 2]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => {
+                        self.remember_0(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
+                        self.remember_1(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.remember_2(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 };
                 (memory, measure)
             }
 
-            fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> ([S; 18], S) {
-                let mut memory = [S::lit(0.0); 18];
+            fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
                 let measure = match chart {
                     0 => self.remember_pose_0(t, q, v, &mut memory),
                     1 => self.remember_pose_1(t, q, v, &mut memory),
@@ -381,24 +401,25 @@ mod plm_four_bar_ {
         impl<S: Scalar> rt::lanes::Rate for FourBar<S> {
             type S = S;
             type X = [S; 2];
-            type U = rt::charts::Held<Input<S>, [S; 18]>;
+            type U = Held<S>;
             const NQ: usize = 1;
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
-                rt::Health(match u.chart {
-                    0 => self.motion_0(t, &u.input, &u.memory, x, dx),
-                    1 => {
+                rt::Health(match &u.of_loops {
+                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => self.motion_0(t, u, m, x, dx),
+                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
                         let (at, mut out) = (*x, *dx);
-                        let measure = self.motion_1(t, &u.input, &u.memory, &at, &mut out);
+                        let measure = self.motion_1(t, u, m, &at, &mut out);
                         *dx = out;
                         measure
                     }
-                    _ => {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
                         let (at, mut out) = (*x, *dx);
-                        let measure = self.motion_2(t, &u.input, &u.memory, &at, &mut out);
+                        let measure = self.motion_2(t, u, m, &at, &mut out);
                         *dx = out;
                         measure
                     }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 })
             }
         }
@@ -406,7 +427,7 @@ mod plm_four_bar_ {
         impl<S: Real> rt::System for FourBar<S> {
             type S = S;
             type X = [S; 2];
-            type U = rt::charts::Held<Input<S>, [S; 18]>;
+            type U = Held<S>;
             type G = [S; 0];
             const NQ: usize = 1;
             const SHORT: bool = true;
@@ -466,12 +487,12 @@ mod plm_four_bar_ {
         #[doc(hidden)]
         impl<S: Real> rt::singular::Fine<9, 8, 18> for FourBar<S> {
             type Twofold = FourBar<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
+            type Inputs = Held<rt::Twofold<S>>;
 
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
                 let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+                (self.pack([self], exact), Self::pack_held(held, [held], exact))
             }
 
             #[cold]
@@ -531,21 +552,17 @@ mod plm_four_bar_ {
         impl<S: Real> rt::Moment for State<S> {
             type M = FourBar<S>;
 
-            fn new(
-                mechanism: FourBar<S>,
-                held: rt::charts::Held<Input<S>, [S; 18]>,
-                time: S,
-                x: [S; 2],
-            ) -> Self {
-                State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
+            fn new(mechanism: FourBar<S>, held: Held<S>, time: S, x: [S; 2]) -> Self {
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &FourBar<S> {
                 &self.mechanism
             }
 
-            fn held(&self) -> rt::charts::Held<Input<S>, [S; 18]> {
-                rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
+            fn held(&self) -> Held<S> {
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -556,12 +573,11 @@ mod plm_four_bar_ {
                 &self.x
             }
 
-            fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 2]) {
-                let held = *held;
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 2]) {
                 self.time = time;
                 self.input = held.input;
-                self.chart = held.chart;
-                self.memory = held.memory;
+                self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -570,25 +586,20 @@ mod plm_four_bar_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-            fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 2]), Fault> {
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 2]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
 
-            fn opening(&self, t: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &[S; 2]) -> rt::Drift<S> {
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 2]) -> rt::Drift<S> {
                 let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
             }
         }
 
         impl<S: Real> FourBar<S> {
-            fn start_holding_(
-                &self,
-                t: S,
-                input: Input<S>,
-            ) -> Result<(rt::charts::Held<Input<S>, [S; 18]>, [S; 2]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 2]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 2];
-                let memory = [S::lit(0.0); 18];
                 if assembly.redundant.contains(&true) {
                     let joints = rt::Names::marked(
                         &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
@@ -596,14 +607,21 @@ mod plm_four_bar_ {
                     );
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
-                let mut held = rt::charts::Held { input, chart: 0, memory };
+                let mut held = rt::Held {
+                    input,
+                    switches: [S::lit(1.0); 0],
+                    of_loops: rt::charts::OfLoops::InChart {
+                        chart: 0,
+                        memory: rt::charts::Remembered::nothing(),
+                    },
+                };
                 rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
                 Ok((held, x))
             }
         }
 
         impl<S: Scalar> FourBar<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 8 mul, 3 sin_cos.
             #[cold]
@@ -1009,7 +1027,7 @@ mod plm_four_bar_ {
             fn accelerate(
                 &self,
                 t: S,
-                u: &Input<S>,
+                u: &Held<S>,
                 x: &[S; 18],
             ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
                 let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
@@ -1026,10 +1044,10 @@ mod plm_four_bar_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 8]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 8]);
-                let x = self.absolute_();
-                let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
+                let (u, x) = (rt::Moment::held(self), self.absolute_());
+                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -1039,7 +1057,7 @@ mod plm_four_bar_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 8] {
-                match self.mechanism.accelerate(self.time, &self.input, &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 8],
                 }
@@ -1065,22 +1083,25 @@ mod plm_four_bar_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                first: &rt::charts::Held<Input<S>, [S; 18]>,
-                all: [&rt::charts::Held<Input<S>, [S; 18]>; N],
+                first: &Held<S>,
+                all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
-            ) -> rt::charts::Held<Input<T>, [T; 18]> {
+            ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let memory = core::array::from_fn(|k| number(all.map(|held| held.memory[k])));
-                rt::charts::Held { input, chart: first.chart, memory }
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(t: S, held: &rt::charts::Held<Input<S>, [S; 18]>, x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 rt::charts::is_calm::<Self>(t, held, x)
             }
 
-            fn chart(held: &Self::U) -> usize {
-                held.chart
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -1090,9 +1111,8 @@ mod plm_four_bar_ {
 
             fn lift<const K: usize>(
                 &self,
-                held: &rt::charts::Held<Input<S>, [S; 18]>,
-            ) -> (FourBar<rt::Dual<S, K>>, rt::charts::Held<Input<rt::Dual<S, K>>, [rt::Dual<S, K>; 18]>)
-            {
+                held: &Held<S>,
+            ) -> (FourBar<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -1100,10 +1120,17 @@ mod plm_four_bar_ {
         }
 
         impl<S: Real> rt::Ports for FourBar<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut rt::charts::Held<Input<S>, [S; 18]>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -1262,7 +1289,7 @@ mod plm_four_bar_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 9], [S; 9]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1360,15 +1387,7 @@ mod plm_four_bar_ {
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
             /// constraints, rates of the first-order states, without accelerations.
             #[cold]
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 18],
-                lambda: &[S; 8],
-                each: &mut impl FnMut(S),
-            ) {
-                let u = &held.input;
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 18], lambda: &[S; 8], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 9], [S::lit(0.0); 0]);
                 let lit = S::lit;
                 force[0] = lit(0.0);
@@ -1411,7 +1430,7 @@ mod plm_four_bar_ {
             ///
             /// 102 add, 152 mul, 9 div, 5 neg, 3 sin_cos, 34 select.
             #[inline(always)]
-            fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
+            fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
                 let crank_angle = x[2];
@@ -1600,7 +1619,7 @@ mod plm_four_bar_ {
             ///
             /// 4 add, 17 mul, 3 sin_cos.
             #[cold]
-            fn free(&self, t: S, u: &Input<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 8]) {
+            fn free(&self, t: S, u: &Held<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 8]) {
                 let crank_angle = x[2];
                 let coupler_angle = x[5];
                 let rocker_angle = x[8];
@@ -1647,8 +1666,15 @@ mod plm_four_bar_ {
             ///
             /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(always)]
-            fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], dx: &mut [S; 2]) -> S {
-                let last_area_0 = m[13];
+            fn motion_0(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                dx: &mut [S; 2],
+            ) -> S {
+                let [last_area_0, ..] = m.areas;
                 let [crank_angle, crank_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -1706,8 +1732,8 @@ mod plm_four_bar_ {
             fn pose_0(
                 &self,
                 t: S,
-                u: &Input<S>,
-                m: &[S; 18],
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -1726,7 +1752,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
+                let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -1739,10 +1765,10 @@ mod plm_four_bar_ {
                 let coupler_arm_y = -(loop_0_y + rocker_arm_y);
                 let t2 = lit(0.5) * coupler_arm_y;
                 q[4] = crank_y + t2 + crank_y;
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
+                let last_angle_2 = m.turns[2].angle;
+                let last_cosine_2 = m.turns[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
-                let last_sine_2 = m[12];
+                let last_sine_2 = m.turns[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t3 = last_angle_2
                     + (-last_sine_2)
@@ -1751,10 +1777,10 @@ mod plm_four_bar_ {
                 q[5] = t3;
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 q[7] = lit(-0.5) * rocker_arm_y;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
+                let last_angle_1 = m.turns[1].angle;
+                let last_cosine_1 = m.turns[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m[9];
+                let last_sine_1 = m.turns[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t4 = last_angle_1
                     + (-last_sine_1)
@@ -1790,12 +1816,19 @@ mod plm_four_bar_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
-            fn remember_0(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+            fn remember_0(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+            ) -> S {
                 let lit = S::lit;
                 let crank_angle = x[0];
-                memory[0] = crank_angle;
+                memory.coordinates[0].last = crank_angle;
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let last_area_0 = m[13];
+                let last_area_0 = m.areas[0];
                 let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
                 let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -1810,44 +1843,44 @@ mod plm_four_bar_ {
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
                 let ratio_0_0 = lit(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0;
-                memory[1] = lit(0.1)
+                memory.coordinates[0].reach = lit(0.1)
                     / lit(1.0).max(ratio_0_1.abs().max(
                         (lit(0.63) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
                     ));
-                memory[2] = t;
-                memory[3] = lit(1e30);
-                memory[4] = crank_angle;
-                memory[5] = cos_crank_angle;
-                memory[6] = sin_crank_angle;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
+                memory.time.last = t;
+                memory.time.reach = lit(1e30);
+                memory.turns[0].angle = crank_angle;
+                memory.turns[0].cos = cos_crank_angle;
+                memory.turns[0].sin = sin_crank_angle;
+                let last_angle_1 = m.turns[1].angle;
+                let last_cosine_1 = m.turns[1].cos;
                 let rocker_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m[9];
+                let last_sine_1 = m.turns[1].sin;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t1 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
-                memory[7] = t1;
+                memory.turns[1].angle = t1;
                 let (sin_t1, cos_t1) = t1.sin_cos();
-                memory[8] = cos_t1;
-                memory[9] = sin_t1;
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
+                memory.turns[1].cos = cos_t1;
+                memory.turns[1].sin = sin_t1;
+                let last_angle_2 = m.turns[2].angle;
+                let last_cosine_2 = m.turns[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
-                let last_sine_2 = m[12];
+                let last_sine_2 = m.turns[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
                 let t2 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
-                memory[10] = t2;
+                memory.turns[2].angle = t2;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                memory[11] = cos_t2;
-                memory[12] = sin_t2;
-                memory[13] = area_0;
+                memory.turns[2].cos = cos_t2;
+                memory.turns[2].sin = sin_t2;
+                memory.areas[0] = area_0;
                 lit(2.5195263290501386) * square_0
             }
 
@@ -1855,30 +1888,36 @@ mod plm_four_bar_ {
             ///
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
-            fn remember_pose_0(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_0(
+                &self,
+                t: S,
+                q: &[S; 9],
+                v: &[S; 9],
+                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+            ) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
-                memory[0] = crank_angle;
-                memory[1] = lit(0.0);
-                memory[2] = t;
-                memory[3] = lit(0.0);
-                memory[4] = crank_angle;
+                memory.coordinates[0].last = crank_angle;
+                memory.coordinates[0].reach = lit(0.0);
+                memory.time.last = t;
+                memory.time.reach = lit(0.0);
+                memory.turns[0].angle = crank_angle;
                 let (
                     [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
                     [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
                 ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
-                memory[5] = cos_crank_angle;
-                memory[6] = sin_crank_angle;
-                memory[7] = rocker_angle;
-                memory[8] = cos_rocker_angle;
-                memory[9] = sin_rocker_angle;
-                memory[10] = coupler_angle;
-                memory[11] = cos_coupler_angle;
-                memory[12] = sin_coupler_angle;
+                memory.turns[0].cos = cos_crank_angle;
+                memory.turns[0].sin = sin_crank_angle;
+                memory.turns[1].angle = rocker_angle;
+                memory.turns[1].cos = cos_rocker_angle;
+                memory.turns[1].sin = sin_rocker_angle;
+                memory.turns[2].angle = coupler_angle;
+                memory.turns[2].cos = cos_coupler_angle;
+                memory.turns[2].sin = sin_coupler_angle;
                 let t1 = (-sin_coupler_angle).mul_add(cos_rocker_angle, cos_coupler_angle * sin_rocker_angle);
-                memory[13] = lit(0.63) * t1;
+                memory.areas[0] = lit(0.63) * t1;
                 t1 * t1
             }
 
@@ -1887,8 +1926,15 @@ mod plm_four_bar_ {
             ///
             /// 26 add, 51 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
-            fn motion_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], dx: &mut [S; 2]) -> S {
-                let last_area_0 = m[13];
+            fn motion_1(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                dx: &mut [S; 2],
+            ) -> S {
+                let [last_area_0, ..] = m.areas;
                 let [rocker_angle, rocker_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -1942,8 +1988,8 @@ mod plm_four_bar_ {
             fn pose_1(
                 &self,
                 t: S,
-                u: &Input<S>,
-                m: &[S; 18],
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -1957,7 +2003,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
+                let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -1968,10 +2014,10 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
+                let last_angle_0 = m.turns[0].angle;
+                let last_cosine_0 = m.turns[0].cos;
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
+                let last_sine_0 = m.turns[0].sin;
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -1982,10 +2028,10 @@ mod plm_four_bar_ {
                 q[3] = lit(0.5).mul_add(crank_arm_x + coupler_arm_x, crank_x);
                 let coupler_arm_y = -(loop_0_y + crank_arm_y);
                 q[4] = lit(0.5).mul_add(crank_arm_y + coupler_arm_y, crank_y);
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
+                let last_angle_2 = m.turns[2].angle;
+                let last_cosine_2 = m.turns[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
-                let last_sine_2 = m[12];
+                let last_sine_2 = m.turns[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -2026,12 +2072,19 @@ mod plm_four_bar_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
-            fn remember_1(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+            fn remember_1(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+            ) -> S {
                 let lit = S::lit;
                 let rocker_angle = x[0];
-                memory[0] = rocker_angle;
+                memory.coordinates[0].last = rocker_angle;
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
-                let last_area_0 = m[13];
+                let last_area_0 = m.areas[0];
                 let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
                 let loop_0_y = lit(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -2046,44 +2099,44 @@ mod plm_four_bar_ {
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(-0.7) * cross_0_0 * reciprocal_0;
                 let ratio_0_0 = lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
-                memory[1] = lit(0.1)
+                memory.coordinates[0].reach = lit(0.1)
                     / lit(1.0).max(ratio_0_1.abs().max(
                         (lit(0.27) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
                     ));
-                memory[2] = t;
-                memory[3] = lit(1e30);
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
+                memory.time.last = t;
+                memory.time.reach = lit(1e30);
+                let last_angle_0 = m.turns[0].angle;
+                let last_cosine_0 = m.turns[0].cos;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
+                let last_sine_0 = m.turns[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
-                memory[4] = t1;
+                memory.turns[0].angle = t1;
                 let (sin_t1, cos_t1) = t1.sin_cos();
-                memory[5] = cos_t1;
-                memory[6] = sin_t1;
-                memory[7] = rocker_angle;
-                memory[8] = cos_rocker_angle;
-                memory[9] = sin_rocker_angle;
-                let last_angle_2 = m[10];
-                let last_cosine_2 = m[11];
+                memory.turns[0].cos = cos_t1;
+                memory.turns[0].sin = sin_t1;
+                memory.turns[1].angle = rocker_angle;
+                memory.turns[1].cos = cos_rocker_angle;
+                memory.turns[1].sin = sin_rocker_angle;
+                let last_angle_2 = m.turns[2].angle;
+                let last_cosine_2 = m.turns[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + crank_arm_y);
-                let last_sine_2 = m[12];
+                let last_sine_2 = m.turns[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + crank_arm_x);
                 let t2 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
-                memory[10] = t2;
+                memory.turns[2].angle = t2;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                memory[11] = cos_t2;
-                memory[12] = sin_t2;
-                memory[13] = area_0;
+                memory.turns[2].cos = cos_t2;
+                memory.turns[2].sin = sin_t2;
+                memory.areas[0] = area_0;
                 lit(13.717421124828531) * square_0
             }
 
@@ -2091,30 +2144,36 @@ mod plm_four_bar_ {
             ///
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
-            fn remember_pose_1(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_1(
+                &self,
+                t: S,
+                q: &[S; 9],
+                v: &[S; 9],
+                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+            ) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
-                memory[0] = rocker_angle;
-                memory[1] = lit(0.0);
-                memory[2] = t;
-                memory[3] = lit(0.0);
-                memory[4] = crank_angle;
+                memory.coordinates[0].last = rocker_angle;
+                memory.coordinates[0].reach = lit(0.0);
+                memory.time.last = t;
+                memory.time.reach = lit(0.0);
+                memory.turns[0].angle = crank_angle;
                 let (
                     [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
                     [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
                 ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
-                memory[5] = cos_crank_angle;
-                memory[6] = sin_crank_angle;
-                memory[7] = rocker_angle;
-                memory[8] = cos_rocker_angle;
-                memory[9] = sin_rocker_angle;
-                memory[10] = coupler_angle;
-                memory[11] = cos_coupler_angle;
-                memory[12] = sin_coupler_angle;
+                memory.turns[0].cos = cos_crank_angle;
+                memory.turns[0].sin = sin_crank_angle;
+                memory.turns[1].angle = rocker_angle;
+                memory.turns[1].cos = cos_rocker_angle;
+                memory.turns[1].sin = sin_rocker_angle;
+                memory.turns[2].angle = coupler_angle;
+                memory.turns[2].cos = cos_coupler_angle;
+                memory.turns[2].sin = sin_coupler_angle;
                 let t1 = (-cos_crank_angle).mul_add(sin_coupler_angle, sin_crank_angle * cos_coupler_angle);
-                memory[13] = lit(-0.27) * t1;
+                memory.areas[0] = lit(-0.27) * t1;
                 t1 * t1
             }
 
@@ -2123,8 +2182,15 @@ mod plm_four_bar_ {
             ///
             /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
-            fn motion_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], dx: &mut [S; 2]) -> S {
-                let last_area_0 = m[13];
+            fn motion_2(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                dx: &mut [S; 2],
+            ) -> S {
+                let [last_area_0, ..] = m.areas;
                 let [coupler_angle, coupler_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -2183,8 +2249,8 @@ mod plm_four_bar_ {
             fn pose_2(
                 &self,
                 t: S,
-                u: &Input<S>,
-                m: &[S; 18],
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -2198,7 +2264,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m[13];
+                let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let root_0 = lit(0.0).max(square_0).sqrt();
                 let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
@@ -2209,10 +2275,10 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
+                let last_angle_0 = m.turns[0].angle;
+                let last_cosine_0 = m.turns[0].cos;
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
+                let last_sine_0 = m.turns[0].sin;
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -2226,10 +2292,10 @@ mod plm_four_bar_ {
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 let rocker_arm_y = -(loop_0_y + crank_arm_y);
                 q[7] = lit(-0.5) * rocker_arm_y;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
+                let last_angle_1 = m.turns[1].angle;
+                let last_cosine_1 = m.turns[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m[9];
+                let last_sine_1 = m.turns[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
@@ -2267,12 +2333,19 @@ mod plm_four_bar_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
-            fn remember_2(&self, t: S, u: &Input<S>, m: &[S; 18], x: &[S; 2], memory: &mut [S; 18]) -> S {
+            fn remember_2(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+            ) -> S {
                 let lit = S::lit;
                 let coupler_angle = x[0];
-                memory[0] = coupler_angle;
+                memory.coordinates[0].last = coupler_angle;
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
-                let last_area_0 = m[13];
+                let last_area_0 = m.areas[0];
                 let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
                 let loop_0_y = lit(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -2288,44 +2361,44 @@ mod plm_four_bar_ {
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(0.9) * cross_0_0 * reciprocal_0;
                 let ratio_0_0 = lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
-                memory[1] = lit(0.1)
+                memory.coordinates[0].reach = lit(0.1)
                     / lit(1.0).max(ratio_0_1.abs().max(
                         (lit(0.21) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
                     ));
-                memory[2] = t;
-                memory[3] = lit(1e30);
-                let last_angle_0 = m[4];
-                let last_cosine_0 = m[5];
+                memory.time.last = t;
+                memory.time.reach = lit(1e30);
+                let last_angle_0 = m.turns[0].angle;
+                let last_cosine_0 = m.turns[0].cos;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m[6];
+                let last_sine_0 = m.turns[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
-                memory[4] = t1;
+                memory.turns[0].angle = t1;
                 let (sin_t1, cos_t1) = t1.sin_cos();
-                memory[5] = cos_t1;
-                memory[6] = sin_t1;
-                let last_angle_1 = m[7];
-                let last_cosine_1 = m[8];
+                memory.turns[0].cos = cos_t1;
+                memory.turns[0].sin = sin_t1;
+                let last_angle_1 = m.turns[1].angle;
+                let last_cosine_1 = m.turns[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
-                let last_sine_1 = m[9];
+                let last_sine_1 = m.turns[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
                 let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
-                memory[7] = t2;
+                memory.turns[1].angle = t2;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                memory[8] = cos_t2;
-                memory[9] = sin_t2;
-                memory[10] = coupler_angle;
-                memory[11] = cos_coupler_angle;
-                memory[12] = sin_coupler_angle;
-                memory[13] = area_0;
+                memory.turns[1].cos = cos_t2;
+                memory.turns[1].sin = sin_t2;
+                memory.turns[2].angle = coupler_angle;
+                memory.turns[2].cos = cos_coupler_angle;
+                memory.turns[2].sin = sin_coupler_angle;
+                memory.areas[0] = area_0;
                 lit(22.675736961451246) * square_0
             }
 
@@ -2333,30 +2406,36 @@ mod plm_four_bar_ {
             ///
             /// 1 add, 4 mul, 3 sin_cos.
             #[cold]
-            fn remember_pose_2(&self, t: S, q: &[S; 9], v: &[S; 9], memory: &mut [S; 18]) -> S {
+            fn remember_pose_2(
+                &self,
+                t: S,
+                q: &[S; 9],
+                v: &[S; 9],
+                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+            ) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
-                memory[0] = coupler_angle;
-                memory[1] = lit(0.0);
-                memory[2] = t;
-                memory[3] = lit(0.0);
-                memory[4] = crank_angle;
+                memory.coordinates[0].last = coupler_angle;
+                memory.coordinates[0].reach = lit(0.0);
+                memory.time.last = t;
+                memory.time.reach = lit(0.0);
+                memory.turns[0].angle = crank_angle;
                 let (
                     [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
                     [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
                 ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
-                memory[5] = cos_crank_angle;
-                memory[6] = sin_crank_angle;
-                memory[7] = rocker_angle;
-                memory[8] = cos_rocker_angle;
-                memory[9] = sin_rocker_angle;
-                memory[10] = coupler_angle;
-                memory[11] = cos_coupler_angle;
-                memory[12] = sin_coupler_angle;
+                memory.turns[0].cos = cos_crank_angle;
+                memory.turns[0].sin = sin_crank_angle;
+                memory.turns[1].angle = rocker_angle;
+                memory.turns[1].cos = cos_rocker_angle;
+                memory.turns[1].sin = sin_rocker_angle;
+                memory.turns[2].angle = coupler_angle;
+                memory.turns[2].cos = cos_coupler_angle;
+                memory.turns[2].sin = sin_coupler_angle;
                 let t1 = (-cos_crank_angle).mul_add(sin_rocker_angle, sin_crank_angle * cos_rocker_angle);
-                memory[13] = lit(0.21) * t1;
+                memory.areas[0] = lit(0.21) * t1;
                 t1 * t1
             }
         }

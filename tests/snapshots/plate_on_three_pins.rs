@@ -73,6 +73,10 @@ mod plm_plate_on_three_pins_ {
             pub none: core::marker::PhantomData<S>,
         }
 
+        /// What is held over a step.
+        type Held<S> =
+            rt::Held<Input<S>, [S; 0], rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>>;
+
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -82,8 +86,8 @@ mod plm_plate_on_three_pins_ {
             pub input: Input<S>,
             time: S,
             x: [S; 0],
-            chart: usize,
-            memory: [S; 28],
+            switches: [S; 0],
+            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -414,33 +418,45 @@ mod plm_plate_on_three_pins_ {
 
         impl<S: Real> rt::charts::Charted for PlateOnThreePins<S> {
             type Input = Input<S>;
-            type Memory = [S; 28];
+            type Switches = [S; 0];
+            type Memory = rt::charts::Memory<S, 0, 4, 1, 4>;
             type Q = [S; 12];
             const CHARTS: usize = 1;
-            const BEFORE_AREAS: usize = 14;
             const TURNING: &'static [&'static str] = &["crank[0]", "crank[1]", "crank[2]", "plate"];
-            const BEFORE_FOLLOWED: usize = 15;
             const FOLLOWED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
             const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
-                let measure = self.pose_0(t, &held.input, &held.memory, x, &mut q, &mut v);
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.pose_0(t, held, m, x, &mut q, &mut v)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => {
+                        (q, v) = (*free_q, *free_v);
+                        S::lit(0.0)
+                    }
+                };
                 (q, v, measure)
             }
 
-            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 28], S) {
-                let mut memory = [S::lit(0.0); 28];
-                let measure = self.remember_0(t, &held.input, &held.memory, x, &mut memory);
+            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.remember_0(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                };
                 (memory, measure)
             }
 
-            fn remember_pose(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> ([S; 28], S) {
-                let mut memory = [S::lit(0.0); 28];
+            fn remember_pose(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
                 let measure = self.remember_pose_0(t, q, v, &mut memory);
                 (memory, measure)
             }
 
-            fn project(&self, _chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
+            fn project(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
             }
         }
@@ -448,18 +464,21 @@ mod plm_plate_on_three_pins_ {
         impl<S: Scalar> rt::lanes::Rate for PlateOnThreePins<S> {
             type S = S;
             type X = [S; 0];
-            type U = rt::charts::Held<Input<S>, [S; 28]>;
+            type U = Held<S>;
             const NQ: usize = 0;
             #[inline]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
-                rt::Health(self.motion_0(t, &u.input, &u.memory, x, dx))
+                rt::Health(match &u.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => self.motion_0(t, u, m, x, dx),
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                })
             }
         }
 
         impl<S: Real> rt::System for PlateOnThreePins<S> {
             type S = S;
             type X = [S; 0];
-            type U = rt::charts::Held<Input<S>, [S; 28]>;
+            type U = Held<S>;
             type G = [S; 0];
             const NQ: usize = 0;
             const SHORT: bool = false;
@@ -510,12 +529,12 @@ mod plm_plate_on_three_pins_ {
         #[doc(hidden)]
         impl<S: Real> rt::singular::Fine<12, 12, 24> for PlateOnThreePins<S> {
             type Twofold = PlateOnThreePins<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
+            type Inputs = Held<rt::Twofold<S>>;
 
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
                 let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact).input)
+                (self.pack([self], exact), Self::pack_held(held, [held], exact))
             }
 
             #[cold]
@@ -575,21 +594,17 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::Moment for State<S> {
             type M = PlateOnThreePins<S>;
 
-            fn new(
-                mechanism: PlateOnThreePins<S>,
-                held: rt::charts::Held<Input<S>, [S; 28]>,
-                time: S,
-                x: [S; 0],
-            ) -> Self {
-                State { mechanism, time, x, input: held.input, chart: held.chart, memory: held.memory }
+            fn new(mechanism: PlateOnThreePins<S>, held: Held<S>, time: S, x: [S; 0]) -> Self {
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &PlateOnThreePins<S> {
                 &self.mechanism
             }
 
-            fn held(&self) -> rt::charts::Held<Input<S>, [S; 28]> {
-                rt::charts::Held { input: self.input, chart: self.chart, memory: self.memory }
+            fn held(&self) -> Held<S> {
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -600,12 +615,11 @@ mod plm_plate_on_three_pins_ {
                 &self.x
             }
 
-            fn set(&mut self, time: S, held: &rt::charts::Held<Input<S>, [S; 28]>, x: &[S; 0]) {
-                let held = *held;
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 0]) {
                 self.time = time;
                 self.input = held.input;
-                self.chart = held.chart;
-                self.memory = held.memory;
+                self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -614,25 +628,20 @@ mod plm_plate_on_three_pins_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 12, 12, 24>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-            fn start_state(&self, t: S) -> Result<(rt::charts::Held<Input<S>, [S; 28]>, [S; 0]), Fault> {
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
 
-            fn opening(&self, t: S, held: &rt::charts::Held<Input<S>, [S; 28]>, x: &[S; 0]) -> rt::Drift<S> {
+            fn opening(&self, t: S, held: &Held<S>, x: &[S; 0]) -> rt::Drift<S> {
                 let (q, v) = <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
             }
         }
 
         impl<S: Real> PlateOnThreePins<S> {
-            fn start_holding_(
-                &self,
-                t: S,
-                input: Input<S>,
-            ) -> Result<(rt::charts::Held<Input<S>, [S; 28]>, [S; 0]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 0]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 0];
-                let memory = [S::lit(0.0); 28];
                 if assembly.redundant.contains(&true) {
                     let joints = rt::Names::marked(
                         &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
@@ -640,14 +649,21 @@ mod plm_plate_on_three_pins_ {
                     );
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
-                let mut held = rt::charts::Held { input, chart: 0, memory };
+                let mut held = rt::Held {
+                    input,
+                    switches: [S::lit(1.0); 0],
+                    of_loops: rt::charts::OfLoops::InChart {
+                        chart: 0,
+                        memory: rt::charts::Remembered::nothing(),
+                    },
+                };
                 rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
                 Ok((held, x))
             }
         }
 
         impl<S: Scalar> PlateOnThreePins<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 40 add, 37 mul, 6 neg, 4 sin_cos.
             #[cold]
@@ -1322,7 +1338,7 @@ mod plm_plate_on_three_pins_ {
             fn accelerate(
                 &self,
                 t: S,
-                u: &Input<S>,
+                u: &Held<S>,
                 x: &[S; 24],
             ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
                 let (q, _): ([S; 12], [S; 12]) = absolute::split(x);
@@ -1339,10 +1355,10 @@ mod plm_plate_on_three_pins_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 12], [S; 12]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 24], [S::lit(0.0); 12]);
-                let x = self.absolute_();
-                let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
+                let (u, x) = (rt::Moment::held(self), self.absolute_());
+                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -1352,7 +1368,7 @@ mod plm_plate_on_three_pins_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 12] {
-                match self.mechanism.accelerate(self.time, &self.input, &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 12],
                 }
@@ -1379,22 +1395,25 @@ mod plm_plate_on_three_pins_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                first: &rt::charts::Held<Input<S>, [S; 28]>,
-                all: [&rt::charts::Held<Input<S>, [S; 28]>; N],
+                first: &Held<S>,
+                all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
-            ) -> rt::charts::Held<Input<T>, [T; 28]> {
+            ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let memory = core::array::from_fn(|k| number(all.map(|held| held.memory[k])));
-                rt::charts::Held { input, chart: first.chart, memory }
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(t: S, held: &rt::charts::Held<Input<S>, [S; 28]>, x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 rt::charts::is_calm::<Self>(t, held, x)
             }
 
-            fn chart(held: &Self::U) -> usize {
-                held.chart
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -1404,11 +1423,8 @@ mod plm_plate_on_three_pins_ {
 
             fn lift<const K: usize>(
                 &self,
-                held: &rt::charts::Held<Input<S>, [S; 28]>,
-            ) -> (
-                PlateOnThreePins<rt::Dual<S, K>>,
-                rt::charts::Held<Input<rt::Dual<S, K>>, [rt::Dual<S, K>; 28]>,
-            ) {
+                held: &Held<S>,
+            ) -> (PlateOnThreePins<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -1416,10 +1432,17 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Real> rt::Ports for PlateOnThreePins<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut rt::charts::Held<Input<S>, [S; 28]>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -1617,7 +1640,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 12], [S; 12]) = state.pose_();
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1754,15 +1777,7 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 15 add, 25 mul, 2 sin_cos.
             #[cold]
-            fn equations(
-                &self,
-                t: S,
-                held: &Self::U,
-                x: &[S; 24],
-                lambda: &[S; 12],
-                each: &mut impl FnMut(S),
-            ) {
-                let u = &held.input;
+            fn equations(&self, t: S, u: &Self::U, x: &[S; 24], lambda: &[S; 12], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 12], [S::lit(0.0); 0]);
                 let [
                     crank_0_x,
@@ -1837,7 +1852,7 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 261 add, 367 mul, 13 div, 5 neg, 7 sin_cos, 44 select.
             #[inline(always)]
-            fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 24], dx: &mut [S; 24], lambda: &mut [S; 12]) -> S {
+            fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 24], dx: &mut [S; 24], lambda: &mut [S; 12]) -> S {
                 let lit = S::lit;
                 let (
                     sin_crank_0_angle,
@@ -2506,7 +2521,7 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 90 add, 125 mul, 7 sin_cos.
             #[cold]
-            fn free(&self, t: S, u: &Input<S>, x: &[S; 24], force: &mut [S; 12], gamma: &mut [S; 12]) {
+            fn free(&self, t: S, u: &Held<S>, x: &[S; 24], force: &mut [S; 12], gamma: &mut [S; 12]) {
                 let lit = S::lit;
                 let plate_angle = x[11];
                 let crank_0_angle = x[2];
@@ -2647,7 +2662,14 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
             #[inline(always)]
-            fn motion_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], dx: &mut [S; 0]) -> S {
+            fn motion_0(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                x: &[S; 0],
+                dx: &mut [S; 0],
+            ) -> S {
                 let lit = S::lit;
                 // Results
                 let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
@@ -2655,17 +2677,17 @@ mod plm_plate_on_three_pins_ {
                 let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
                 let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
-                let last_cosine_3 = m[12];
-                let last_0 = m[0];
+                let last_cosine_3 = m.turns[3].cos;
+                let last_0 = m.time.last;
                 let since_remembered = t - last_0;
-                let last_rate_3 = m[16];
-                let last_bend_3 = m[17];
+                let last_rate_3 = m.followed[0].rate;
+                let last_bend_3 = m.followed[0].bend;
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m[13];
+                let last_sine_3 = m.turns[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -2681,15 +2703,15 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = m[18];
-                let last_rate_4 = m[19];
-                let last_bend_4 = m[20];
+                let last_value_4 = m.followed[1].value;
+                let last_rate_4 = m.followed[1].rate;
+                let last_bend_4 = m.followed[1].bend;
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = m[21];
-                let last_rate_5 = m[22];
-                let last_bend_5 = m[23];
+                let last_value_5 = m.followed[2].value;
+                let last_rate_5 = m.followed[2].rate;
+                let last_bend_5 = m.followed[2].bend;
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -2705,9 +2727,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = m[24];
-                let last_rate_6 = m[25];
-                let last_bend_6 = m[26];
+                let last_value_6 = m.followed[3].value;
+                let last_rate_6 = m.followed[3].rate;
+                let last_bend_6 = m.followed[3].bend;
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -2891,7 +2913,7 @@ mod plm_plate_on_three_pins_ {
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t39, plate_angle_2_sin * t38);
                 let gap_1_y = loop_1_y + arm_1_4_y;
-                let precision = m[27];
+                let precision = lit(S::PRECISION);
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -2925,8 +2947,8 @@ mod plm_plate_on_three_pins_ {
             fn pose_0(
                 &self,
                 t: S,
-                u: &Input<S>,
-                m: &[S; 28],
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
                 x: &[S; 0],
                 q: &mut [S; 12],
                 v: &mut [S; 12],
@@ -2957,17 +2979,17 @@ mod plm_plate_on_three_pins_ {
                 q[6] = t5 + lit(0.5);
                 q[7] = lit(0.1).mul_add(sin_crank_2_angle, lit(0.9));
                 q[8] = crank_2_angle;
-                let last_cosine_3 = m[12];
-                let last_0 = m[0];
+                let last_cosine_3 = m.turns[3].cos;
+                let last_0 = m.time.last;
                 let since_remembered = t - last_0;
-                let last_rate_3 = m[16];
-                let last_bend_3 = m[17];
+                let last_rate_3 = m.followed[0].rate;
+                let last_bend_3 = m.followed[0].bend;
                 let t6 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t6 * (lit(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m[13];
+                let last_sine_3 = m.turns[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -2983,15 +3005,15 @@ mod plm_plate_on_three_pins_ {
                 let t10 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t9.mul_add(t10, t7 * t8);
-                let last_value_4 = m[18];
-                let last_rate_4 = m[19];
-                let last_bend_4 = m[20];
+                let last_value_4 = m.followed[1].value;
+                let last_rate_4 = m.followed[1].rate;
+                let last_bend_4 = m.followed[1].bend;
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = m[21];
-                let last_rate_5 = m[22];
-                let last_bend_5 = m[23];
+                let last_value_5 = m.followed[2].value;
+                let last_rate_5 = m.followed[2].rate;
+                let last_bend_5 = m.followed[2].bend;
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -3007,9 +3029,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t15, arm0_0_4_y * t16);
                 let j0_0_across_0_1 = t9.mul_add(t16, t7 * t15);
-                let last_value_6 = m[24];
-                let last_rate_6 = m[25];
-                let last_bend_6 = m[26];
+                let last_value_6 = m.followed[3].value;
+                let last_rate_6 = m.followed[3].rate;
+                let last_bend_6 = m.followed[3].bend;
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -3174,7 +3196,7 @@ mod plm_plate_on_three_pins_ {
                 q[9] = crank_0_x + crank_0_x - t41;
                 let t42 = plate_angle_2_cos.mul_add(t40, plate_angle_2_sin * t38);
                 q[10] = crank_0_y + crank_0_y - t42;
-                let last_angle_3 = m[11];
+                let last_angle_3 = m.turns[3].angle;
                 let t43 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
@@ -3266,7 +3288,7 @@ mod plm_plate_on_three_pins_ {
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let gap_1_y = loop_1_y + arm_1_4_y;
-                let precision = m[27];
+                let precision = lit(S::PRECISION);
                 let t62 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -3282,20 +3304,27 @@ mod plm_plate_on_three_pins_ {
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
             /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 11 select, 1 other.
-            fn remember_0(&self, t: S, u: &Input<S>, m: &[S; 28], x: &[S; 0], memory: &mut [S; 28]) -> S {
+            fn remember_0(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                x: &[S; 0],
+                memory: &mut rt::charts::Memory<S, 0, 4, 1, 4>,
+            ) -> S {
                 let lit = S::lit;
-                memory[0] = t;
-                let last_cosine_3 = m[12];
-                let last_0 = m[0];
+                memory.time.last = t;
+                let last_cosine_3 = m.turns[3].cos;
+                let last_0 = m.time.last;
                 let since_remembered = t - last_0;
-                let last_rate_3 = m[16];
-                let last_bend_3 = m[17];
+                let last_rate_3 = m.followed[0].rate;
+                let last_bend_3 = m.followed[0].bend;
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m[13];
+                let last_sine_3 = m.turns[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -3311,15 +3340,15 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = m[18];
-                let last_rate_4 = m[19];
-                let last_bend_4 = m[20];
+                let last_value_4 = m.followed[1].value;
+                let last_rate_4 = m.followed[1].rate;
+                let last_bend_4 = m.followed[1].bend;
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = m[21];
-                let last_rate_5 = m[22];
-                let last_bend_5 = m[23];
+                let last_value_5 = m.followed[2].value;
+                let last_rate_5 = m.followed[2].rate;
+                let last_bend_5 = m.followed[2].bend;
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -3335,9 +3364,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = m[24];
-                let last_rate_6 = m[25];
-                let last_bend_6 = m[26];
+                let last_value_6 = m.followed[3].value;
+                let last_rate_6 = m.followed[3].rate;
+                let last_bend_6 = m.followed[3].bend;
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -3566,7 +3595,7 @@ mod plm_plate_on_three_pins_ {
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let gap_1_y = loop_1_y + arm_1_4_y;
-                let precision = m[27];
+                let precision = lit(S::PRECISION);
                 let t58 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(lit(2684354.5600000005) * precision * precision);
@@ -3596,39 +3625,38 @@ mod plm_plate_on_three_pins_ {
                     .max((t63 * j_0_time_rate_3.abs()).max(
                         (t63 * j_0_time_rate_2.abs()).max((t57 * t61).max(t63 * j_0_time_rate_1.abs())),
                     ));
-                memory[1] = lit(-0.1) / t65;
-                memory[2] = crank_0_angle;
-                memory[3] = cos_crank_0_angle;
-                memory[4] = sin_crank_0_angle;
-                memory[5] = crank_1_angle;
-                memory[6] = cos_crank_1_angle;
-                memory[7] = sin_crank_1_angle;
-                memory[8] = crank_2_angle;
-                memory[9] = cos_crank_2_angle;
-                memory[10] = sin_crank_2_angle;
-                let last_angle_3 = m[11];
+                memory.time.reach = lit(-0.1) / t65;
+                memory.turns[0].angle = crank_0_angle;
+                memory.turns[0].cos = cos_crank_0_angle;
+                memory.turns[0].sin = sin_crank_0_angle;
+                memory.turns[1].angle = crank_1_angle;
+                memory.turns[1].cos = cos_crank_1_angle;
+                memory.turns[1].sin = sin_crank_1_angle;
+                memory.turns[2].angle = crank_2_angle;
+                memory.turns[2].cos = cos_crank_2_angle;
+                memory.turns[2].sin = sin_crank_2_angle;
+                let last_angle_3 = m.turns[3].angle;
                 let t66 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
                         .atan2(last_sine_3.mul_add(plate_angle_2_sin, last_cosine_3 * plate_angle_2_cos));
-                memory[11] = t66;
+                memory.turns[3].angle = t66;
                 let (sin_t66, cos_t66) = t66.sin_cos();
-                memory[12] = cos_t66;
-                memory[13] = sin_t66;
-                memory[14] = S::select(t58, lit(1.0), lit(0.0));
-                memory[15] = t66;
-                memory[16] = -j_0_time_rate_0;
-                memory[17] = lit(0.0);
-                memory[18] = lit(2.5) * slot_0_displacement_2;
-                memory[19] = lit(-2.5) * j_0_time_rate_1;
-                memory[20] = lit(0.0);
-                memory[21] = lit(2.5) * slot_1_displacement_2;
-                memory[22] = lit(-2.5) * j_0_time_rate_2;
-                memory[23] = lit(0.0);
-                memory[24] = lit(2.5) * slot_2_displacement_2;
-                memory[25] = lit(-2.5) * j_0_time_rate_3;
-                memory[26] = lit(0.0);
-                memory[27] = lit(0.0);
+                memory.turns[3].cos = cos_t66;
+                memory.turns[3].sin = sin_t66;
+                memory.areas[0] = S::select(t58, lit(1.0), lit(0.0));
+                memory.followed[0].value = t66;
+                memory.followed[0].rate = -j_0_time_rate_0;
+                memory.followed[0].bend = lit(0.0);
+                memory.followed[1].value = lit(2.5) * slot_0_displacement_2;
+                memory.followed[1].rate = lit(-2.5) * j_0_time_rate_1;
+                memory.followed[1].bend = lit(0.0);
+                memory.followed[2].value = lit(2.5) * slot_1_displacement_2;
+                memory.followed[2].rate = lit(-2.5) * j_0_time_rate_2;
+                memory.followed[2].bend = lit(0.0);
+                memory.followed[3].value = lit(2.5) * slot_2_displacement_2;
+                memory.followed[3].rate = lit(-2.5) * j_0_time_rate_3;
+                memory.followed[3].bend = lit(0.0);
                 t60
             }
 
@@ -3636,12 +3664,18 @@ mod plm_plate_on_three_pins_ {
             ///
             /// 84 add, 105 mul, 1 div, 2 neg, 4 sin_cos.
             #[cold]
-            fn remember_pose_0(&self, t: S, q: &[S; 12], v: &[S; 12], memory: &mut [S; 28]) -> S {
+            fn remember_pose_0(
+                &self,
+                t: S,
+                q: &[S; 12],
+                v: &[S; 12],
+                memory: &mut rt::charts::Memory<S, 0, 4, 1, 4>,
+            ) -> S {
                 let lit = S::lit;
-                memory[0] = t;
-                memory[1] = lit(0.0);
+                memory.time.last = t;
+                memory.time.reach = lit(0.0);
                 let crank_0_angle = q[2];
-                memory[2] = crank_0_angle;
+                memory.turns[0].angle = crank_0_angle;
                 let crank_1_angle = q[5];
                 let crank_2_angle = q[8];
                 let plate_angle = q[11];
@@ -3649,22 +3683,22 @@ mod plm_plate_on_three_pins_ {
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                 ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                memory[3] = cos_crank_0_angle;
-                memory[4] = sin_crank_0_angle;
-                memory[5] = crank_1_angle;
-                memory[6] = cos_crank_1_angle;
-                memory[7] = sin_crank_1_angle;
-                memory[8] = crank_2_angle;
-                memory[9] = cos_crank_2_angle;
-                memory[10] = sin_crank_2_angle;
-                memory[11] = plate_angle;
-                memory[12] = cos_plate_angle;
-                memory[13] = sin_plate_angle;
-                memory[14] = lit(1.0);
-                memory[15] = plate_angle;
+                memory.turns[0].cos = cos_crank_0_angle;
+                memory.turns[0].sin = sin_crank_0_angle;
+                memory.turns[1].angle = crank_1_angle;
+                memory.turns[1].cos = cos_crank_1_angle;
+                memory.turns[1].sin = sin_crank_1_angle;
+                memory.turns[2].angle = crank_2_angle;
+                memory.turns[2].cos = cos_crank_2_angle;
+                memory.turns[2].sin = sin_crank_2_angle;
+                memory.turns[3].angle = plate_angle;
+                memory.turns[3].cos = cos_plate_angle;
+                memory.turns[3].sin = sin_plate_angle;
+                memory.areas[0] = lit(1.0);
+                memory.followed[0].value = plate_angle;
                 let plate_omega = v[11];
-                memory[16] = plate_omega;
-                memory[17] = lit(0.0);
+                memory.followed[0].rate = plate_omega;
+                memory.followed[0].bend = lit(0.0);
                 let t1 = lit(-0.573576436351046)
                     .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
                 let crank_0_x = q[0];
@@ -3680,7 +3714,7 @@ mod plm_plate_on_three_pins_ {
                 let t7 = lit(0.4) * sin_plate_angle;
                 let t8 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t7 - t6;
                 let t9 = t5.mul_add(t8, t1 * t4);
-                memory[18] = lit(2.5) * t9;
+                memory.followed[1].value = lit(2.5) * t9;
                 let t10 = plate_omega * sin_plate_angle;
                 let t11 = plate_omega * cos_plate_angle;
                 let crank_0_vx = v[0];
@@ -3701,8 +3735,8 @@ mod plm_plate_on_three_pins_ {
                     t13.mul_add(cos_crank_0_angle, crank_0_vy) + t16 - t15,
                     lit(-0.8191520442889918).mul_add(t11, lit(0.573576436351046) * t10).mul_add(t8, t17),
                 );
-                memory[19] = lit(-2.5) * t18;
-                memory[20] = lit(0.0);
+                memory.followed[1].rate = lit(-2.5) * t18;
+                memory.followed[1].bend = lit(0.0);
                 let t19 = lit(0.6427876096865393)
                     .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
                 let crank_1_x = q[3];
@@ -3714,7 +3748,7 @@ mod plm_plate_on_three_pins_ {
                 let t23 = lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t7 - t6;
                 let t24 = t22 * t23;
                 let t25 = t21 - t24;
-                memory[21] = lit(-2.5) * t25;
+                memory.followed[2].value = lit(-2.5) * t25;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
                 let t26 = lit(0.1) * crank_1_omega;
@@ -3727,8 +3761,8 @@ mod plm_plate_on_three_pins_ {
                     t26.mul_add(cos_crank_1_angle, crank_1_vy - t16) - t15,
                     (-lit(0.766044443118978).mul_add(t11, lit(0.6427876096865393) * t10)).mul_add(t23, t27),
                 );
-                memory[22] = lit(2.5) * t28;
-                memory[23] = lit(0.0);
+                memory.followed[2].rate = lit(2.5) * t28;
+                memory.followed[2].bend = lit(0.0);
                 let t29 = lit(0.984807753012208)
                     .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
                 let crank_2_x = q[6];
@@ -3740,7 +3774,7 @@ mod plm_plate_on_three_pins_ {
                 let t33 = lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t3;
                 let t34 = t32 * t33;
                 let t35 = t31 - t34;
-                memory[24] = lit(-2.5) * t35;
+                memory.followed[3].value = lit(-2.5) * t35;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
                 let t36 = lit(0.1) * crank_2_omega;
@@ -3753,9 +3787,8 @@ mod plm_plate_on_three_pins_ {
                     t36.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t14),
                     (-t33).mul_add(lit(0.17364817766693033).mul_add(t11, lit(0.984807753012208) * t10), t37),
                 );
-                memory[25] = lit(2.5) * t38;
-                memory[26] = lit(0.0);
-                memory[27] = lit(0.0);
+                memory.followed[3].rate = lit(2.5) * t38;
+                memory.followed[3].bend = lit(0.0);
                 let j_0_across_0_1 = t1.mul_add(t22, t5 * t19);
                 let j_0_across_1_1 = t1.mul_add(t32, t5 * t29);
                 let t39 = lit(0.8191520442889918) * t9;

@@ -66,6 +66,9 @@ mod plm_slider_crank_ {
             pub none: core::marker::PhantomData<S>,
         }
 
+        /// What is held over a step.
+        type Held<S> = rt::Held<Input<S>, [S; 0], ()>;
+
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -75,6 +78,8 @@ mod plm_slider_crank_ {
             pub input: Input<S>,
             time: S,
             x: [S; 18],
+            switches: [S; 0],
+            of_loops: (),
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -122,16 +127,8 @@ mod plm_slider_crank_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
+                let (_, v) = self.pose_();
                 let [
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
-                    _,
                     crank_vx,
                     crank_vy,
                     crank_omega,
@@ -142,7 +139,7 @@ mod plm_slider_crank_ {
                     slider_vy,
                     slider_omega,
                     ..,
-                ] = self.x;
+                ] = v;
                 let lit = S::lit;
                 let t1 = (lit(0.0005) * slider_omega).mul_add(
                     slider_omega,
@@ -158,21 +155,24 @@ mod plm_slider_crank_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = self.x;
+                let (q, _) = self.pose_();
+                let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = q;
                 let lit = S::lit;
                 lit(4.905).mul_add(slider_y, lit(5.886).mul_add(rod_y, lit(1.962) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                self.x[11]
+                let (_, v) = self.pose_();
+                v[2]
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 1] {
                 let mut value = [S::lit(0.0); 1];
-                let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = self.x;
+                let (q, _) = self.pose_();
+                let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = q;
                 let lit = S::lit;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
@@ -307,7 +307,7 @@ mod plm_slider_crank_ {
         impl<S: Scalar> rt::lanes::Rate for SliderCrank<S> {
             type S = S;
             type X = [S; 18];
-            type U = Input<S>;
+            type U = Held<S>;
             const NQ: usize = 9;
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> rt::Health<S> {
@@ -319,7 +319,7 @@ mod plm_slider_crank_ {
         impl<S: Real> rt::System for SliderCrank<S> {
             type S = S;
             type X = [S; 18];
-            type U = Input<S>;
+            type U = Held<S>;
             type G = [S; 0];
             const NQ: usize = 9;
             const SHORT: bool = true;
@@ -399,7 +399,7 @@ mod plm_slider_crank_ {
         #[doc(hidden)]
         impl<S: Real> rt::singular::Fine<9, 8, 18> for SliderCrank<S> {
             type Twofold = SliderCrank<rt::Twofold<S>>;
-            type Inputs = Input<rt::Twofold<S>>;
+            type Inputs = Held<rt::Twofold<S>>;
 
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
@@ -441,19 +441,38 @@ mod plm_slider_crank_ {
             }
         }
 
+        impl<S: Real> State<S> {
+            /// Pose and velocity of every body.
+            #[inline]
+            fn pose_(&self) -> ([S; 9], [S; 9]) {
+                absolute::split(&self.x)
+            }
+        }
+
+        impl<S: Real> State<S> {
+            /// The state in absolute coordinates.
+            fn absolute_(&self) -> [S; 18] {
+                let (q, v) = self.pose_();
+                let mut x = [S::lit(0.0); 18];
+                absolute::join(&q, &v, &mut x);
+                x
+            }
+        }
+
         impl<S: Real> rt::Moment for State<S> {
             type M = SliderCrank<S>;
 
-            fn new(mechanism: SliderCrank<S>, held: Input<S>, time: S, x: [S; 18]) -> Self {
-                State { mechanism, time, x, input: held }
+            fn new(mechanism: SliderCrank<S>, held: Held<S>, time: S, x: [S; 18]) -> Self {
+                let rt::Held { input, switches, of_loops } = held;
+                State { mechanism, input, time, x, switches, of_loops }
             }
 
             fn mechanism(&self) -> &SliderCrank<S> {
                 &self.mechanism
             }
 
-            fn held(&self) -> Input<S> {
-                self.input
+            fn held(&self) -> Held<S> {
+                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
             }
 
             fn time(&self) -> S {
@@ -464,10 +483,11 @@ mod plm_slider_crank_ {
                 &self.x
             }
 
-            fn set(&mut self, time: S, held: &Input<S>, x: &[S; 18]) {
-                let held = *held;
+            fn set(&mut self, time: S, held: &Held<S>, x: &[S; 18]) {
                 self.time = time;
-                self.input = held;
+                self.input = held.input;
+                self.switches = held.switches;
+                self.of_loops = held.of_loops;
                 self.x = *x;
             }
         }
@@ -476,23 +496,23 @@ mod plm_slider_crank_ {
             type State = State<S>;
             type Rescue = rt::singular::Near<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
-            fn start_state(&self, t: S) -> Result<(Input<S>, [S; 18]), Fault> {
+            fn start_state(&self, t: S) -> Result<(Held<S>, [S; 18]), Fault> {
                 self.start_holding_(t, self.declared_input())
             }
         }
 
         impl<S: Real> SliderCrank<S> {
-            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Input<S>, [S; 18]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 18]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 18];
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], of_loops: () };
                 absolute::join(&assembly.q, &assembly.v, &mut x);
-                let held = input;
                 Ok((held, x))
             }
         }
 
         impl<S: Scalar> SliderCrank<S> {
-            /// The Jacobian of the constraints: its entries that are not zero, row by row.
+            /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 4 mul, 2 sin_cos.
             #[cold]
@@ -833,7 +853,7 @@ mod plm_slider_crank_ {
             fn accelerate(
                 &self,
                 t: S,
-                u: &Input<S>,
+                u: &Held<S>,
                 x: &[S; 18],
             ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
                 let (q, _): ([S; 9], [S; 9]) = absolute::split(x);
@@ -850,10 +870,10 @@ mod plm_slider_crank_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 8]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 8]);
-                let x = self.x;
-                let health = self.mechanism.dynamics(self.time, &self.input, &x, &mut dx, &mut lambda);
+                let (u, x) = (rt::Moment::held(self), self.absolute_());
+                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &self.input, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -863,7 +883,7 @@ mod plm_slider_crank_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 8] {
-                match self.mechanism.accelerate(self.time, &self.input, &self.x) {
+                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 8],
                 }
@@ -889,17 +909,25 @@ mod plm_slider_crank_ {
 
             #[allow(unused_variables)]
             fn pack_held<T: Scalar, const N: usize>(
-                _: &Input<S>,
-                all: [&Input<S>; N],
+                first: &Held<S>,
+                all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
-            ) -> Input<T> {
+            ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                input
+                let switches =
+                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
+                let of_loops = all.map(|held| &held.of_loops);
+                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+                rt::Held { input, switches, of_loops }
             }
 
             #[inline]
-            fn is_calm(_t: S, _held: &Input<S>, _x: &Self::X) -> bool {
+            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
+            }
+
+            fn chart(held: &Held<S>) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
 
@@ -909,8 +937,8 @@ mod plm_slider_crank_ {
 
             fn lift<const K: usize>(
                 &self,
-                held: &Input<S>,
-            ) -> (SliderCrank<rt::Dual<S, K>>, Input<rt::Dual<S, K>>) {
+                held: &Held<S>,
+            ) -> (SliderCrank<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -922,10 +950,17 @@ mod plm_slider_crank_ {
         }
 
         impl<S: Real> rt::Ports for SliderCrank<S> {
+            type Input = Input<S>;
             const INPUTS: &'static [(&'static str, &'static str)] = &[];
             const OUTPUTS: &'static [(&'static str, &'static str)] = &State::<S>::OUTPUTS;
-            fn input(_held: &mut Input<S>, _index: usize) -> Option<&mut S> {
-                None
+            fn inputs(held: &mut Held<S>) -> &mut Input<S> {
+                &mut held.input
+            }
+
+            fn input(input: &mut Input<S>, index: usize) -> Option<&mut S> {
+                match index {
+                    _ => None,
+                }
             }
 
             fn outputs(state: &State<S>, each: &mut impl FnMut(S)) {
@@ -1073,7 +1108,7 @@ mod plm_slider_crank_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(&state.x);
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1131,7 +1166,7 @@ mod plm_slider_crank_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.x)
+                self.mechanism.placed(&self.absolute_())
             }
         }
 
@@ -1162,7 +1197,7 @@ mod plm_slider_crank_ {
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
-                state.x
+                state.absolute_()
             }
 
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
@@ -1189,7 +1224,7 @@ mod plm_slider_crank_ {
             }
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, *held)
+                self.start_holding_(t, held.input)
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {
@@ -1211,7 +1246,7 @@ mod plm_slider_crank_ {
             ///
             /// 74 add, 99 mul, 7 div, 1 neg, 2 sin_cos, 24 select.
             #[inline(always)]
-            fn dynamics(&self, t: S, u: &Input<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
+            fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
                 let lit = S::lit;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
                 let crank_angle = x[2];
@@ -1345,7 +1380,7 @@ mod plm_slider_crank_ {
             ///
             /// 2 add, 12 mul, 2 sin_cos.
             #[cold]
-            fn free(&self, t: S, u: &Input<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 8]) {
+            fn free(&self, t: S, u: &Held<S>, x: &[S; 18], force: &mut [S; 9], gamma: &mut [S; 8]) {
                 let crank_angle = x[2];
                 let rod_angle = x[5];
                 let crank_omega = x[11];

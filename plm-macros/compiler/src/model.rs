@@ -48,6 +48,8 @@ pub struct Model {
     pub most_growth: Expr,
     /// Symbol of the part, one in so many, by which lengths that repeat each other may differ: the scalar's.
     pub agreement: Expr,
+    /// Symbol of a unit in the last place of 1: the scalar's.
+    pub precision: Expr,
     /// Acceleration of gravity, absolute axes, m/s^2.
     pub gravity: Vec2,
     /// The rung that the user ordered, and where.

@@ -73,9 +73,6 @@ impl Oracle {
             chart.remember_pose.as_ref().map(|remember_pose| self.run(remember_pose, time, &self.state(), x));
         let mut remembered = remember_pose.unwrap_or_else(|| vec![1.0]);
         let square = remembered.pop()?;
-        if let Some(precision) = remembered.last_mut().filter(|_| reduced.iterates()) {
-            *precision = f64::EPSILON;
-        }
         let (coordinates, absolute) = (chart.y.len(), 2 * self.equations.q.len());
         let mut state = self.run(&chart.project, time, &self.state(), x);
         state.truncate(2 * coordinates);
@@ -118,8 +115,9 @@ impl Oracle {
     }
 
     /// Symbols of the state in a chart, and of what is remembered.
-    fn state_in(&self, chart: &Chart, memory: &[Expr]) -> Vec<Expr> {
-        [&chart.y[..], &chart.y_dot, &self.equations.x, memory].concat()
+    fn state_in(&self, chart: &Chart, memory: &[(Expr, String)]) -> Vec<Expr> {
+        let memory = memory.iter().map(|(symbol, _)| symbol);
+        [&chart.y, &chart.y_dot, &self.equations.x].into_iter().flatten().chain(memory).copied().collect()
     }
 
     /// The results of a function where some symbols have the values `x`, and what is held its declared values.

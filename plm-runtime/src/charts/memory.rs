@@ -1,136 +1,217 @@
-//! What is remembered of the last state that was looked at, and whether the next one can have come from it.
+//! What is held of loops over a step: a chart with what is remembered of the last state that was looked at, or a pose.
 
-use crate::charts::{Charted, square};
-use crate::fault::{Cause, Fault};
+use crate::held::Loops;
 use crate::scalar::{Real, Scalar};
-use crate::vector::Vector;
 
-/// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
-const FAR: f64 = 7.0;
-/// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
-const FARTHEST: f64 = 1.0;
-/// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
-/// measure; other solutions are at least about twice the measure away.
-const FARTHEST_FOLLOWED: f64 = 0.25;
-/// Up to this distance an iteration that does not converge has no solution to find.
-const NEAR: f64 = 0.1;
-/// Below this square the measure does not narrow that any further.
-const NARROWEST: f64 = 1e-4;
-
-/// Is the state so near to the last one that was looked at that no loop can have gone through a flat pose? What the
-/// distances tell of it at one of the two is enough; for the time it must hold at both.
-pub(super) fn check_near<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Result<(), Fault> {
-    let old = &held.memory;
-    let moved = |k: usize| (memory.at(2 * k) - old.at(2 * k)).abs();
-    let reach = |k: usize| [old, memory].map(|at| M::S::lit(FAR) * at.at(2 * k + 1).abs());
-    let within = (0..M::NQ).all(|k| {
-        let [before, after] = reach(k);
-        moved(k) <= before.max(after)
-    });
-    let [before, after] = reach(M::NQ);
-    if within && moved(M::NQ) <= before.min(after) {
-        return Ok(());
-    }
-    let angle = turned::<M>(held, memory).0.to_f64();
-    Err(Fault { cause: Cause::TurnedTooFar { angle }, ..locked::<M>(t, held, memory) })
+/// What is held of loops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OfLoops<M, Q> {
+    /// Coordinates of a chart.
+    InChart {
+        /// The chart, from 0.
+        chart: usize,
+        /// What is remembered of the last state that was looked at.
+        memory: M,
+    },
+    /// Where no chart is good: pose and velocity of all bodies.
+    Free {
+        /// Pose.
+        q: Q,
+        /// Velocity.
+        v: Q,
+    },
 }
 
-/// Are the unknowns of iterations where their rates have taken them, and not at another solution?
-#[inline]
-pub(super) fn check_followed<M: Charted>(
-    t: M::S,
-    held: &M::U,
-    memory: &M::Memory,
-    measure: M::S,
-) -> Result<(), Fault> {
-    let half = M::S::lit(0.5) * (t - last::<M>(held));
-    let farthest = square::<M::S>(FARTHEST_FOLLOWED) * measure.max(M::S::lit(NARROWEST));
-    for (part, k) in M::FOLLOWED.iter().zip(followed::<M>()) {
-        let moved = memory.at(k) - held.memory.at(k);
-        let off = moved - half * (memory.at(k + 1) + held.memory.at(k + 1));
-        // False for what is not a number.
-        let near = off * off < farthest;
-        if !near {
-            return Err(Fault::of_part(
-                t.to_f64(),
-                part,
-                Cause::TurnedTooFar { angle: moved.to_f64().abs() },
-            ));
+/// What is remembered of a state with `Y` coordinates, `T` angles, `A` determinants, and `F` unknowns of iterations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory<S, const Y: usize, const T: usize, const A: usize, const F: usize> {
+    /// The coordinates of the chart.
+    pub coordinates: [Reach<S>; Y],
+    /// The time.
+    pub time: Reach<S>,
+    /// The angle of each class of bodies that turn as one.
+    pub turns: [Turn<S>; T],
+    /// The determinant of each loop, whose sign tells its mirror images apart.
+    pub areas: [S; A],
+    /// The unknowns that iterations start from.
+    pub followed: [Followed<S>; F],
+}
+
+/// Where a coordinate or the time was at the last look, and how far it may move until the next one; negative where every
+/// state is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach<S> {
+    /// The value at the last look.
+    pub last: S,
+    /// How far it may move from there.
+    pub reach: S,
+}
+
+/// An angle, which is known without whole turns lost, with its direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn<S> {
+    /// The angle, rad.
+    pub angle: S,
+    /// Its cosine.
+    pub cos: S,
+    /// Its sine.
+    pub sin: S,
+}
+
+/// An unknown of an iteration, rad, or a displacement over the size of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Followed<S> {
+    /// Its value.
+    pub value: S,
+    /// Its rate.
+    pub rate: S,
+    /// Half the rate of that.
+    pub bend: S,
+}
+
+/// A [`Memory`] of any lengths.
+pub trait Remembered<S>: Copy {
+    /// The memory before the first look.
+    fn nothing() -> Self;
+    /// The coordinates of the chart.
+    fn coordinates(&self) -> &[Reach<S>];
+    /// The time.
+    fn time(&self) -> Reach<S>;
+    /// The angles.
+    fn turns(&self) -> &[Turn<S>];
+    /// The determinants.
+    fn areas(&self) -> &[S];
+    /// The unknowns of iterations.
+    fn followed(&self) -> &[Followed<S>];
+    /// The same, to write what two looks tell together.
+    fn followed_mut(&mut self) -> &mut [Followed<S>];
+
+    /// Every number of it is one.
+    fn is_finite(&self) -> bool
+    where
+        S: Scalar,
+    {
+        let reach = |at: &Reach<S>| at.last.is_finite() && at.reach.is_finite();
+        let turn = |at: &Turn<S>| [at.angle, at.cos, at.sin].into_iter().all(S::is_finite);
+        let followed = |at: &Followed<S>| [at.value, at.rate, at.bend].into_iter().all(S::is_finite);
+        self.coordinates().iter().all(reach)
+            && reach(&self.time())
+            && self.turns().iter().all(turn)
+            && self.areas().iter().all(|area| area.is_finite())
+            && self.followed().iter().all(followed)
+    }
+}
+
+impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize> Remembered<S>
+    for Memory<S, Y, T, A, F>
+{
+    fn nothing() -> Self {
+        let zero = S::lit(0.0);
+        let reach = Reach { last: zero, reach: zero };
+        Memory {
+            coordinates: [reach; Y],
+            time: reach,
+            turns: [Turn { angle: zero, cos: zero, sin: zero }; T],
+            areas: [zero; A],
+            followed: [Followed { value: zero, rate: zero, bend: zero }; F],
         }
     }
-    Ok(())
+
+    fn coordinates(&self) -> &[Reach<S>] {
+        &self.coordinates
+    }
+
+    fn time(&self) -> Reach<S> {
+        self.time
+    }
+
+    fn turns(&self) -> &[Turn<S>] {
+        &self.turns
+    }
+
+    fn areas(&self) -> &[S] {
+        &self.areas
+    }
+
+    fn followed(&self) -> &[Followed<S>] {
+        &self.followed
+    }
+
+    fn followed_mut(&mut self) -> &mut [Followed<S>] {
+        &mut self.followed
+    }
 }
 
-/// The time of the last look.
-fn last<M: Charted>(held: &M::U) -> M::S {
-    held.memory.at(2 * M::NQ)
+impl<S: Real> Reach<S> {
+    /// Is a value within reach?
+    pub(super) fn holds(&self, value: S) -> bool {
+        (value - self.last).abs() < self.reach
+    }
 }
 
-/// The farthest that a body has turned since the last look, rad, and which one.
-fn turned<M: Charted>(held: &M::U, memory: &M::Memory) -> (M::S, &'static str) {
-    let mut most = (M::S::lit(0.0), "");
-    for (body, k) in M::TURNING.iter().zip((2 * M::NQ + 2..M::BEFORE_AREAS).step_by(3)) {
-        let turned = (memory.at(k) - held.memory.at(k)).abs();
-        if turned > most.0 {
-            most = (turned, body);
+impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> Loops<S>
+    for OfLoops<Memory<S, Y, T, A, F>, [S; NQ]>
+{
+    type Packed<P: Scalar> = OfLoops<Memory<P, Y, T, A, F>, [P; NQ]>;
+
+    fn packed<P: Scalar, const N: usize>(
+        &self,
+        all: [&Self; N],
+        number: &impl Fn([S; N]) -> P,
+    ) -> Self::Packed<P> {
+        match self {
+            OfLoops::InChart { chart, memory } => {
+                let all = all.map(|one| match one {
+                    OfLoops::InChart { memory, .. } => memory,
+                    OfLoops::Free { .. } => memory,
+                });
+                OfLoops::InChart { chart: *chart, memory: packed(all, number) }
+            }
+            OfLoops::Free { q, v } => {
+                let all = all.map(|one| match one {
+                    OfLoops::Free { q, v } => (q, v),
+                    OfLoops::InChart { .. } => (q, v),
+                });
+                OfLoops::Free {
+                    q: core::array::from_fn(|k| number(all.map(|(q, _)| q[k]))),
+                    v: core::array::from_fn(|k| number(all.map(|(_, v)| v[k]))),
+                }
+            }
         }
     }
-    most
-}
 
-/// Writes the memory of a state, with what two states tell together.
-pub(super) fn keep<M: Charted>(t: M::S, held: &mut M::U, mut memory: M::Memory) -> Result<(), Fault> {
-    let (angle, body) = turned::<M>(held, &memory);
-    if angle > M::S::lit(FARTHEST) {
-        return Err(Fault::of_part(t.to_f64(), body, Cause::TurnedTooFar { angle: angle.to_f64() }));
-    }
-    let since = t - last::<M>(held);
-    for k in followed::<M>() {
-        if since > M::S::lit(0.0) {
-            memory.set(k + 2, M::S::lit(0.5) * (memory.at(k + 1) - held.memory.at(k + 1)) / since);
+    fn chart(&self) -> Option<usize> {
+        match *self {
+            OfLoops::InChart { chart, .. } => Some(chart),
+            OfLoops::Free { .. } => None,
         }
     }
-    held.memory = precise::<M>(memory);
-    Ok(())
 }
 
-/// Places in the memory of the unknowns of iterations.
-fn followed<M: Charted>() -> impl Iterator<Item = usize> {
-    (0..M::FOLLOWED.len()).map(|k| M::BEFORE_FOLLOWED + 3 * k)
-}
-
-/// A memory with what iterations need to know of the arithmetic.
-pub(super) fn precise<M: Charted>(mut memory: M::Memory) -> M::Memory {
-    if !M::FOLLOWED.is_empty() {
-        memory.set(M::BEFORE_FOLLOWED + 3 * M::FOLLOWED.len(), M::S::EPSILON);
+/// Several memories as one.
+fn packed<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize, const N: usize>(
+    all: [&Memory<S, Y, T, A, F>; N],
+    number: &impl Fn([S; N]) -> P,
+) -> Memory<P, Y, T, A, F> {
+    let reach = |all: [Reach<S>; N]| Reach {
+        last: number(all.map(|one| one.last)),
+        reach: number(all.map(|one| one.reach)),
+    };
+    let turn = |all: [Turn<S>; N]| Turn {
+        angle: number(all.map(|one| one.angle)),
+        cos: number(all.map(|one| one.cos)),
+        sin: number(all.map(|one| one.sin)),
+    };
+    let followed = |all: [Followed<S>; N]| Followed {
+        value: number(all.map(|one| one.value)),
+        rate: number(all.map(|one| one.rate)),
+        bend: number(all.map(|one| one.bend)),
+    };
+    Memory {
+        coordinates: core::array::from_fn(|k| reach(all.map(|one| one.coordinates[k]))),
+        time: reach(all.map(|one| one.time)),
+        turns: core::array::from_fn(|k| turn(all.map(|one| one.turns[k]))),
+        areas: core::array::from_fn(|k| number(all.map(|one| one.areas[k]))),
+        followed: core::array::from_fn(|k| followed(all.map(|one| one.followed[k]))),
     }
-    memory
-}
-
-/// The fault of the group of a chart that is nearest to not being closed.
-pub(super) fn locked<M: Charted>(t: M::S, held: &M::U, memory: &M::Memory) -> Fault {
-    let moved = expected_move::<M>(t, held);
-    let angle = moved.to_f64();
-    let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
-    Fault::of_part(t.to_f64(), flattest::<M>(held.chart, memory), cause)
-}
-
-/// The part that closes the loop of a chart with the smallest determinant.
-pub(super) fn flattest<M: Charted>(chart: usize, memory: &M::Memory) -> &'static str {
-    let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
-    let (mut part, mut least) = ("", M::S::INFINITY);
-    for (closing, k) in parts.iter().zip(M::BEFORE_AREAS..M::BEFORE_FOLLOWED) {
-        let area = memory.at(k).abs();
-        if !least.lt(area) {
-            (part, least) = (closing, area);
-        }
-    }
-    part
-}
-
-/// How far the unknowns of iterations should have moved since the last look.
-fn expected_move<M: Charted>(t: M::S, held: &M::U) -> M::S {
-    let since = t - last::<M>(held);
-    let rate = |k: usize| held.memory.at(k + 1) + held.memory.at(k + 2) * since;
-    followed::<M>().map(|k| (rate(k) * since).abs()).fold(M::S::lit(0.0), M::S::max)
 }

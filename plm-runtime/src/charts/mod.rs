@@ -10,11 +10,15 @@
 //! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
 //! state, so that these are followed as well: values, rates, and how the rates change.
 
+mod continuity;
 mod memory;
 
-use memory::{check_followed, check_near, flattest, keep, locked, precise};
+pub use continuity::not_regular;
+use continuity::{Looks, flattest};
+pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
 
 use crate::fault::Fault;
+use crate::held::Held;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, System};
 use crate::vector::Vector;
@@ -36,47 +40,32 @@ const OPEN: f64 = -1e-10;
 /// Below this part of what is typical, a box is that of a measure below [`FLAT`]: boxes are a tenth of it, and they share it.
 const TIGHT: f64 = 0.1 * FLAT;
 
-/// What is held over a step: the inputs, the chart, and what is remembered of the last state that was looked at.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Held<I, Y> {
-    /// The inputs.
-    pub input: I,
-    /// The chart, from 0; [`Charted::CHARTS`] where there is none.
-    pub chart: usize,
-    /// In a chart: boxes of the coordinates and of the time, angles, determinants, unknowns of iterations. Without one: pose
-    /// and velocity of all bodies.
-    pub memory: Y,
-}
-
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
-///
-/// The memory begins with two numbers for each coordinate, then for the time: where it was at the last look, and how far it
-/// may move until the next one (negative where every state is looked at). Behind them stand an angle, its cosine and its sine for each class of bodies.
-pub trait Charted: System<U = Held<Self::Input, Self::Memory>, S: Real> {
+pub trait Charted:
+    System<U = Held<Self::Input, Self::Switches, OfLoops<Self::Memory, Self::Q>>, S: Real>
+{
     /// The inputs.
     type Input: Copy;
-    /// What is remembered.
-    type Memory: Vector<Self::S>;
+    /// The sides of the switches.
+    type Switches: Copy;
+    /// What is remembered, a [`Memory`].
+    type Memory: Remembered<Self::S>;
     /// Pose or velocity of all bodies.
     type Q: Vector<Self::S>;
     /// Number of charts.
     const CHARTS: usize;
-    /// Numbers in the memory before the determinants.
-    const BEFORE_AREAS: usize;
-    /// The bodies whose angles are remembered, in that order.
+    /// The bodies whose angles are remembered, in the order of the memory.
     const TURNING: &'static [&'static str];
-    /// Numbers in the memory before the unknowns of iterations, each followed by its rate and half the rate of that: rad, or
-    /// of displacements over the size of the scene. Behind them stands a unit in the last place.
-    const BEFORE_FOLLOWED: usize;
-    /// The bodies and joints of these unknowns, in that order.
+    /// The bodies and joints of the unknowns of iterations, in the order of the memory.
     const FOLLOWED: &'static [&'static str];
     /// By chart, by group: the part that closes its loop.
     const CLOSING: &'static [&'static [&'static str]];
 
-    /// Pose and velocity of all bodies, and the square of the measure; negative where a loop cannot be closed.
+    /// Pose and velocity of all bodies, and the square of the measure; negative where a loop cannot be closed, zero without a
+    /// chart.
     fn pose(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Q, Self::Q, Self::S);
 
-    /// What is to be remembered of a state, and the square of the measure.
+    /// What is to be remembered of a state, and the square of the measure; nothing and zero without a chart.
     fn remember(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Memory, Self::S);
 
     /// The same of a pose and velocity in some chart, but for how far the coordinates may move.
@@ -100,14 +89,11 @@ pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &
 /// Has the mechanism no chart?
 #[inline]
 pub fn is_free<M: Charted>(held: &M::U) -> bool {
-    held.chart >= M::CHARTS
+    matches!(held.of_loops, OfLoops::Free { .. })
 }
 
 /// Pose and velocity of all bodies.
 pub fn pose<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> (M::Q, M::Q) {
-    if is_free::<M>(held) {
-        return (Vector::from_fn(|i| held.memory.at(i)), Vector::from_fn(|i| held.memory.at(M::Q::LEN + i)));
-    }
     let (q, v, _) = system.pose(t, held, x);
     (q, v)
 }
@@ -143,50 +129,54 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     if is_calm::<M>(t, held, x) {
         return Ok(Accepted::default());
     }
-    let moved = if is_free::<M>(held) { come_back(system, t, held, x) } else { watch(system, t, held, x)? };
+    let moved = match held.of_loops {
+        OfLoops::InChart { chart, memory } => watch(system, t, held, (chart, &memory), x)?,
+        OfLoops::Free { .. } => come_back(system, t, held, x),
+    };
     Ok(Accepted { moved, passed: None })
 }
 
 /// Whether [`accept`] has nothing to look at yet.
 #[inline]
 pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
-    let within = |moved: M::S, k: usize| moved.abs() < held.memory.at(2 * k + 1);
+    let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
     M::FOLLOWED.is_empty()
-        && !is_free::<M>(held)
-        && (0..M::NQ).all(|k| within(x.at(k) - held.memory.at(2 * k), k))
-        && within(t - held.memory.at(2 * M::NQ), M::NQ)
+        && memory.coordinates().iter().enumerate().all(|(k, coordinate)| coordinate.holds(x.at(k)))
+        && memory.time().holds(t)
 }
 
 /// Is a step too long for what may be a sharp turn near a flat pose, which no error control resolves? One that changes the
 /// measure by a tenth, where it is small.
 #[inline]
 pub fn is_sharp<M: Charted>(system: &M, t: M::S, held: &M::U, before: &M::X, x: &M::X) -> bool {
+    let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
     let tight = |k: usize| M::S::lit(TIGHT / M::NQ as f64) * system.typical().at(k);
-    !is_free::<M>(held)
-        && (0..M::NQ).any(|k| {
-            let reach = held.memory.at(2 * k + 1);
-            (x.at(k) - before.at(k)).abs() > reach && reach < tight(k)
-        })
+    memory
+        .coordinates()
+        .iter()
+        .enumerate()
+        .any(|(k, &Reach { reach, .. })| (x.at(k) - before.at(k)).abs() > reach && reach < tight(k))
         && !is_calm::<M>(t, held, x)
 }
 
-/// A fault for a state at which the rate cannot be computed in the chart that is held.
-#[cold]
-pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fault {
-    locked::<M>(t, held, &system.remember(t, held, x).0)
-}
-
-/// Looks at a state; whether its chart was left.
-fn watch<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<bool, Fault> {
-    let (memory, measure) = system.remember(t, held, x);
-    if is_open(measure) || !memory.is_finite() {
-        return Err(locked::<M>(t, held, &memory));
+/// Looks at a state that has come from what is remembered in a chart; whether the chart was left.
+fn watch<M: Charted>(
+    system: &M,
+    t: M::S,
+    held: &mut M::U,
+    (chart, before): (usize, &M::Memory),
+    x: &mut M::X,
+) -> Result<bool, Fault> {
+    let (after, measure) = system.remember(t, held, x);
+    let looks = Looks::<M> { t, chart, before, after: &after };
+    if is_open(measure) || !after.is_finite() {
+        return Err(looks.locked());
     }
-    check_followed::<M>(t, held, &memory, measure)?;
-    check_near::<M>(t, held, &memory)?;
-    keep::<M>(t, held, memory)?;
+    looks.check_followed(measure)?;
+    looks.check_near()?;
+    held.of_loops = OfLoops::InChart { chart, memory: looks.kept()? };
     if measure < square(FLAT) {
-        return Ok(leave(system, t, held, measure, x));
+        return Ok(leave(system, t, held, (chart, measure), x));
     }
     Ok(false)
 }
@@ -210,13 +200,19 @@ pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'stati
 
 /// Leaves a chart for one that is better by far, or if it is not good.
 #[cold]
-fn leave<M: Charted>(system: &M, t: M::S, held: &mut M::U, measure: M::S, x: &mut M::X) -> bool {
+fn leave<M: Charted>(
+    system: &M,
+    t: M::S,
+    held: &mut M::U,
+    (own, measure): (usize, M::S),
+    x: &mut M::X,
+) -> bool {
     let (q, v, _) = system.pose(t, held, x);
     if !(q.is_finite() && v.is_finite()) {
         return false;
     }
-    let (chart, other) = if M::CHARTS > 1 { best(system, t, &q, &v) } else { (held.chart, measure) };
-    if chart != held.chart && other > square::<M::S>(BETTER) * measure && other > regular() {
+    let (chart, other) = if M::CHARTS > 1 { best(system, t, &q, &v) } else { (own, measure) };
+    if chart != own && other > square::<M::S>(BETTER) * measure && other > regular() {
         change(system, t, held, (chart, &q, &v), x);
         return true;
     }
@@ -247,11 +243,7 @@ fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> 
 
 /// Goes on without a chart.
 fn free<M: Charted>(held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
-    held.chart = M::CHARTS;
-    for i in 0..M::Q::LEN {
-        held.memory.set(i, q.at(i));
-        held.memory.set(M::Q::LEN + i, v.at(i));
-    }
+    held.of_loops = OfLoops::Free { q: *q, v: *v };
     for i in 0..2 * M::NQ {
         x.set(i, M::S::lit(0.0));
     }
@@ -276,12 +268,11 @@ fn change<M: Charted>(
     (chart, q, v): (usize, &M::Q, &M::Q),
     x: &mut M::X,
 ) {
-    held.chart = chart;
-    held.memory = precise::<M>(system.remember_pose(chart, t, q, v).0);
+    held.of_loops = OfLoops::InChart { chart, memory: system.remember_pose(chart, t, q, v).0 };
     system.project(chart, t, q, v, x);
     let (memory, measure) = system.remember(t, held, x);
     if !is_open(measure) && memory.is_finite() {
-        held.memory = precise::<M>(memory);
+        held.of_loops = OfLoops::InChart { chart, memory };
     }
 }
 

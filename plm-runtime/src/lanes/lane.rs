@@ -38,7 +38,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     }
 
     /// Whether its steps may be made with the others', in their chart.
-    pub(super) fn joins(&self, chart: usize) -> bool {
+    pub(super) fn joins(&self, chart: Option<usize>) -> bool {
         let regular = !self.method.careful && !M::Rescue::holds(&self.course);
         self.runs && regular && M::chart(&self.course.held) == chart
     }

@@ -60,11 +60,8 @@ pub trait Pack: Mechanism {
         number: impl Fn([Self::S; N]) -> T,
     ) -> <Self::Packed<T> as Rate>::U;
 
-    /// The chart that is held, from 0.
-    fn chart(held: &Self::U) -> usize {
-        let _ = held;
-        0
-    }
+    /// The chart that is held, from 0; none where no chart is good.
+    fn chart(held: &Self::U) -> Option<usize>;
 
     /// Whether [`System::accept`] has nothing to do at a state.
     fn is_calm(t: Self::S, held: &Self::U, x: &Self::X) -> bool;

@@ -133,6 +133,7 @@ impl<S: Real> Scalar for Tube<S> {
 
     const HEALTHY: f64 = S::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
+    const PRECISION: f64 = S::PRECISION;
 
     #[inline]
     fn lit(x: f64) -> Self {

@@ -10,6 +10,7 @@ impl<S: Real> Scalar for Twofold<S> {
     const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
+    const PRECISION: f64 = S::PRECISION;
 
     /// The constant `x`, with 48 of its 53 bits where the words are of `f32`.
     #[inline]

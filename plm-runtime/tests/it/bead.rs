@@ -1,6 +1,9 @@
 //! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
 
-use plm_runtime::charts::{Charted, Held, accept, enter, full, hold, is_calm, is_free, is_sharp, pose};
+use plm_runtime::charts::{
+    self, Charted, OfLoops, Reach, Remembered, accept, enter, full, hold, is_calm, is_free, is_sharp, pose,
+};
+use plm_runtime::held::{Held, Loops};
 use plm_runtime::{Cause, Health, System};
 
 /// A bead on the circle of radius 1 m: by its y in chart 0, by its x in chart 1. The measure of a chart is the size of the other
@@ -16,11 +19,30 @@ const REACH: f64 = 0.01;
 /// How long it may go without one, s.
 const WHILE: f64 = 0.3;
 
-/// Coordinate and time with their reaches, the other coordinate.
-type Memory = [f64; 5];
-type Bound = Held<(), Memory>;
+/// The area is the other coordinate.
+type Memory = charts::Memory<f64, 1, 0, 1, 0>;
+type Bound = Held<(), (), OfLoops<Memory, [f64; 2]>>;
 
-const NOTHING: Bound = Held { input: (), chart: 0, memory: [0.0; 5] };
+fn memory(coordinate: f64, t: f64, other: f64) -> Memory {
+    let coordinates = [Reach { last: coordinate, reach: REACH }];
+    Memory { coordinates, time: Reach { last: t, reach: WHILE }, areas: [other], ..Memory::nothing() }
+}
+
+fn in_chart(chart: usize, memory: Memory) -> Bound {
+    Held { input: (), switches: (), of_loops: OfLoops::InChart { chart, memory } }
+}
+
+/// The chart and what is remembered.
+fn within(held: &Bound) -> (usize, Memory) {
+    match held.of_loops {
+        OfLoops::InChart { chart, memory } => (chart, memory),
+        OfLoops::Free { .. } => panic!("no chart: {held:?}"),
+    }
+}
+
+fn chart(held: &Bound) -> Option<usize> {
+    Loops::<f64>::chart(&held.of_loops)
+}
 
 impl System for Bead {
     type S = f64;
@@ -36,30 +58,33 @@ impl System for Bead {
 
 impl Charted for Bead {
     type Input = ();
+    type Switches = ();
     type Memory = Memory;
     type Q = [f64; 2];
     const CHARTS: usize = 2;
-    const BEFORE_AREAS: usize = 4;
     const TURNING: &'static [&'static str] = &[];
-    const BEFORE_FOLLOWED: usize = 5;
     const FOLLOWED: &'static [&'static str] = &[];
     const CLOSING: &'static [&'static [&'static str]] = &[&["ring"], &["hoop"]];
 
     fn pose(&self, _t: f64, held: &Bound, x: &[f64; 3]) -> ([f64; 2], [f64; 2], f64) {
+        let (chart, memory) = match held.of_loops {
+            OfLoops::InChart { chart, memory } => (chart, memory),
+            OfLoops::Free { q, v } => return (q, v, 0.0),
+        };
         let square = 1.0 - x[0] * x[0];
-        let other = square.sqrt().copysign(held.memory[4]);
+        let other = square.sqrt().copysign(memory.areas[0]);
         let (mut q, mut v) = ([other, x[0]], [-x[0] * x[1] / other, x[1]]);
-        if held.chart == 1 {
+        if chart == 1 {
             (q, v) = ([q[1], q[0]], [v[1], v[0]]);
         }
         (q, v, self.poorer * self.poorer * square)
     }
     fn remember(&self, t: f64, held: &Bound, x: &[f64; 3]) -> (Memory, f64) {
         let (q, _, measure) = self.pose(t, held, x);
-        ([x[0], REACH, t, WHILE, q[held.chart]], measure)
+        (memory(x[0], t, q[within(held).0]), measure)
     }
     fn remember_pose(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Memory, f64) {
-        ([q[1 - chart], REACH, t, WHILE, q[chart]], (self.poorer * q[chart]).powi(2))
+        (memory(q[1 - chart], t, q[chart]), (self.poorer * q[chart]).powi(2))
     }
     fn project(&self, chart: usize, _t: f64, q: &[f64; 2], v: &[f64; 2], x: &mut [f64; 3]) {
         (x[0], x[1]) = (q[1 - chart], v[1 - chart]);
@@ -68,7 +93,7 @@ impl Charted for Bead {
 
 /// A state at 2 rad/s, with one of first order that is 5.
 fn entered(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
-    let (bead, mut held, mut x) = (Bead { poorer }, NOTHING, [0.0, 0.0, 5.0]);
+    let (bead, mut held, mut x) = (Bead { poorer }, in_chart(0, Memory::nothing()), [0.0, 0.0, 5.0]);
     let (q, v) = on_circle(degrees);
     enter(&bead, 0.0, &mut held, (&q, &v), &mut x);
     (bead, held, x)
@@ -95,7 +120,7 @@ fn the_first_chart_is_entered_unless_it_is_flat() {
         [(10.0, 0), (72.4, 0), (72.7, 1), (90.0, 1), (107.3, 1), (107.6, 0), (200.0, 0), (-89.0, 1)]
     {
         let (bead, held, x) = entered(1.0, degrees);
-        assert_eq!(held.chart, chart, "{degrees} deg");
+        assert_eq!(within(&held).0, chart, "{degrees} deg");
         is_at(bead, (&held, &x), degrees);
     }
     // The least of a good chart is 0.03.
@@ -116,8 +141,9 @@ fn a_state_within_its_box_is_calm() {
         // A box of a third of what is typical is not tight.
         assert!(is_sharp(&bead, 0.0, &held, &x, &moved) != calm, "{part} of the reach");
     }
-    let mut wide = held;
-    wide.memory[1] = 0.031;
+    let (chart, mut memory) = within(&held);
+    memory.coordinates[0].reach = 0.031;
+    let wide = in_chart(chart, memory);
     assert!(!is_sharp(&bead, 0.0, &wide, &x, &[x[0] + 0.04, x[1], x[2]]));
 }
 
@@ -128,21 +154,21 @@ fn a_step_of_some_boxes_is_looked_at_and_a_longer_one_refused() {
     {
         for by_time in [false, true] {
             let (bead, mut held, mut x) = entered(1.0, 30.0);
-            let before = held.memory;
+            let before = within(&held).1;
             let t = if by_time { boxes * WHILE } else { 0.0 };
             x[0] += if by_time { 0.0 } else { boxes * REACH };
-            let looked = [x[0], REACH, t, WHILE, (1.0 - x[0] * x[0]).sqrt()];
+            let looked = memory(x[0], t, (1.0 - x[0] * x[0]).sqrt());
             match (accept(&bead, t, &mut held, &mut x), kept) {
-                (Ok(accepted), None) => assert!(!accepted.moved && held.memory == before, "{boxes}"),
+                (Ok(accepted), None) => assert!(!accepted.moved && within(&held).1 == before, "{boxes}"),
                 (Ok(accepted), Some(true)) => {
-                    assert!(!accepted.moved && held.memory == looked, "{boxes}: {held:?}");
+                    assert!(!accepted.moved && within(&held).1 == looked, "{boxes}: {held:?}");
                 }
                 (Err(fault), Some(false)) => {
                     assert!(
                         matches!(fault.cause, Cause::TurnedTooFar { .. }) && fault.part == "ring",
                         "{fault}"
                     );
-                    assert_eq!(held.memory, before);
+                    assert_eq!(within(&held).1, before);
                 }
                 (found, _) => panic!("{boxes} boxes: {found:?}"),
             }
@@ -160,29 +186,29 @@ fn what_cannot_be_closed_is_locked() {
 
 /// The state in chart 0 at an angle, last looked at 1 degree before.
 fn moved_to(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
-    let (bead, mut held, mut x) = entered(poorer, degrees);
+    let (bead, _, mut x) = entered(poorer, degrees);
     let ((q, v), (before, _)) = (on_circle(degrees), on_circle(degrees - 1.0));
-    held = Held { chart: 0, memory: [before[1], REACH, 0.0, WHILE, before[0]], ..held };
+    let held = in_chart(0, memory(before[1], 0.0, before[0]));
     bead.project(0, 0.0, &q, &v, &mut x);
     (bead, held, x)
 }
 
 #[test]
 fn a_flat_chart_is_left_for_one_that_is_better_by_far() {
-    for (poorer, degrees, chart) in [
-        (1.0, 30.0, 0),
-        (1.0, 72.0, 0),
-        (1.0, 74.0, 1),
+    for (poorer, degrees, wanted) in [
+        (1.0, 30.0, Some(0)),
+        (1.0, 72.0, Some(0)),
+        (1.0, 74.0, Some(1)),
         // Flat, but the other one is not twice as good: tan 60 deg = 1.7, tan 65 deg = 2.1.
-        (0.5, 60.0, 0),
-        (0.5, 65.0, 1),
+        (0.5, 60.0, Some(0)),
+        (0.5, 65.0, Some(1)),
         // None is good: 0.03 is the least.
-        (0.04, 45.0, 2),
-        (0.044, 45.0, 0),
+        (0.04, 45.0, None),
+        (0.044, 45.0, Some(0)),
     ] {
         let (bead, mut held, mut x) = moved_to(poorer, degrees);
         let accepted = accept(&bead, 2.0 * WHILE, &mut held, &mut x).unwrap();
-        assert_eq!((held.chart, accepted.moved), (chart, chart > 0), "{poorer}, {degrees} deg");
+        assert_eq!((chart(&held), accepted.moved), (wanted, wanted != Some(0)), "{poorer}, {degrees} deg");
         is_at(bead, (&held, &x), degrees);
     }
 }
@@ -190,16 +216,20 @@ fn a_flat_chart_is_left_for_one_that_is_better_by_far() {
 #[test]
 fn without_a_chart_one_is_taken_that_is_clearly_good() {
     // 1.3 times 0.03 is 0.039.
-    for (poorer, degrees, chart) in
-        [(1.0, 20.0, 0), (1.0, 70.0, 1), (0.038, 90.0, 2), (0.04, 90.0, 1), (0.04, 0.0, 0)]
-    {
+    for (poorer, degrees, wanted) in [
+        (1.0, 20.0, Some(0)),
+        (1.0, 70.0, Some(1)),
+        (0.038, 90.0, None),
+        (0.04, 90.0, Some(1)),
+        (0.04, 0.0, Some(0)),
+    ] {
         let (q, v) = on_circle(degrees);
-        let (bead, mut held, mut x) = (Bead { poorer }, NOTHING, [1.0, 2.0, 3.0]);
+        let (bead, mut held, mut x) = (Bead { poorer }, in_chart(0, Memory::nothing()), [1.0, 2.0, 3.0]);
         hold::<Bead, 5>(&mut held, &mut x, &[q[0], q[1], v[0], v[1], 5.0]);
         assert!(is_free::<Bead>(&held) && !is_calm::<Bead>(0.0, &held, &x));
         assert_eq!(pose(&bead, 0.0, &held, &x), (q, v));
         let accepted = accept(&bead, 0.0, &mut held, &mut x).unwrap();
-        assert_eq!((held.chart, accepted.moved), (chart, chart < 2), "{poorer}, {degrees} deg");
+        assert_eq!((chart(&held), accepted.moved), (wanted, wanted.is_some()), "{poorer}, {degrees} deg");
         is_at(bead, (&held, &x), degrees);
     }
 }

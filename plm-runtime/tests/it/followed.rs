@@ -1,7 +1,7 @@
 //! Loops that are solved by iteration: an unknown that is not where its rates have taken it is another solution.
 
-use plm_runtime::charts::{Charted, Held, accept};
-use plm_runtime::{Cause, Fault, Health, System};
+use plm_runtime::charts::{self, Charted, Followed, OfLoops, Reach, Remembered, accept};
+use plm_runtime::{Cause, Fault, Health, Held, System};
 
 /// A crank at the angle x turns a link to the angle 2 x, or, where the iteration is led astray, elsewhere.
 #[derive(Clone, Copy, Debug)]
@@ -12,14 +12,26 @@ struct Link {
     measure: f64,
 }
 
-/// Crank and time with their reaches, the loop's determinant, the link with its rate and half the rate of that, a unit in the
-/// last place.
-type Memory = [f64; 9];
+/// The crank is the coordinate, the link is followed.
+type Memory = charts::Memory<f64, 1, 0, 1, 1>;
+type Bound = Held<(), (), OfLoops<Memory, [f64; 1]>>;
+
+fn held(memory: Memory) -> Bound {
+    Held { input: (), switches: (), of_loops: OfLoops::InChart { chart: 0, memory } }
+}
+
+/// The link as it is remembered.
+fn link_of(held: &Bound) -> Followed<f64> {
+    match held.of_loops {
+        OfLoops::InChart { memory, .. } => memory.followed[0],
+        OfLoops::Free { .. } => panic!("no chart: {held:?}"),
+    }
+}
 
 impl System for Link {
     type S = f64;
     type X = [f64; 2];
-    type U = Held<(), Memory>;
+    type U = Bound;
     type G = [f64; 0];
     const NQ: usize = 1;
 
@@ -31,12 +43,11 @@ impl System for Link {
 
 impl Charted for Link {
     type Input = ();
+    type Switches = ();
     type Memory = Memory;
     type Q = [f64; 1];
     const CHARTS: usize = 1;
-    const BEFORE_AREAS: usize = 4;
     const TURNING: &'static [&'static str] = &[];
-    const BEFORE_FOLLOWED: usize = 5;
     const FOLLOWED: &'static [&'static str] = &["link"];
     const CLOSING: &'static [&'static [&'static str]] = &[&["pin"]];
 
@@ -45,14 +56,19 @@ impl Charted for Link {
     }
     fn remember(&self, t: f64, _held: &Self::U, x: &[f64; 2]) -> (Memory, f64) {
         // Nothing but the link limits how far it may go.
-        (
-            [x[0], 1e3, t, 1e3, self.measure, 2.0 * x[0] + self.astray, 2.0 * x[1], 0.0, f64::EPSILON],
-            self.measure * self.measure,
-        )
+        let far = |last: f64| Reach { last, reach: 1e3 };
+        let link = Followed { value: 2.0 * x[0] + self.astray, rate: 2.0 * x[1], bend: 0.0 };
+        let memory = Memory {
+            coordinates: [far(x[0])],
+            time: far(t),
+            turns: [],
+            areas: [self.measure],
+            followed: [link],
+        };
+        (memory, self.measure * self.measure)
     }
     fn remember_pose(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Memory, f64) {
-        let none = Held { input: (), chart: 0, memory: [0.0; 9] };
-        self.remember(t, &none, &[q[0], v[0]])
+        self.remember(t, &held(Memory::nothing()), &[q[0], v[0]])
     }
     fn project(&self, _chart: usize, _t: f64, q: &[f64; 1], v: &[f64; 1], x: &mut [f64; 2]) {
         *x = [q[0], v[0]];
@@ -60,11 +76,10 @@ impl Charted for Link {
 }
 
 /// A step of 0.1 s at 3 rad/s whose iteration ends so far from its solution.
-fn stepped(astray: f64, measure: f64) -> Result<Held<(), Memory>, Fault> {
+fn stepped(astray: f64, measure: f64) -> Result<Bound, Fault> {
     let mut x = [0.5, 3.0];
-    let (memory, _) =
-        Link { astray: 0.0, measure }.remember(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &x);
-    let mut held = Held { input: (), chart: 0, memory };
+    let (memory, _) = Link { astray: 0.0, measure }.remember(0.0, &held(Memory::nothing()), &x);
+    let mut held = held(memory);
     x[0] += 0.3;
     accept(&Link { astray, measure }, 0.1, &mut held, &mut x)?;
     Ok(held)
@@ -76,7 +91,7 @@ fn an_unknown_that_leaves_its_rates_is_refused() {
         // Other solutions are at least about twice the measure away; a quarter of it is what may be off.
         for off in [0.0, 0.2, -0.2] {
             let held = stepped(off * measure, measure).unwrap();
-            assert!((held.memory[5] - (1.6 + off * measure)).abs() < 1e-15, "{measure}: {:?}", held.memory);
+            assert!((link_of(&held).value - (1.6 + off * measure)).abs() < 1e-15, "{measure}: {held:?}");
         }
         for off in [0.3, -0.3, 2.0, -2.0, f64::NAN] {
             let fault = stepped(off * measure, measure).unwrap_err();
@@ -94,8 +109,8 @@ fn an_unknown_that_leaves_its_rates_is_refused() {
 #[test]
 fn the_rate_of_a_rate_is_remembered() {
     let link = Link { astray: 0.0, measure: 0.8 };
-    let (memory, _) = link.remember(0.0, &Held { input: (), chart: 0, memory: [0.0; 9] }, &[0.5, 3.0]);
-    let mut held = Held { input: (), chart: 0, memory };
+    let (memory, _) = link.remember(0.0, &held(Memory::nothing()), &[0.5, 3.0]);
+    let mut held = held(memory);
     accept(&link, 0.1, &mut held, &mut [0.83, 3.6]).unwrap();
-    assert!((held.memory[7] - 6.0).abs() < 1e-13, "{:?}", held.memory);
+    assert!((link_of(&held).bend - 6.0).abs() < 1e-13, "{held:?}");
 }

@@ -13,7 +13,7 @@ pub(super) fn check_rows(scene: &Scene, found: &Assembly, diagnostics: &mut Diag
     let mut values = scene.at(&found.q);
     add_switches(scene.model, &mut values);
     let rows = scene.model.rows.iter().zip(&found.phi);
-    for (row, _) in rows.filter(|(_, residual)| !residual.is_finite()) {
+    for (row, _) in rows.filter(|(_, phi)| !phi.is_finite()) {
         report(&values, &row.name, row.span, row.phi, diagnostics);
     }
 }

@@ -77,7 +77,7 @@ impl<'a> Joint<'a> {
                 ranks.push(found.rank);
             }
         }
-        let expected = described(self.pair).takes;
+        let expected = self.pair.rows();
         if ranks.iter().max().is_some_and(|&rank| rank < expected) {
             self.report_rank(ranks.into_iter().max().unwrap_or(0), diagnostics);
         }
@@ -106,10 +106,9 @@ impl<'a> Joint<'a> {
     /// Poses of the bodies that the joint joins: one of them anywhere, the other where the pair lets it be.
     fn pose(&self, fixed: &[(Expr, f64)], random: &mut Random) -> Vec<(usize, f64)> {
         let [a, b] = self.frames;
-        let turn = if matches!(self.pair, Pair::Revolute | Pair::PinSlot) { random.unit() } else { 0.0 };
-        let slides = matches!(self.pair, Pair::Prismatic | Pair::PinSlot);
+        let turn = if self.pair.turns() { random.unit() } else { 0.0 };
         let length = self.scene.length;
-        let slide = if slides { length * random.unit() } else { 0.0 };
+        let slide = if self.pair.slides() { length * random.unit() } else { 0.0 };
         // The ground stays where it is.
         let forward = b.body.is_some();
         let (held, free) = if forward { (a, b) } else { (b, a) };
@@ -144,7 +143,7 @@ impl<'a> Joint<'a> {
 
     fn report_row(&self, row: usize, by: f64, diagnostics: &mut Diagnostics) {
         let row = &self.scene.model.rows[row];
-        let Described { name: pair, says, .. } = described(self.pair);
+        let (pair, says) = (self.pair.name(), self.pair.says());
         let name = row.name.rsplit('.').next().unwrap_or(&row.name);
         let message = format!("the constraint `{name}` does not hold where `pair: {pair}` moves the joint");
         let diagnostic = diagnostics.error(Code::PairDisagrees, row.declared.span, message);
@@ -161,7 +160,7 @@ impl<'a> Joint<'a> {
 
     fn report_rank(&self, rank: usize, diagnostics: &mut Diagnostics) {
         let Some(declared) = &self.part.declared else { return };
-        let Described { name: pair, takes: expected, says } = described(self.pair);
+        let (pair, expected, says) = (self.pair.name(), self.pair.rows(), self.pair.says());
         let message =
             format!("`pair: {pair}` takes away {expected} freedoms, the constraints of the joint {rank}");
         let diagnostic = diagnostics.error(Code::PairDisagrees, declared.span, message);
@@ -186,30 +185,4 @@ fn scattered(scene: &Scene, anywhere: bool, random: &mut Random) -> Vec<(Expr, f
 fn carried([x, y, theta]: [f64; 3], [px, py]: [f64; 2], sign: f64) -> [f64; 2] {
     let (sin, cos) = plm_math::f64::sin_cos(theta);
     [x + sign * (cos * px - sin * py), y + sign * (sin * px + cos * py)]
-}
-
-/// What a pair is.
-struct Described {
-    /// Its name in the language.
-    name: &'static str,
-    /// How many freedoms it takes away.
-    takes: usize,
-    /// How it moves, in a sentence.
-    says: &'static str,
-}
-
-fn described(pair: Pair) -> Described {
-    let (name, takes, says) = match pair {
-        Pair::Revolute => ("revolute", 2, "the points of both frames coincide, and they turn freely"),
-        Pair::Prismatic => {
-            ("prismatic", 2, "the second frame slides along the x axis of the first, without turning")
-        }
-        Pair::PinSlot => (
-            "pin_slot",
-            1,
-            "the point of the second frame is on the x axis of the first, and it turns freely",
-        ),
-        Pair::Weld => ("weld", 3, "both frames are the same"),
-    };
-    Described { name, takes, says }
 }

@@ -26,7 +26,7 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
     if !locks.is_empty() {
         let positions = Locks { locked: &found.locked, what: "position" };
         too_many_locks(model, &positions, &locks, diagnostics);
-    } else if found.phi.iter().any(|residual| !residual.is_finite()) {
+    } else if found.phi.iter().any(|phi| !phi.is_finite()) {
         check_rows(scene, found, diagnostics);
     } else if !found.is_closed() {
         not_closed(model, found, scene.length, diagnostics);

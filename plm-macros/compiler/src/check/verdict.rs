@@ -142,8 +142,8 @@ impl Gap<'_> {
 /// its limit.
 fn gaps<'a>(rows: &'a [Row], phi: &[f64], limit: impl Fn(usize) -> f64) -> Vec<Gap<'a>> {
     let mut gaps: Vec<(Gap, bool)> = Vec::new();
-    for (k, (row, residual)) in rows.iter().zip(phi).enumerate() {
-        let size = if residual.is_finite() { residual.abs() } else { f64::INFINITY };
+    for (k, (row, gap)) in rows.iter().zip(phi).enumerate() {
+        let size = if gap.is_finite() { gap.abs() } else { f64::INFINITY };
         let is_open = size > limit(k);
         let same = |gap: &&mut (Gap, bool)| gap.0.row.part == row.part && gap.0.unit == row.unit.text;
         match gaps.iter_mut().find(same) {

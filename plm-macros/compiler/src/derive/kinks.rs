@@ -10,8 +10,8 @@ mod boundary;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Jump, Model};
-use crate::numeric::value;
 
+pub(super) use self::boundary::root;
 use self::boundary::{Boundary, Order};
 
 /// A condition that a row reads.
@@ -120,9 +120,4 @@ fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
     flow.push((model.time, Expr::ONE));
     let rate = expr.directional(&flow);
     [rate, rate.directional(&flow)]
-}
-
-/// Value of what holds numbers alone.
-fn number(expr: Expr) -> f64 {
-    value(expr, &[])
 }

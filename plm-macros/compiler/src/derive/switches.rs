@@ -8,7 +8,7 @@
 use plm_cas::{Expr, Function, Node, algebra};
 
 use super::causes;
-use super::kinks::{self, Kink};
+use super::kinks::{self, Kink, root};
 use crate::model::{Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
@@ -150,11 +150,6 @@ fn instant(model: &Model, difference: Expr) -> Option<[Expr; 2]> {
         return None;
     }
     Some([root(difference, model.time, slope), slope])
-}
-
-/// Where `d` vanishes that is linear in the symbol `s`: `s - d / d'`.
-pub(super) fn root(d: Expr, s: Expr, slope: Expr) -> Expr {
-    s - d / slope
 }
 
 /// Do the two values between which a condition chooses differ where it changes?

@@ -2,8 +2,8 @@
 
 use plm_cas::Expr;
 
+use super::Emission;
 use super::lower::Bindings;
-use super::{Emission, Form};
 use crate::formulate::{Chart, Resolvent};
 
 /// What the arguments of a function are.
@@ -13,7 +13,7 @@ pub(super) enum Origin<'a> {
     Arguments,
     /// `self` is the mechanism; coordinates and velocities are arguments `q`, `v`.
     Pose,
-    /// `self` is a `State`; if it is reduced, the pose is in the locals `q`, `v`.
+    /// `self` is a `State`; the pose is in the locals `q`, `v`.
     State,
     /// `self` is the mechanism; `x` is the state in this chart, `m` what is remembered.
     Chart(&'a Chart),
@@ -39,13 +39,12 @@ impl Emission<'_> {
         } else {
             ["self", "u", "x", "t"]
         };
-        let input = if of_state || self.has_switches() { ".input" } else { "" };
         let mut bindings = Bindings::new();
         for (param, field) in model.params.iter().zip(&fields.params) {
             bindings.insert(param.symbol, format!("{mechanism}.{field}"));
         }
         for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
-            bindings.insert(declared.symbol, format!("{held}{input}.{field}"));
+            bindings.insert(declared.symbol, format!("{held}.input.{field}"));
         }
         for (k, switch) in model.switches.iter().enumerate() {
             bindings.insert(switch.symbol, format!("{held}.switches[{k}]"));
@@ -53,6 +52,7 @@ impl Emission<'_> {
         bindings.insert(model.time, time.to_owned());
         bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
         bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());
+        bindings.insert(model.precision, "lit(S::PRECISION)".to_owned());
         if let Origin::Resolvent(resolvent) = origin {
             bindings.insert(resolvent.lambda, "lambda".to_owned());
             bindings.insert(resolvent.inverse, "inverse".to_owned());
@@ -64,8 +64,7 @@ impl Emission<'_> {
         };
         let nq = equations.q.len();
         let [q, v] = match origin {
-            Origin::Pose => [("q", 0), ("v", 0)],
-            Origin::State if self.is_reduced() => [("q", 0), ("v", 0)],
+            Origin::Pose | Origin::State => [("q", 0), ("v", 0)],
             _ => [(x, 0), (x, nq)],
         };
         match origin {
@@ -88,9 +87,6 @@ impl Emission<'_> {
                 for accelerations in linearised.into_iter().chain(jacobian) {
                     bind(accelerations, "dx", freedom);
                 }
-                if let Form::Loops(reduced) = self.form {
-                    bind(&reduced.memory, "m", 0);
-                }
             }
         }
         if !matches!(origin, Origin::Chart(_)) {
@@ -102,6 +98,8 @@ impl Emission<'_> {
         bind(&equations.lambda, "lambda", 0);
         bind(&self.program.weights, "w", 0);
         bind(&self.program.r, "r", 0);
+        let remembered = self.loops().into_iter().flat_map(|reduced| &reduced.memory);
+        bindings.extend(remembered.map(|(symbol, path)| (*symbol, format!("m.{path}"))));
         bindings
     }
 }

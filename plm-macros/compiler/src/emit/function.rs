@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::bindings::Origin;
-use super::{Emission, Form, Sizes, docs, lower, number};
+use super::{Emission, Form, Sizes, docs, lower, memory, number};
 use crate::formulate::{Chart, Function, Reduced};
 
 /// A straight-line function: its documentation, what stands before its body, what it computes and from what.
@@ -61,8 +61,7 @@ pub(super) fn dynamics(emission: &Emission) -> TokenStream {
     if emission.reactions().is_some() {
         return TokenStream::new();
     }
-    let inputs = emission.inputs(&quote!(S));
-    let state = quote!(t: S, u: &#inputs, x: &[S; #full]);
+    let state = quote!(t: S, u: &Held<S>, x: &[S; #full]);
     let dynamics = function(
         emission,
         "The right-hand side and the multipliers: `M a + phi_q^T lambda = Q`, `phi_q a = gamma`.
@@ -141,8 +140,7 @@ pub(super) fn motion(emission: &Emission) -> TokenStream {
 
 fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
     let Sizes { nq, nc, length, .. } = &emission.sizes;
-    let inputs = emission.inputs(&quote!(S));
-    let state = quote!(t: S, u: &#inputs, x: &[S; #length]);
+    let state = quote!(t: S, u: &Held<S>, x: &[S; #length]);
     let origin = Origin::Chart(chart);
     let motion = function(
         emission,
@@ -193,9 +191,8 @@ fn projection(emission: &Emission, name: &TokenStream, chart: &Chart) -> TokenSt
 
 fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Chart)) -> TokenStream {
     let Sizes { nq, length, .. } = &emission.sizes;
-    let memory = number(reduced.memory_length);
-    let inputs = emission.inputs(&quote!(S));
-    let state = quote!(t: S, u: &#inputs, m: &[S; #memory], x: &[S; #length]);
+    let memory = memory(reduced, &quote!(S));
+    let state = quote!(t: S, u: &Held<S>, m: &#memory, x: &[S; #length]);
     let origin = Origin::Chart(chart);
     let named = |function: &str| {
         let name = format_ident!("{function}_{index}");
@@ -227,7 +224,7 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
         function(
             emission,
             "What is to be remembered of a state, and the smallest square of a dyad's measure.",
-            &quote!(fn #name(&self, #state, memory: &mut [S; #memory]) -> S),
+            &quote!(fn #name(&self, #state, memory: &mut #memory) -> S),
             (remember, origin),
         )
     });
@@ -238,7 +235,7 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
             "The same of a pose and velocity.",
             &quote! {
                 #[cold]
-                fn #name(&self, t: S, q: &[S; #nq], v: &[S; #nq], memory: &mut [S; #memory]) -> S
+                fn #name(&self, t: S, q: &[S; #nq], v: &[S; #nq], memory: &mut #memory) -> S
             },
             (remember_pose, Origin::Pose),
         )
@@ -264,13 +261,13 @@ pub(super) fn instants(emission: &Emission) -> TokenStream {
     if count == 0 {
         return TokenStream::new();
     }
-    let (count, inputs) = (number(count), emission.inputs(&quote!(S)));
+    let count = number(count);
     let instants = function(
         emission,
         "Times at which conditions change, s, and the slope of what they compare.",
         &quote! {
             #[cold]
-            fn instants(&self, u: &#inputs, at: &mut [S; #count], slope: &mut [S; #count])
+            fn instants(&self, u: &Held<S>, at: &mut [S; #count], slope: &mut [S; #count])
         },
         (&program.instants, Origin::Arguments),
     );

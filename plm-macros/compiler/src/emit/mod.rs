@@ -271,60 +271,17 @@ impl Emission<'_> {
     fn reads_solution(&self) -> bool {
         self.program.outputs.user.iter().any(|output| output.solves)
     }
+}
 
-    /// Are there switches beside the inputs? Users make and set values of `Input`, so that they stand apart.
-    fn has_switches(&self) -> bool {
-        !self.model.switches.is_empty()
-    }
+/// The type of what is remembered of loops, of numbers `scalar`.
+fn memory(reduced: &Reduced, scalar: &TokenStream) -> TokenStream {
+    let counts = [reduced.freedom(), reduced.turning.len(), reduced.areas, reduced.followed.len()];
+    let counts = counts.map(number);
+    quote!(rt::charts::Memory<#scalar, #(#counts),*>)
+}
 
-    /// The type of the inputs with the switches, of numbers `scalar`.
-    fn inputs(&self, scalar: &TokenStream) -> TokenStream {
-        if self.has_switches() { quote!(Held<#scalar>) } else { quote!(Input<#scalar>) }
-    }
-
-    /// The type of what is held over a step, of numbers `scalar`.
-    fn held(&self, scalar: &TokenStream) -> TokenStream {
-        let inputs = self.inputs(scalar);
-        match self.loops().map(|reduced| number(reduced.memory_length)) {
-            Some(memory) => quote!(rt::charts::Held<#inputs, [#scalar; #memory]>),
-            None => inputs,
-        }
-    }
-
-    /// Of a value `held` of that type, the inputs with the switches.
-    fn inputs_of(&self, held: &str) -> TokenStream {
-        let held = format_ident!("{held}");
-        if self.loops().is_some() { quote!(#held.input) } else { quote!(#held) }
-    }
-
-    /// Of the same, the inputs alone.
-    fn input_of(&self, held: &str) -> TokenStream {
-        let inputs = self.inputs_of(held);
-        if self.has_switches() { quote!(#inputs.input) } else { inputs }
-    }
-
-    /// The inputs with the switches, where `self` is a `State`.
-    fn inputs_of_state(&self) -> TokenStream {
-        if self.has_switches() {
-            quote!(Held { input: self.input, switches: self.switches })
-        } else {
-            quote!(self.input)
-        }
-    }
-
-    /// The state in absolute coordinates of a `State` that is called so.
-    fn absolute_of(&self, state: &str) -> TokenStream {
-        let state = format_ident!("{state}");
-        if self.is_reduced() { quote!(#state.absolute_()) } else { quote!(#state.x) }
-    }
-
-    /// Pose and velocity of all bodies, where `self` is the mechanism, at time `t` and state `x`; `held` is a place.
-    fn pose_at(&self, held: &str) -> TokenStream {
-        let held = format_ident!("{held}");
-        if self.is_reduced() {
-            quote!(<State<S> as rt::Moment>::new(*self, *#held, t, *x).pose_())
-        } else {
-            quote!(absolute::split(x))
-        }
-    }
+/// Pose and velocity of all bodies, where `self` is the mechanism, at time `t` and state `x`; `held` is a place.
+fn pose_at(held: &str) -> TokenStream {
+    let held = format_ident!("{held}");
+    quote!(<State<S> as rt::Moment>::new(*self, *#held, t, *x).pose_())
 }

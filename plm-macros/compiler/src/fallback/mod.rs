@@ -56,6 +56,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         time: Expr::symbol("t"),
         most_growth: Expr::symbol("most_growth"),
         agreement: Expr::symbol("agreement"),
+        precision: Expr::symbol("precision"),
         gravity: Vec2::ZERO,
         rung: None,
         steps: steps(&mechanism.items),

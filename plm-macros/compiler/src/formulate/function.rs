@@ -9,6 +9,8 @@ pub(crate) enum Place {
     Element(&'static str, usize),
     /// An entry of a matrix, `by_x[3][1]`.
     Entry(&'static str, usize, usize),
+    /// A number within a structure, `memory.turns[0].cos`.
+    Path(String),
     /// The value that the function returns.
     Value,
 }

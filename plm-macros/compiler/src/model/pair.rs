@@ -12,13 +12,43 @@ struct Kind {
     slides: bool,
     /// Is the second frame free to turn?
     turns: bool,
+    /// How it moves, in a sentence.
+    says: &'static str,
 }
 
 const KINDS: [Kind; 4] = [
-    Kind { pair: Pair::Revolute, name: "revolute", rows: 2, slides: false, turns: true },
-    Kind { pair: Pair::Prismatic, name: "prismatic", rows: 2, slides: true, turns: false },
-    Kind { pair: Pair::PinSlot, name: "pin_slot", rows: 1, slides: true, turns: true },
-    Kind { pair: Pair::Weld, name: "weld", rows: 3, slides: false, turns: false },
+    Kind {
+        pair: Pair::Revolute,
+        name: "revolute",
+        rows: 2,
+        slides: false,
+        turns: true,
+        says: "the points of both frames coincide, and they turn freely",
+    },
+    Kind {
+        pair: Pair::Prismatic,
+        name: "prismatic",
+        rows: 2,
+        slides: true,
+        turns: false,
+        says: "the second frame slides along the x axis of the first, without turning",
+    },
+    Kind {
+        pair: Pair::PinSlot,
+        name: "pin_slot",
+        rows: 1,
+        slides: true,
+        turns: true,
+        says: "the point of the second frame is on the x axis of the first, and it turns freely",
+    },
+    Kind {
+        pair: Pair::Weld,
+        name: "weld",
+        rows: 3,
+        slides: false,
+        turns: false,
+        says: "both frames are the same",
+    },
 ];
 
 impl Pair {
@@ -48,6 +78,11 @@ impl Pair {
     /// Is the second frame free to turn against the first?
     pub fn turns(self) -> bool {
         self.kind().turns
+    }
+
+    /// How it moves, in a sentence.
+    pub fn says(self) -> &'static str {
+        self.kind().says
     }
 
     const fn kind(self) -> &'static Kind {

@@ -30,8 +30,12 @@ pub(crate) fn run(tape: &Tape, values: &[(Expr, f64)]) -> Vec<f64> {
 
 /// Default values of all symbols but coordinates and velocities, at time zero.
 pub(crate) fn defaults(model: &Model) -> Vec<(Expr, f64)> {
-    let mut values =
-        vec![(model.time, 0.0), (model.most_growth, f64::INFINITY), (model.agreement, AGREEMENT)];
+    let mut values = vec![
+        (model.time, 0.0),
+        (model.most_growth, f64::INFINITY),
+        (model.agreement, AGREEMENT),
+        (model.precision, f64::EPSILON),
+    ];
     for param in &model.params {
         values.push((param.symbol, value(param.default, &values)));
     }

@@ -13,6 +13,8 @@ pub(super) struct Calculus {
     pub(super) most_growth: Expr,
     /// As in [`Model::agreement`](crate::model::Model::agreement).
     pub(super) agreement: Expr,
+    /// As in [`Model::precision`](crate::model::Model::precision).
+    pub(super) precision: Expr,
     /// The inputs of the mechanism. They are held over a step: no rate of theirs is known.
     pub(super) held: Vec<Expr>,
     /// Symbols that change, with their derivatives.
@@ -28,6 +30,7 @@ impl Calculus {
             time,
             most_growth: Expr::symbol("most_growth"),
             agreement: Expr::symbol("agreement"),
+            precision: Expr::symbol("precision"),
             held: Vec::new(),
             rates: BTreeMap::from([(time, Expr::ONE)]),
             known: BTreeMap::new(),

@@ -6,8 +6,6 @@
 
 use plm_cas::{Expr, algebra};
 
-use super::number;
-use crate::derive::switches::root;
 use crate::model::{Model, Steady};
 use crate::numeric::{Random, defaults, value};
 
@@ -122,4 +120,14 @@ fn onto(difference: Expr, symbol: Expr, slope: Expr, values: &mut [(Expr, f64)])
         }
     }
     false
+}
+
+/// Where `d` vanishes that is linear in the symbol `s`: `s - d / d'`.
+pub(in crate::derive) fn root(d: Expr, s: Expr, slope: Expr) -> Expr {
+    s - d / slope
+}
+
+/// Value of what holds numbers alone.
+fn number(expr: Expr) -> f64 {
+    value(expr, &[])
 }

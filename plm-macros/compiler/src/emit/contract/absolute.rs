@@ -38,7 +38,7 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     // By itself, since `phi_q` is compiled for each of its callers.
     let phi_q = function(
         emission,
-        "The Jacobian of the constraints: its entries that are not zero, row by row.",
+        "The derivatives of phi by q: the entries that are not zero, row by row.",
         &quote! {
             #[cold]
             fn phi_q_entries(&self, t: S, q: &[S; #nq], phi_q: &mut [S; #entries])

@@ -3,40 +3,42 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::super::{Emission, Sizes, number, quoted};
+use super::super::{Emission, Sizes, memory, number, quoted};
 use crate::formulate::Reduced;
 
 /// `Charted`, if loops are solved in charts.
 pub(crate) fn charted(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, length, .. }, .. } = emission;
     let Some(reduced) = emission.loops() else { return TokenStream::new() };
-    let [charts, memory, before_areas, before_followed] =
-        [reduced.charts.len(), reduced.memory_length, reduced.before_areas, reduced.before_followed]
-            .map(number);
-    let inputs = emission.inputs(&quote!(S));
+    let [charts, switches] = [reduced.charts.len(), emission.model.switches.len()].map(number);
+    let memory = memory(reduced, &quote!(S));
     let [turning, followed] = [&reduced.turning, &reduced.followed].map(|names| emission.text(quoted(names)));
     let closing = emission.list(reduced.charts.iter().map(|chart| format!("&[{}]", quoted(&chart.closing))));
-    let chart = if reduced.charts.len() == 1 { quote!(_chart) } else { quote!(chart) };
-    let of = |chart: TokenStream, function: &str, arguments: TokenStream| {
-        chosen(reduced, &chart, |k| {
+    let of_held = |function: &str, arguments: TokenStream, free: TokenStream| {
+        in_held(reduced, &quote!(held), &free, |k| {
             let function = format_ident!("{function}_{k}");
-            quote!(self.#function(#arguments))
+            quote!(self.#function(t, held, m, x, #arguments))
         })
     };
-    let held = quote!(t, &held.input, &held.memory, x);
-    let pose = of(quote!(held.chart), "pose", quote!(#held, &mut q, &mut v));
-    let remember = of(quote!(held.chart), "remember", quote!(#held, &mut memory));
-    let remember_pose = of(quote!(chart), "remember_pose", quote!(t, q, v, &mut memory));
-    let project = of(quote!(chart), "project", quote!(t, q, v, x));
+    let zero = quote!(S::lit(0.0));
+    let pose = of_held("pose", quote!(&mut q, &mut v), quote!({ (q, v) = (*free_q, *free_v); #zero }));
+    let remember = of_held("remember", quote!(&mut memory), zero);
+    let numbered = |function: &str, arguments: TokenStream| {
+        by_number(reduced, |k| {
+            let function = format_ident!("{function}_{k}");
+            quote!(self.#function(t, q, v, #arguments))
+        })
+    };
+    let remember_pose = numbered("remember_pose", quote!(&mut memory));
+    let project = numbered("project", quote!(x));
     quote! {
         impl<S: Real> rt::charts::Charted for #name<S> {
-            type Input = #inputs;
-            type Memory = [S; #memory];
+            type Input = Input<S>;
+            type Switches = [S; #switches];
+            type Memory = #memory;
             type Q = [S; #nq];
             const CHARTS: usize = #charts;
-            const BEFORE_AREAS: usize = #before_areas;
             const TURNING: &'static [&'static str] = &[#turning];
-            const BEFORE_FOLLOWED: usize = #before_followed;
             const FOLLOWED: &'static [&'static str] = &[#followed];
             const CLOSING: &'static [&'static [&'static str]] = &[#closing];
 
@@ -45,34 +47,49 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
                 let measure = #pose;
                 (q, v, measure)
             }
-            fn remember(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #memory], S) {
-                let mut memory = [S::lit(0.0); #memory];
+            fn remember(&self, t: S, held: &Self::U, x: &[S; #length]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
                 let measure = #remember;
                 (memory, measure)
             }
-            fn remember_pose(&self, #chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> ([S; #memory], S) {
-                let mut memory = [S::lit(0.0); #memory];
+            fn remember_pose(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> (Self::Memory, S) {
+                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
                 let measure = #remember_pose;
                 (memory, measure)
             }
-            fn project(&self, #chart: usize, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length]) {
+            fn project(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length]) {
                 #project
             }
         }
     }
 }
 
-/// A call that depends on the chart; none to choose from costs nothing.
-pub(crate) fn chosen(
+/// A call that depends on the chart that `held` holds, where `m` is what is remembered; `free` stands for it without a chart.
+pub(crate) fn in_held(
     reduced: &Reduced,
-    chart: &TokenStream,
+    held: &TokenStream,
+    free: &TokenStream,
     call: impl Fn(usize) -> TokenStream,
 ) -> TokenStream {
+    let last = reduced.charts.len() - 1;
+    let (numbers, calls) = ((0..last).map(number), (0..last).map(&call));
+    let other = call(last);
+    quote! {
+        match &#held.of_loops {
+            #(rt::charts::OfLoops::InChart { chart: #numbers, memory: m } => #calls,)*
+            rt::charts::OfLoops::InChart { memory: m, .. } => #other,
+            rt::charts::OfLoops::Free { q: free_q, v: free_v } => #free,
+        }
+    }
+}
+
+/// A call that depends on the number of a chart; none to choose from costs nothing.
+fn by_number(reduced: &Reduced, call: impl Fn(usize) -> TokenStream) -> TokenStream {
     let last = reduced.charts.len() - 1;
     if last == 0 {
         return call(0);
     }
     let (numbers, calls) = ((0..last).map(number), (0..last).map(&call));
     let other = call(last);
-    quote!(match #chart { #(#numbers => #calls,)* _ => #other })
+    quote!(match chart { #(#numbers => #calls,)* _ => #other })
 }

@@ -5,20 +5,16 @@ use quote::{format_ident, quote};
 
 use super::super::item::tables;
 use super::super::lower::{Bindings, inline};
-use super::super::{Emission, Form, Sizes, number, quoted};
+use super::super::{Emission, number, quoted};
 use crate::tables::{Figure, Figures};
 
 /// `Described`.
 pub(crate) fn described(emission: &Emission) -> TokenStream {
-    let Emission { name, fields, sizes: Sizes { nq, .. }, .. } = emission;
+    let Emission { name, fields, .. } = emission;
     let figures = Figures::new(emission.model);
     let tables = tables::tables(emission, &figures);
     let (figure, parameters) = (figure(emission, &figures), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect();
-    let pose = match emission.form {
-        Form::Absolute => quote!(absolute::split(&state.x)),
-        Form::Tree(_) | Form::Loops(_) => quote!(state.pose_()),
-    };
     let instant = instant_name(emission);
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
@@ -47,7 +43,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v): ([S; #nq], [S; #nq]) = #pose;
+                let (q, v) = state.pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -110,13 +106,12 @@ fn instant_name(emission: &Emission) -> Option<TokenStream> {
     let of_time = model.switches.iter().filter(|side| side.instant.is_some());
     let names = emission.text(quoted(of_time.map(|side| &side.name)));
     let count = number(model.switches.len() - model.guards());
-    let u = emission.inputs_of("held");
     (model.switches.len() > model.guards()).then(|| {
         quote! {
 
             fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
                 let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-                self.instants(&#u, &mut at, &mut slope);
+                self.instants(held, &mut at, &mut slope);
                 described::nearest(t, &[#names], &at)
             }
         }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::super::lower::inline;
-use super::super::{Emission, Form, Sizes, number};
+use super::super::{Emission, Form, Sizes, number, pose_at};
 use crate::units::DisplayUnit;
 
 /// A limited value: of which part, what, its unit, which least, and what it is.
@@ -103,23 +103,19 @@ fn shaping<'a>(emission: &'a Emission) -> Vec<&'a Ident> {
 /// `fingerprint` and `renew`, where parameters shape the mechanism.
 pub(super) fn renew(emission: &Emission) -> Option<TokenStream> {
     let Sizes { nq, length, .. } = &emission.sizes;
-    let (shaping, held) = (shaping(emission), emission.held(&quote!(S)));
-    let (pose, back) = match emission.form {
-        Form::Loops(_) => (
-            quote!(rt::charts::pose(self, t, held, x)),
-            quote!(rt::charts::enter(self, t, held, (&q, &v), x)),
-        ),
-        Form::Tree(_) => (emission.pose_at("held"), quote!(self.project(t, &q, &v, x))),
-        Form::Absolute => (emission.pose_at("held"), quote!(absolute::join(&q, &v, x))),
+    let (shaping, pose) = (shaping(emission), pose_at("held"));
+    let back = match emission.form {
+        Form::Loops(_) => quote!(rt::charts::enter(self, t, held, (&q, &v), x)),
+        Form::Tree(_) => quote!(self.project(t, &q, &v, x)),
+        Form::Absolute => quote!(absolute::join(&q, &v, x)),
     };
-    let name = if emission.is_reduced() { quote!(held) } else { quote!(_held) };
     (!shaping.is_empty()).then(|| {
         quote! {
             fn fingerprint(&self) -> u64 {
                 rt::limits::fingerprint([#(self.#shaping),*])
             }
 
-            fn renew(&self, t: S, #name: &mut #held, x: &mut [S; #length]) -> Result<(), Fault> {
+            fn renew(&self, t: S, held: &mut Held<S>, x: &mut [S; #length]) -> Result<(), Fault> {
                 let (mut q, mut v): ([S; #nq], [S; #nq]) = #pose;
                 absolute::renew::<S, Self, NQ, NC>(self, t, &mut q, &mut v)?;
                 #back;

@@ -5,14 +5,13 @@ use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
 use super::super::function::function;
-use super::super::{Emission, Form, Sizes, number};
-use super::charted::chosen;
+use super::super::{Emission, Form, Sizes, memory, number};
+use super::charted::in_held;
 use crate::formulate::{Augmented, Chart, Linearised, Part, Reduced, Term};
 
 /// `Linear`.
 pub(crate) fn linear(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let [held, lifted] = [quote!(S), quote!(rt::Dual<S, K>)].map(|scalar| emission.held(&scalar));
     let (derivatives, differentiate) = match emission.sparse() {
         Some(augmented) => of_augmented(emission, augmented),
         None => (quote!([[S; #length]; #length]), TokenStream::new()),
@@ -30,7 +29,7 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
             type Lifted<const K: usize> = #name<rt::Dual<S, K>>;
             type Derivatives = #derivatives;
 
-            fn lift<const K: usize>(&self, held: &#held) -> (#name<rt::Dual<S, K>>, #lifted) {
+            fn lift<const K: usize>(&self, held: &Held<S>) -> (#name<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
@@ -48,9 +47,9 @@ fn of_charts(emission: &Emission, reduced: &Reduced) -> Option<TokenStream> {
         return None;
     }
     let length = &emission.sizes.length;
-    let entries = chosen(reduced, &quote!(u.chart), |k| {
+    let entries = in_held(reduced, &quote!(u), &quote!({}), |k| {
         let function = format_ident!("jacobian_{k}");
-        quote!(self.#function(t, &u.input, &u.memory, x, &dx, by_x))
+        quote!(self.#function(t, u, m, x, &dx, by_x))
     });
     Some(quote! {
         fn jacobian(
@@ -128,9 +127,9 @@ pub(crate) fn at_state(emission: &Emission, c: &TokenStream) -> (TokenStream, To
         Form::Loops(reduced) => {
             let call = |k| {
                 let function = format_ident!("linearised_{k}");
-                quote!(self.#function(t, &u.input, &u.memory, x, &dx, #c))
+                quote!(self.#function(t, u, m, x, &dx, #c))
             };
-            (by_rate, chosen(reduced, &quote!(u.chart), call))
+            (by_rate, in_held(reduced, &quote!(u), &quote!({}), call))
         }
     }
 }
@@ -184,9 +183,9 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
     if systems.is_empty() {
         return TokenStream::new();
     }
-    let (inputs, count) = (emission.inputs(&quote!(S)), emission.coefficients());
-    let memory = emission.loops().map(|reduced| number(reduced.memory_length));
-    let memory = memory.map(|memory| quote!(m: &[S; #memory],));
+    let count = emission.coefficients();
+    let memory = emission.loops().map(|reduced| memory(reduced, &quote!(S)));
+    let memory = memory.map(|memory| quote!(m: &#memory,));
     let multipliers = (!emission.is_reduced()).then(|| quote!(lambda: &[S; #nc],));
     let functions = systems.iter().enumerate().map(|(k, system)| {
         let suffix = if emission.loops().is_some() { format!("_{k}") } else { String::new() };
@@ -196,7 +195,7 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
             "The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.",
             &quote! {
                 fn #name(
-                    &self, t: S, u: &#inputs, #memory x: &[S; #length], dx: &[S; #length], #multipliers c: &mut [S; #count]
+                    &self, t: S, u: &Held<S>, #memory x: &[S; #length], dx: &[S; #length], #multipliers c: &mut [S; #count]
                 )
             },
             (&system.linearised.augmented.coefficients, system.origin),

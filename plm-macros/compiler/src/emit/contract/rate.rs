@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::super::{Emission, Form, Sizes, number};
-use super::charted::chosen;
+use super::charted::in_held;
 use crate::formulate::Reduced;
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
@@ -24,7 +24,7 @@ pub(super) fn inlined(emission: &Emission) -> TokenStream {
 /// `Rate`.
 pub(crate) fn rate(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nc, length, second_order, .. }, .. } = emission;
-    let (held, inlined, freedom) = (emission.held(&quote!(S)), inlined(emission), number(second_order / 2));
+    let (inlined, freedom) = (inlined(emission), number(second_order / 2));
     let rate = match emission.form {
         Form::Absolute => quote! {
             let mut lambda = [S::lit(0.0); #nc];
@@ -40,7 +40,7 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
         impl<S: Scalar> rt::lanes::Rate for #name<S> {
             type S = S;
             type X = [S; #length];
-            type U = #held;
+            type U = Held<S>;
             const NQ: usize = #freedom;
 
             #inlined
@@ -51,17 +51,17 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The rate in the chart that is held.
+/// The rate in the chart that is held; without one there is none.
 fn in_chart(reduced: &Reduced) -> TokenStream {
-    let rate = chosen(reduced, &quote!(u.chart), |k| {
+    let rate = in_held(reduced, &quote!(u), &quote!(S::lit(0.0)), |k| {
         if k == 0 {
-            return quote!(self.motion_0(t, &u.input, &u.memory, x, dx));
+            return quote!(self.motion_0(t, u, m, x, dx));
         }
         // A copy goes through memory, so that the arrays of the first chart stay in registers.
         let motion = format_ident!("motion_{k}");
         quote!({
             let (at, mut out) = (*x, *dx);
-            let measure = self.#motion(t, &u.input, &u.memory, &at, &mut out);
+            let measure = self.#motion(t, u, m, &at, &mut out);
             *dx = out;
             measure
         })

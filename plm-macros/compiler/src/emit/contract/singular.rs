@@ -34,21 +34,18 @@ pub(crate) fn fine(emission: &Emission) -> TokenStream {
     if !may_be_singular(emission) {
         return TokenStream::new();
     }
-    let held = emission.inputs(&quote!(rt::Twofold<S>));
-    let is_charted = emission.loops().is_some();
-    let inputs = is_charted.then(|| quote!(.input));
-    let between = if is_charted { charted(emission) } else { alone() };
+    let between = if emission.loops().is_some() { charted(emission) } else { alone() };
     // rustdoc shows a constant argument by its source, which is the whole declaration.
     quote! {
         #[doc(hidden)]
         impl<S: Real> rt::singular::Fine<#nq, #nc, #full> for #name<S> {
             type Twofold = #name<rt::Twofold<S>>;
-            type Inputs = #held;
+            type Inputs = Held<rt::Twofold<S>>;
 
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
                 let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact)#inputs)
+                (self.pack([self], exact), Self::pack_held(held, [held], exact))
             }
             #[cold]
             fn accelerate(

@@ -49,22 +49,11 @@ pub(crate) fn statics(emission: &Emission) -> TokenStream {
     let states = model.states.iter();
     let states =
         emission.list(states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit))));
-    let absolute = emission.absolute_of("state");
-    let input = emission.input_of("held");
-    let given = match (emission.has_switches(), emission.loops().is_some()) {
-        (false, false) => quote!(*held),
-        (false, true) => quote!(held.input),
-        (true, _) => quote!(Held { input: #input, ..self.declared_input() }),
-    };
-    let (held, inputs) = match emission.loops() {
-        Some(_) => (quote!(held), quote!(let u = &held.input;)),
-        None => (quote!(u), TokenStream::new()),
-    };
     let (at_rest_docs, at_rest) = body(
         emission,
         "What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
 constraints, rates of the first-order states, without accelerations.",
-        &["t", "u", "x", "lambda", "force", "x_dot", "held", "each", "q", "v"],
+        &["t", "u", "x", "lambda", "force", "x_dot", "each", "q", "v"],
         (&program.at_rest, Origin::Arguments),
     );
     quote! {
@@ -77,14 +66,13 @@ constraints, rates of the first-order states, without accelerations.",
             const STATES: &'static [(&'static str, &'static str)] = &[#states];
 
             fn full(state: &State<S>) -> [S; #full] {
-                #absolute
+                state.absolute_()
             }
             #at_rest_docs
             #[cold]
             fn equations(
-                &self, t: S, #held: &Self::U, x: &[S; #full], lambda: &[S; #nc], each: &mut impl FnMut(S)
+                &self, t: S, u: &Self::U, x: &[S; #full], lambda: &[S; #nc], each: &mut impl FnMut(S)
             ) {
-                #inputs
                 let (mut force, mut x_dot) = ([S::lit(0.0); #nq], [S::lit(0.0); #nx]);
                 #at_rest
                 let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
@@ -93,7 +81,7 @@ constraints, rates of the first-order states, without accelerations.",
                 x_dot.into_iter().for_each(each);
             }
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
-                self.start_holding_(t, #given)
+                self.start_holding_(t, held.input)
             }
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start

@@ -5,35 +5,24 @@ use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
 use super::super::function::body;
-use super::super::{Emission, Sizes, number, quoted};
-use super::charted::chosen;
+use super::super::{Emission, Sizes, number, pose_at, quoted};
+use super::charted::in_held;
 
 /// What is looked at in every step, guards and kinks, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map(number);
-    let [here, within] = [quote!(self), quote!(mechanism)].map(|of| switching(emission, &of));
-    let is_charted = emission.loops().is_some();
-    let here = if is_charted {
-        quote! {
-            if rt::charts::is_free::<Self>(u) {
-                self.switching(t, &u.input, &rt::charts::full(self, t, u, x), g)
-            } else {
-                #here
-            }
-        }
-    } else {
-        here
-    };
+    let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), g));
+    let [here, within] = [(quote!(self), full), (quote!(mechanism), TokenStream::new())]
+        .map(|(of, free)| switching(emission, &of, &quote!({ #free })));
     // Without a chart the state stands in what is held, and does not move with `x`.
-    let only = is_charted.then(|| {
+    let only = emission.loops().is_some().then(|| {
         quote! {
             if rt::charts::is_free::<Self>(u) {
                 return false;
             }
         }
     });
-    let held = emission.held(&quote!(rt::Tube<S>));
     quote! {
         const KINKS: usize = #kinks;
 
@@ -68,7 +57,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             let constant = |[s]: [S; 1]| rt::Tube::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
             let mut tubes = [rt::Tube::constant(S::lit(0.0)); #all];
-            let within = |u: &#held, x: &[rt::Tube<S>; #length], g: &mut [rt::Tube<S>; #all]| #within;
+            let within = |u: &Held<rt::Tube<S>>, x: &[rt::Tube<S>; #length], g: &mut [rt::Tube<S>; #all]| #within;
             within(&held, &core::array::from_fn(x), &mut tubes);
             for (index, tube) in tubes.into_iter().enumerate() {
                 each(index, tube);
@@ -78,19 +67,20 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The call of the guards' function of a mechanism that is called so, with `g` as its last argument.
-fn switching(emission: &Emission, mechanism: &TokenStream) -> TokenStream {
+/// The call of the guards' function of a mechanism that is called so, with `g` as its last argument; `free` stands for it where
+/// loops have no chart.
+fn switching(emission: &Emission, mechanism: &TokenStream, free: &TokenStream) -> TokenStream {
     let Some(reduced) = emission.loops() else { return quote!(#mechanism.switching(t, u, x, g)) };
-    chosen(reduced, &quote!(u.chart), |k| {
+    in_held(reduced, &quote!(u), free, |k| {
         let switching = format_ident!("switching_{k}");
-        quote!(#mechanism.#switching(t, &u.input, &u.memory, x, g))
+        quote!(#mechanism.#switching(t, u, m, x, g))
     })
 }
 
 /// What happens at the switches that depend on the state. One that must hold does not change: it ends the run.
 pub(super) fn switch(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
-    let (guards, u) = (model.guards(), emission.inputs_of("u"));
+    let guards = model.guards();
     let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
     let required: Vec<_> =
         of_state.enumerate().filter(|(_, switch)| switch.must_hold).map(|(index, _)| number(index)).collect();
@@ -115,7 +105,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         #must_hold
         fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
             #only
-            if let Some(side) = #u.switches.get_mut(index) {
+            if let Some(side) = u.switches.get_mut(index) {
                 *side = -*side;
             }
         }
@@ -130,19 +120,19 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
 /// When switches of the time alone change, and which sides of them apply.
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let guards = emission.model.guards();
-    let (count, u) = (number(emission.model.switches.len() - guards), emission.inputs_of("u"));
+    let count = number(emission.model.switches.len() - guards);
     let guards = number(guards);
     quote! {
         fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-            self.instants(&#u, &mut at, &mut slope);
+            self.instants(u, &mut at, &mut slope);
             at.into_iter().filter(|at| *at > t).reduce(S::min)
         }
 
         fn pass(&self, t: S, u: &mut Self::U) {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-            self.instants(&#u, &mut at, &mut slope);
-            for ((side, at), slope) in #u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
+            self.instants(u, &mut at, &mut slope);
+            for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
                 *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
             }
         }
@@ -154,8 +144,7 @@ pub(super) fn jump(emission: &Emission) -> TokenStream {
     let (jumps, Sizes { nq, length, .. }) = (&emission.model.jumps, &emission.sizes);
     let [count, terms] = [jumps.len(), 5 * jumps.len()].map(number);
     let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.switch)));
-    let [u, after] = ["u", "after"].map(|held| emission.inputs_of(held));
-    let pose = emission.pose_at("u");
+    let pose = pose_at("u");
     let (jump_docs, jump) = body(
         emission,
         "How rows differ on both sides of conditions: phi, its rate, the rate of that; the distance, its rate.",
@@ -173,7 +162,7 @@ pub(super) fn jump(emission: &Emission) -> TokenStream {
             #jump
             let (terms, _) = jump.as_chunks::<5>();
             let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, switch), &terms)| {
-                let changes = after.is_some_and(|after| #after.switches[switch] != #u.switches[switch]);
+                let changes = after.is_some_and(|after| after.switches[switch] != u.switches[switch]);
                 (changes || after.is_none()).then_some(absolute::Crossing { row, terms, changes })
             });
             absolute::jump::<S, Self, NQ, NC>(self, t, (q, v), crossings)

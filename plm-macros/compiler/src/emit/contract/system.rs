@@ -13,8 +13,7 @@ use crate::model::Stabilisation;
 /// `System`.
 pub(crate) fn system(emission: &Emission) -> TokenStream {
     let Emission { model, name, sizes: Sizes { length, second_order, .. }, .. } = emission;
-    let (held, inlined, short) =
-        (emission.held(&quote!(S)), rate::inlined(emission), rate::is_short(emission));
+    let (inlined, short) = (rate::inlined(emission), rate::is_short(emission));
     let (freedom, guards) = (number(second_order / 2), number(model.guards()));
     let solution = match emission.form {
         Form::Absolute => by_rank(emission),
@@ -42,7 +41,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
         impl<S: Real> rt::System for #name<S> {
             type S = S;
             type X = [S; #length];
-            type U = #held;
+            type U = Held<S>;
             type G = [S; #guards];
             const NQ: usize = #freedom;
             const SHORT: bool = #short;

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
-use super::super::contract::charted::chosen;
+use super::super::contract::charted::in_held;
 use super::super::contract::linear::at_state;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, number};
@@ -29,12 +29,12 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
         .collect();
     let (rate, linearise) = at_state(emission, &quote!(&mut c));
     let (eliminate, solve) = calls(emission);
-    let (held, by_t) = (emission.held(&quote!(S)), by_time(emission));
+    let by_t = by_time(emission);
     quote! {
         impl<S: Real> #name<S> {
             /// The equations are linearised once; their elimination serves the four stages.
             fn step_linearly_implicit(
-                &self, t: S, u: &#held, x: &mut [S; #length], h: S
+                &self, t: S, u: &Held<S>, x: &mut [S; #length], h: S
             ) -> Result<rt::Health<S>, Fault> {
                 use rt::lanes::Rate;
                 use rt::method::Ros34Pw2Formula as Formula;
@@ -69,13 +69,14 @@ fn calls(emission: &Emission) -> (TokenStream, TokenStream) {
     let Form::Loops(reduced) = emission.form else {
         return (quote!(self.eliminated(#eliminate)), quote!(self.solved(#solve)));
     };
-    let of = |function: &str, arguments: &TokenStream| {
-        chosen(reduced, &quote!(u.chart), |k| {
+    let of = |function: &str, arguments: &TokenStream, free: &TokenStream| {
+        in_held(reduced, &quote!(u), free, |k| {
             let function = format_ident!("{function}_{k}");
             quote!(self.#function(#arguments))
         })
     };
-    (of("eliminated", &eliminate), of("solved", &solve))
+    // Without a chart no step is begun.
+    (of("eliminated", &eliminate, &quote!(S::lit(f64::NAN))), of("solved", &solve, &quote!({})))
 }
 
 /// The derivative of the rate by the time, where it depends on it.
@@ -124,12 +125,11 @@ fn linear_algebra(
 /// The same with the full matrix of derivatives, where the equations are not linearised: forces that read reactions.
 fn by_matrix(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let held = emission.held(&quote!(S));
     quote! {
         impl<S: Real> #name<S> {
             /// The matrix of derivatives is decomposed once for the four stages.
             fn step_linearly_implicit(
-                &self, t: S, u: &#held, x: &mut [S; #length], h: S
+                &self, t: S, u: &Held<S>, x: &mut [S; #length], h: S
             ) -> Result<rt::Health<S>, Fault> {
                 use rt::lanes::Rate;
                 use rt::linalg::Derivatives;

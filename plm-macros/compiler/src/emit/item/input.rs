@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::super::lower::inline;
-use super::super::{Emission, docs, number};
+use super::super::{Emission, docs, memory, number};
 
 /// `Input`.
 pub(crate) fn inputs(emission: &Emission) -> TokenStream {
@@ -27,42 +27,38 @@ pub(crate) fn inputs(emission: &Emission) -> TokenStream {
     }
 }
 
-/// `Held`, where there are conditions.
+/// The type of what is held of loops.
+pub(super) fn of_loops(emission: &Emission) -> TokenStream {
+    let nq = &emission.sizes.nq;
+    emission.loops().map_or(quote!(()), |reduced| {
+        let memory = memory(reduced, &quote!(S));
+        quote!(rt::charts::OfLoops<#memory, [S; #nq]>)
+    })
+}
+
+/// `Held`.
 pub(crate) fn held(emission: &Emission) -> TokenStream {
-    if !emission.has_switches() {
-        return TokenStream::new();
-    }
-    let count = number(emission.model.switches.len());
+    let (count, of_loops) = (number(emission.model.switches.len()), of_loops(emission));
     quote! {
-        /// What is held over a step: the inputs, and on which side of each condition the mechanism is.
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Held<S = f64> {
-            /// The inputs.
-            pub input: Input<S>,
-            switches: [S; #count],
-        }
+        /// What is held over a step.
+        type Held<S> = rt::Held<Input<S>, [S; #count], #of_loops>;
     }
 }
 
 /// The inputs as declared.
 pub(crate) fn declared(emission: &Emission) -> TokenStream {
     let Emission { model, fields, name, .. } = emission;
-    let (inputs, bindings) = (emission.inputs(&quote!(S)), emission.parameters());
+    let bindings = emission.parameters();
     let values = model.inputs.iter().zip(&fields.inputs);
     let values = values.map(|(input, field)| format!("{field}: {}", inline(input.default, &bindings)));
     let (literals, values) = emission.values(values.collect());
     let none = model.inputs.is_empty().then(|| quote!(none: core::marker::PhantomData));
-    let mut value = quote!(Input { #values #none });
-    if emission.has_switches() {
-        let count = number(model.switches.len());
-        value = quote!(Held { input: #value, switches: [S::lit(1.0); #count] });
-    }
     quote! {
         impl<S: Scalar> #name<S> {
             /// The inputs as declared.
-            fn declared_input(&self) -> #inputs {
+            fn declared_input(&self) -> Input<S> {
                 #literals
-                #value
+                Input { #values #none }
             }
         }
     }

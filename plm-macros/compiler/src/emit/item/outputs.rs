@@ -132,7 +132,7 @@ fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenS
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
     let (text, _) = statements(function, bindings, (&reserved, false));
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
-    let pose = if emission.is_reduced() { arrays(&text, ["q", "v"], "self.pose_()") } else { String::new() };
+    let pose = arrays(&text, ["q", "v"], "self.pose_()");
     emission.text(solved + &pose + &text)
 }
 

@@ -13,14 +13,14 @@ pub(crate) fn solved(emission: &Emission) -> TokenStream {
 
 /// By the backward pass of a tree, whose reactions nothing leaves undetermined.
 fn of_tree(emission: &Emission) -> TokenStream {
-    let (held, Sizes { nq, nc, .. }) = (emission.inputs_of_state(), &emission.sizes);
+    let Sizes { nq, nc, .. } = &emission.sizes;
     let solved = emission.reads_solution().then(|| {
         quote! {
             /// Accelerations and multipliers.
             #[inline]
             fn solved_(&self) -> ([S; #nq], [S; #nc]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
-                self.mechanism.reactions(self.time, &#held, &self.x, &mut a, &mut lambda);
+                self.mechanism.reactions(self.time, &rt::Moment::held(self), &self.x, &mut a, &mut lambda);
                 (a, lambda)
             }
         }
@@ -39,8 +39,6 @@ fn of_tree(emission: &Emission) -> TokenStream {
 /// By rung 5, and by rank where elimination is unhealthy.
 fn of_absolute(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
-    let (held, inputs) = (emission.inputs_of_state(), emission.inputs(&quote!(S)));
-    let absolute = emission.absolute_of("self");
     // Forces that read the unknowns are known for independent constraints alone.
     let refusal = feeds_back(emission.model)
         .then(|| quote!(return Err(Fault::new(t.to_f64(), rt::Cause::Singular { rows: #nc }));));
@@ -49,7 +47,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
             /// Accelerations and multipliers by a rank-revealing decomposition.
             #[cold]
             fn accelerate(
-                &self, t: S, u: &#inputs, x: &[S; #full]
+                &self, t: S, u: &Held<S>, x: &[S; #full]
             ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
                 #refusal
                 let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
@@ -64,10 +62,10 @@ fn of_absolute(emission: &Emission) -> TokenStream {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; #nq], [S; #nc]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); #full], [S::lit(0.0); #nc]);
-                let x = #absolute;
-                let health = self.mechanism.dynamics(self.time, &#held, &x, &mut dx, &mut lambda);
+                let (u, x) = (rt::Moment::held(self), self.absolute_());
+                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &#held, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -77,7 +75,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; #nc] {
-                match self.mechanism.accelerate(self.time, &#held, &#absolute) {
+                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; #nc],
                 }

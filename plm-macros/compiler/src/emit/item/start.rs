@@ -57,7 +57,6 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     let states = fields.states.iter().zip(2 * nq..);
     let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
     let (literals, starts) = emission.values(bodies.chain(states).collect());
-    let absolute = emission.absolute_of("self");
     quote! {
         impl<S: Real> #name<S> {
             fn placed(&self, x: &[S; #full]) -> Starts<S> {
@@ -70,7 +69,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&#absolute)
+                self.mechanism.placed(&self.absolute_())
             }
         }
     }
@@ -95,14 +94,13 @@ pub(super) fn carried(emission: &Emission) -> Option<TokenStream> {
 /// The assembled state with inputs.
 pub(crate) fn assembled(emission: &Emission) -> TokenStream {
     let Emission { fields, name, sizes: Sizes { length, second_order, .. }, .. } = emission;
-    let [inputs, held] = [emission.inputs(&quote!(S)), emission.held(&quote!(S))];
     let (check, carried) = (check(emission), carried(emission));
     let states = &fields.states;
     let numbers = (*second_order..).take(states.len()).map(number);
     let begin = begin(emission);
     quote! {
         impl<S: Real> #name<S> {
-            fn start_holding_(&self, t: S, input: #inputs) -> Result<(#held, [S; #length]), Fault> {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; #length]), Fault> {
                 #check
                 let assembly = absolute::assemble(self, t)?;
                 #carried
@@ -118,15 +116,16 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
 /// From the assembled pose to the state, and the sides of conditions that apply there.
 fn begin(emission: &Emission) -> TokenStream {
     let model = emission.model;
-    let pass = emission.has_switches().then(|| quote!(rt::System::pass(self, t, &mut held);));
+    let pass = (!model.switches.is_empty()).then(|| quote!(rt::System::pass(self, t, &mut held);));
     let switch = (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &x);));
-    let held =
-        if emission.has_switches() { quote!(let mut held = input;) } else { quote!(let held = input;) };
-    match emission.form {
+    let (mut of_loops, mut repeats) = (quote!(()), None);
+    let enter = match emission.form {
         Form::Loops(reduced) => {
-            let memory = number(reduced.memory_length);
+            of_loops = quote! {
+                rt::charts::OfLoops::InChart { chart: 0, memory: rt::charts::Remembered::nothing() }
+            };
             // Charts count on all rows: where some repeat others they would leave out a freedom.
-            let repeats = (!reduced.is_redundant()).then(|| {
+            repeats = (!reduced.is_redundant()).then(|| {
                 quote! {
                     if assembly.redundant.contains(&true) {
                         let joints = rt::Names::marked(
@@ -136,26 +135,17 @@ fn begin(emission: &Emission) -> TokenStream {
                     }
                 }
             });
-            quote! {
-                let memory = [S::lit(0.0); #memory];
-                #repeats
-                let mut held = rt::charts::Held { input, chart: 0, memory };
-                rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
-                #pass
-                #switch
-            }
+            quote!(rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);)
         }
-        Form::Tree(_) => quote! {
-            self.project(t, &assembly.q, &assembly.v, &mut x);
-            #held
-            #pass
-            #switch
-        },
-        Form::Absolute => quote! {
-            absolute::join(&assembly.q, &assembly.v, &mut x);
-            #held
-            #pass
-            #switch
-        },
+        Form::Tree(_) => quote!(self.project(t, &assembly.q, &assembly.v, &mut x);),
+        Form::Absolute => quote!(absolute::join(&assembly.q, &assembly.v, &mut x);),
+    };
+    let count = number(model.switches.len());
+    quote! {
+        #repeats
+        let mut held = rt::Held { input, switches: [S::lit(1.0); #count], of_loops: #of_loops };
+        #enter
+        #pass
+        #switch
     }
 }

@@ -4,14 +4,12 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::super::{Emission, Form, Sizes, number};
+use super::input::of_loops;
 
 /// `State`.
 pub(crate) fn state(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let count = number(emission.model.switches.len());
-    let switches = emission.has_switches().then(|| quote!(switches: [S; #count],));
-    let memory = emission.loops().map(|reduced| number(reduced.memory_length));
-    let memory = memory.map(|memory| quote!(chart: usize, memory: [S; #memory],));
+    let (count, of_loops) = (number(emission.model.switches.len()), of_loops(emission));
     quote! {
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +20,8 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
             pub input: Input<S>,
             time: S,
             x: [S; #length],
-            #switches
-            #memory
+            switches: [S; #count],
+            of_loops: #of_loops,
         }
     }
 }
@@ -31,12 +29,11 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
 /// The state in coordinates of all bodies, which rung 5 gives the reactions of loops at, and equilibria and starts are told in.
 pub(crate) fn pose(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, full, second_order, .. } = &emission.sizes;
-    let held = emission.inputs_of_state();
     let pose = match emission.form {
-        Form::Absolute => return TokenStream::new(),
+        Form::Absolute => quote!(absolute::split(&self.x)),
         Form::Tree(_) => quote! {
             let (mut q, mut v) = ([S::lit(0.0); #nq], [S::lit(0.0); #nq]);
-            self.mechanism.pose(self.time, &#held, &self.x, &mut q, &mut v);
+            self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
             (q, v)
         },
         Form::Loops(_) => {

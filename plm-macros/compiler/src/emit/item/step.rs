@@ -55,7 +55,7 @@ fn one(emission: &Emission, step: Step) -> TokenStream {
 /// whose sum is 6 v + h (k1 + k2 + k3).
 fn rk4(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
-    let (held, names) = (emission.held(&quote!(S)), locals(emission));
+    let names = locals(emission);
     let n = second_order / 2;
     let stage = |factor: &str, k: &str| {
         let entry = |(i, x): (usize, &Ident)| format!("{factor}.mul_add({k}[{i}], {x})");
@@ -74,7 +74,7 @@ fn rk4(emission: &Emission) -> TokenStream {
     quote! {
         impl<S: Scalar> #name<S> {
             /// The formula of W. Kutta.
-            fn step_rk4(&self, t: S, u: &#held, x: &mut [S; #length], h: S) -> rt::Health<S> {
+            fn step_rk4(&self, t: S, u: &Held<S>, x: &mut [S; #length], h: S) -> rt::Health<S> {
                 use rt::lanes::Rate;
                 let (half, two, sixth) = (S::lit(0.5) * h, S::lit(2.0), S::lit(1.0 / 6.0) * h);
                 let [#(#names),*] = *x;
@@ -97,7 +97,7 @@ fn rk4(emission: &Emission) -> TokenStream {
 /// v by its rate, q by the new v, first-order states by their rate.
 fn semi_implicit_euler(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
-    let (held, names) = (emission.held(&quote!(S)), locals(emission));
+    let names = locals(emission);
     let n = second_order / 2;
     let moved = |(i, x): (usize, &Ident)| format!("h.mul_add(k[{i}], {x})");
     let rest = emission.lines(names.iter().enumerate().skip(n).map(moved));
@@ -109,7 +109,7 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
         impl<S: Scalar> #name<S> {
             /// Velocities by their rates, positions by the new velocities.
             fn step_semi_implicit_euler(
-                &self, t: S, u: &#held, x: &mut [S; #length], h: S
+                &self, t: S, u: &Held<S>, x: &mut [S; #length], h: S
             ) -> rt::Health<S> {
                 use rt::lanes::Rate;
                 let [#(#names),*] = *x;

@@ -303,6 +303,7 @@ impl<'a> Lowering<'a> {
             }
             Place::Element(array, i) => format!("{array}[{i}]"),
             Place::Entry(matrix, i, j) => format!("{matrix}[{i}][{j}]"),
+            Place::Path(path) => path.clone(),
         };
         self.lines.statements.push(Statement::Store { place, value: piece.text, reads: piece.reads });
     }

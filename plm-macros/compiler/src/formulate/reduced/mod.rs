@@ -43,17 +43,13 @@ const MOST_DENSE: usize = 12;
 pub(crate) struct Reduced {
     /// Choices of coordinates, the best first; a tree has one.
     pub(crate) charts: Vec<Chart>,
-    /// Symbols of what is remembered from the last state that was looked at; a tree remembers nothing.
-    pub(crate) memory: Vec<Expr>,
-    /// Numbers of memory: those, or pose and velocity of all bodies where no chart is good.
-    pub(crate) memory_length: usize,
+    /// Symbols of what is remembered from the last state that was looked at, and where each stands; a tree remembers nothing.
+    pub(crate) memory: Vec<(Expr, String)>,
     /// The bodies whose angles are remembered, in that order.
     pub(crate) turning: Vec<String>,
-    /// How many of them stand before the determinants of the dyads and their rates.
-    pub(crate) before_areas: usize,
-    /// How many of them stand before the unknowns that Newton's iteration starts from.
-    pub(crate) before_followed: usize,
-    /// Bodies and joints that these unknowns belong to.
+    /// How many determinants are remembered.
+    pub(crate) areas: usize,
+    /// Bodies and joints that the unknowns belong to which Newton's iteration starts from.
     pub(crate) followed: Vec<String>,
 }
 
@@ -151,10 +147,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
     Ok(Reduced {
         turning,
         charts,
-        memory_length: memory.symbols().len().max(2 * equations.q.len()),
-        memory: memory.symbols(),
-        before_areas: memory.before_areas(),
-        before_followed: memory.before_followed(),
+        memory: memory.symbols().into_iter().zip(memory.paths()).collect(),
+        areas: memory.areas(),
         followed: memory.followed().map(owner).collect(),
     })
 }

@@ -56,6 +56,7 @@ impl<'a> Resolver<'a> {
             time: self.calculus.time,
             most_growth: self.calculus.most_growth,
             agreement: self.calculus.agreement,
+            precision: self.calculus.precision,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
             rung: self.draft.settings.rung,
@@ -162,17 +163,17 @@ impl<'a> Resolver<'a> {
 
     fn evaluate_rows(&mut self) -> Eval<Vec<Row>> {
         all((0..self.draft.rows.len()).map(|row| {
-            let residual = self.row(row)?;
+            let value = self.row(row)?;
             let declared = self.row_declared(row);
             let state = &self.draft.rows[row];
             Ok(Row {
                 name: state.name.clone(),
                 part: state.part,
-                phi: residual.phi,
+                phi: value.phi,
                 lambda: state.lambda,
                 span: state.span,
                 declared,
-                unit: DisplayUnit::si(residual.dimension),
+                unit: DisplayUnit::si(value.dimension),
             })
         }))
     }

@@ -12,7 +12,7 @@ use crate::span::Span;
 use crate::syntax::ast;
 use crate::units::Dimension;
 
-/// A constraint row on the way to its residual.
+/// A constraint row on the way to its phi.
 #[derive(Debug)]
 pub(crate) struct RowDraft<'a> {
     pub(crate) scope: ScopeId,
@@ -23,12 +23,12 @@ pub(crate) struct RowDraft<'a> {
     pub(crate) part: usize,
     pub(crate) span: Span,
     pub(crate) lambda: Expr,
-    residual: Lazy<Residual>,
+    value: Lazy<RowValue>,
 }
 
 /// What a row says.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Residual {
+pub(crate) struct RowValue {
     pub(crate) phi: Expr,
     pub(crate) dimension: Dimension,
 }
@@ -72,8 +72,8 @@ impl<'a> Resolver<'a> {
         });
         let lambda = Expr::symbol(format!("lambda_{full}"));
         self.names.scopes[home].rows.insert(key, (self.draft.rows.len(), name.ident.span));
-        let residual = Lazy::Waiting;
-        self.draft.rows.push(RowDraft { scope, left, right, name: full, part, span, lambda, residual });
+        let value = Lazy::Waiting;
+        self.draft.rows.push(RowDraft { scope, left, right, name: full, part, span, lambda, value });
     }
 
     /// Where a row was written.
@@ -82,13 +82,13 @@ impl<'a> Resolver<'a> {
         Declared { span: left.span.to(right.span), uses: self.names.uses(scope) }
     }
 
-    /// The residual of a row, worked out at its first use.
-    pub(crate) fn row(&mut self, row: usize) -> Eval<Residual> {
+    /// The phi of a row, worked out at its first use.
+    pub(crate) fn row(&mut self, row: usize) -> Eval<RowValue> {
         // A constraint that reads its own reaction is told so where it does.
-        self.lazy(|of| &mut of.draft.rows[row].residual, |_| (), |of| of.residual(row))
+        self.lazy(|of| &mut of.draft.rows[row].value, |_| (), |of| of.phi(row))
     }
 
-    fn residual(&mut self, row: usize) -> Eval<Residual> {
+    fn phi(&mut self, row: usize) -> Eval<RowValue> {
         let RowDraft { scope, left, right, .. } = self.draft.rows[row];
         let (a, b) = (self.eval_scalar(scope, left), self.eval_scalar(scope, right));
         let (a, b) = (a?, b?);
@@ -110,6 +110,6 @@ impl<'a> Resolver<'a> {
                 .help("it must tie the positions of bodies");
             return Err(Failed);
         }
-        Ok(Residual { phi, dimension: nature.dimension })
+        Ok(RowValue { phi, dimension: nature.dimension })
     }
 }

@@ -2,7 +2,7 @@
 
 use plm_cas::{Expr, Number, algebra};
 
-use crate::formulate::function::{Function, Place, stored};
+use crate::formulate::function::{Function, Place};
 use crate::formulate::reduced::charts::Scheme;
 use crate::formulate::reduced::joints::coordinates::Unknown;
 use crate::formulate::reduced::layout::Layout;
@@ -108,7 +108,8 @@ impl Layout<'_> {
         let followed = |unknown: usize| followed[unknown];
         let memorable = Memorable { boxes, angle: &angle, areas, followed: &followed };
         let values = self.memory.values(&memorable);
-        let mut results = stored("memory", values.iter());
+        let places = self.memory.paths().into_iter().map(|path| Place::Path(format!("memory.{path}")));
+        let mut results: Vec<(Place, Expr)> = places.zip(values).collect();
         results.push((Place::Value, measure(solutions)));
         Function::of_results(results).optimise()
     }

@@ -78,28 +78,28 @@ impl Newton {
         let mut step = 0;
         for corrections in CORRECTIONS {
             let arms = self.arms(motion, &format!("{step}"));
-            let jacobian = self.jacobian(motion, (&arms, &format!("j{step}")));
+            let decomposed = self.decomposed(motion, (&arms, &format!("j{step}")));
             for _ in 0..corrections {
                 let arms = self.arms(motion, &format!("{step}"));
                 let gap = self.gap(&known, &arms, &format!("{step}"));
-                let correction = jacobian.solve(gap, &format!("step_{step}"));
+                let correction = decomposed.solve(gap, &format!("step_{step}"));
                 self.correct(motion, &correction, step);
                 step += 1;
             }
         }
         self.name_axes(motion);
         let arms = self.arms(motion, "");
-        let jacobian = self.jacobian(motion, (&arms, "j"));
-        self.differentiate(motion, (&arms, &jacobian));
+        let decomposed = self.decomposed(motion, (&arms, "j"));
+        self.differentiate(motion, (&arms, &decomposed));
         let gap = self.gap(&known, &arms, "");
-        let closed = is_closed(&gap, memory, motion.length);
-        Solution::of_measure(jacobian.measure, closed)
+        let closed = is_closed(&gap, motion);
+        Solution::of_measure(decomposed.measure, closed)
     }
 
     /// The measure where all unknowns are known.
     pub(crate) fn at_pose(&self, motion: &Motion) -> Solution {
         let arms = self.arms(motion, "");
-        let measure = self.jacobian(motion, (&arms, "j")).measure;
+        let measure = self.decomposed(motion, (&arms, "j")).measure;
         let closed = Expr::ONE;
         Solution::of_measure(measure, closed)
     }
@@ -150,7 +150,7 @@ impl Newton {
     }
 
     /// Coefficients and rates of the unknowns.
-    fn differentiate(&self, motion: &mut Motion, (arms, jacobian): (&[Arms], &Elimination)) {
+    fn differentiate(&self, motion: &mut Motion, (arms, decomposed): (&[Arms], &Elimination)) {
         let flows = self
             .closures
             .iter()
@@ -158,7 +158,7 @@ impl Newton {
             .map(|(&closure, arms)| Flow::new(motion, closure, (&self.unknowns, arms)));
         let flows: Vec<Flow> = flows.collect();
         let solve = |sums: Vec<Vec2>, what: &str| {
-            let values = jacobian.solve(sums, what);
+            let values = decomposed.solve(sums, what);
             values.into_iter().map(|value| -value).collect::<Vec<Expr>>()
         };
         for coordinate in 0..motion.independent.len() {
@@ -222,8 +222,8 @@ impl Newton {
         self.closures.iter().zip(known).zip(arms).map(of_loop).collect()
     }
 
-    /// The Jacobian by the unknowns.
-    fn jacobian(&self, motion: &Motion, (arms, name): (&[Arms], &str)) -> Elimination<'_> {
+    /// The derivatives of the loops by the unknowns, decomposed.
+    fn decomposed(&self, motion: &Motion, (arms, name): (&[Arms], &str)) -> Elimination<'_> {
         let coordinates = motion.coordinates;
         let of_loop = |(&closure, arms): (&usize, &Arms)| {
             let chain = &coordinates.closures[closure];
@@ -244,10 +244,9 @@ impl Newton {
 }
 
 /// Did the iteration converge?
-fn is_closed(gap: &[Vec2], memory: &Memory, length: Expr) -> Expr {
-    let Some(precision) = memory.precision() else { return Expr::ONE };
+fn is_closed(gap: &[Vec2], motion: &Motion) -> Expr {
     let squares: Expr = gap.iter().flat_map(|gap| gap.components()).map(Expr::squared).sum();
-    let least = algebra::product(&[Expr::from(CLOSED), precision, length]);
+    let least = algebra::product(&[Expr::from(CLOSED), motion.precision, motion.length]);
     squares.less(least.squared())
 }
 

@@ -200,7 +200,7 @@ impl Coordinates {
     /// A coordinate for the displacement in a joint that has one.
     fn add_slide(&mut self, joint: usize) {
         let Joint { part, pair, .. } = self.joints[joint];
-        if matches!(pair, Pair::Prismatic | Pair::PinSlot) {
+        if pair.slides() {
             self.joints[joint].slide = Some(self.new_unknown(Unknown::Slide { part }));
         }
     }
@@ -276,7 +276,7 @@ fn headings(
     edges: &[(usize, usize)],
     order: &[TreeEdge],
 ) -> Result<Vec<Heading>, String> {
-    let fixed = |joint: &&Joint| matches!(joint.pair, Pair::Prismatic | Pair::Weld);
+    let fixed = |joint: &&Joint| !joint.pair.turns();
     let (ties, tied): (Vec<&Joint>, Vec<(usize, usize)>) = joints
         .iter()
         .zip(edges)
@@ -341,12 +341,7 @@ fn joints(model: &Model) -> Result<Vec<Joint>, String> {
     let mut joints = Vec::new();
     for (part, count) in rows.into_iter().enumerate() {
         let declared = &model.parts[part];
-        let expected = match declared.pair {
-            None => count,
-            Some(Pair::PinSlot) => 1,
-            Some(Pair::Revolute | Pair::Prismatic) => 2,
-            Some(Pair::Weld) => 3,
-        };
+        let expected = declared.pair.map_or(count, Pair::rows);
         let name = &declared.name.text;
         if count != expected {
             return Err(format!("`{name}` constrains in a way of its own"));

@@ -16,8 +16,6 @@ pub(crate) struct Memory {
     /// By unknown, for those that Newton's iteration starts from: value, rate, half the rate of that; of slides, over the
     /// size of the scene.
     followed: Vec<Option<[Expr; 3]>>,
-    /// A unit in the last place of 1, which the runtime knows; if anything is followed.
-    precision: Option<Expr>,
 }
 
 /// What is kept of an unknown that is followed.
@@ -59,8 +57,7 @@ impl Memory {
         for &unknown in followed {
             places[unknown] = Some(triple(FOLLOWED, unknown));
         }
-        let precision = (!followed.is_empty()).then(|| Expr::symbol("precision"));
-        Memory { boxes, angles, areas, followed: places, precision }
+        Memory { boxes, angles, areas, followed: places }
     }
 
     /// All symbols in the order of storage.
@@ -68,29 +65,31 @@ impl Memory {
         let boxes = self.boxes.iter().flatten();
         let angles = self.angles.iter().flatten().flatten();
         let followed = self.followed.iter().flatten().flatten();
-        let all = boxes.chain(angles).chain(&self.areas).chain(followed).chain(&self.precision);
-        all.copied().collect()
+        boxes.chain(angles).chain(&self.areas).chain(followed).copied().collect()
     }
 
-    /// Numbers before the first determinant.
-    pub(crate) fn before_areas(&self) -> usize {
-        self.before_followed() - self.areas.len()
+    /// Where each of [`Memory::symbols`] stands in the runtime's `Memory`.
+    pub(crate) fn paths(&self) -> Vec<String> {
+        let freedom = self.boxes.len().saturating_sub(1);
+        let times = self.boxes.iter().skip(freedom).map(|_| "time".to_owned());
+        let boxes = (0..freedom).map(|k| format!("coordinates[{k}]")).chain(times);
+        let boxes = boxes.flat_map(|path| ["last", "reach"].map(|what| format!("{path}.{what}")));
+        let angles = (0..self.angles.iter().flatten().count())
+            .flat_map(|k| ["angle", "cos", "sin"].map(|what| format!("turns[{k}].{what}")));
+        let areas = (0..self.areas.len()).map(|k| format!("areas[{k}]"));
+        let followed =
+            (0..self.followed().count()).flat_map(|k| FOLLOWED.map(|what| format!("followed[{k}].{what}")));
+        boxes.chain(angles).chain(areas).chain(followed).collect()
     }
 
-    /// Numbers before the first unknown that is followed.
-    pub(crate) fn before_followed(&self) -> usize {
-        let followed = FOLLOWED.len() * self.followed.iter().flatten().count();
-        self.symbols().len() - followed - usize::from(self.precision.is_some())
+    /// How many determinants are remembered.
+    pub(crate) fn areas(&self) -> usize {
+        self.areas.len()
     }
 
     /// The unknowns that are followed, ascending.
     pub(crate) fn followed(&self) -> impl Iterator<Item = usize> {
         self.followed.iter().enumerate().filter(|(_, place)| place.is_some()).map(|(unknown, _)| unknown)
-    }
-
-    /// A unit in the last place of 1.
-    pub(crate) fn precision(&self) -> Option<Expr> {
-        self.precision
     }
 
     /// The values of [`Memory::symbols`] at a state.
@@ -109,7 +108,6 @@ impl Memory {
             values.extend((of.followed)(unknown));
             values.push(Expr::ZERO);
         }
-        values.extend(self.precision.map(|_| Expr::ZERO));
         values
     }
 

@@ -25,6 +25,8 @@ pub(crate) struct Motion<'a> {
     pub(crate) length: Expr,
     /// The part of a length, one in so many, that is rounding.
     pub(crate) agreement: Expr,
+    /// A unit in the last place of 1.
+    pub(crate) precision: Expr,
     /// Value of each unknown, rad or m.
     pub(crate) value: Vec<Expr>,
     /// Its rate, `K y' + k`.
@@ -81,6 +83,7 @@ impl<'a> Motion<'a> {
             names: coordinates.unknowns.iter().map(|&unknown| unknown.name(model)).collect(),
             length,
             agreement: model.agreement,
+            precision: model.precision,
             value: zeros.clone(),
             rate: zeros.clone(),
             gain: vec![Vec::new(); coordinates.unknowns.len()],

@@ -1,0 +1,131 @@
+//! Whether a state can have come from the last one that was looked at, and what the two tell together.
+
+use crate::charts::{Charted, OfLoops, Remembered, square};
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+
+/// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
+const FAR: f64 = 7.0;
+/// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
+const FARTHEST: f64 = 1.0;
+/// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
+/// measure; other solutions are at least about twice the measure away.
+const FARTHEST_FOLLOWED: f64 = 0.25;
+/// Up to this distance an iteration that does not converge has no solution to find.
+const NEAR: f64 = 0.1;
+/// Below this square the measure does not narrow that any further.
+const NARROWEST: f64 = 1e-4;
+
+/// The memory of the last look in a chart, and of the state at the time `t`.
+pub(super) struct Looks<'a, M: Charted> {
+    pub(super) t: M::S,
+    pub(super) chart: usize,
+    pub(super) before: &'a M::Memory,
+    pub(super) after: &'a M::Memory,
+}
+
+impl<M: Charted> Looks<'_, M> {
+    /// Is the state so near to the last one that was looked at that no loop can have gone through a flat pose? What the
+    /// distances tell of it at one of the two is enough; for the time it must hold at both.
+    pub(super) fn check_near(&self) -> Result<(), Fault> {
+        let far = |reach: M::S| M::S::lit(FAR) * reach.abs();
+        let within = self.before.coordinates().iter().zip(self.after.coordinates()).all(|(before, after)| {
+            (after.last - before.last).abs() <= far(before.reach).max(far(after.reach))
+        });
+        let (before, after) = (self.before.time(), self.after.time());
+        let in_time = (after.last - before.last).abs() <= far(before.reach).min(far(after.reach));
+        if within && in_time {
+            return Ok(());
+        }
+        let angle = self.turned().0.to_f64();
+        Err(Fault { cause: Cause::TurnedTooFar { angle }, ..self.locked() })
+    }
+
+    /// Are the unknowns of iterations where their rates have taken them, and not at another solution?
+    #[inline]
+    pub(super) fn check_followed(&self, measure: M::S) -> Result<(), Fault> {
+        let half = M::S::lit(0.5) * self.since();
+        let farthest = square::<M::S>(FARTHEST_FOLLOWED) * measure.max(M::S::lit(NARROWEST));
+        let followed = self.before.followed().iter().zip(self.after.followed());
+        for (part, (before, after)) in M::FOLLOWED.iter().zip(followed) {
+            let moved = after.value - before.value;
+            let off = moved - half * (after.rate + before.rate);
+            // False for what is not a number.
+            let near = off * off < farthest;
+            if !near {
+                let angle = moved.to_f64().abs();
+                return Err(Fault::of_part(self.t.to_f64(), part, Cause::TurnedTooFar { angle }));
+            }
+        }
+        Ok(())
+    }
+
+    /// The memory of the state, with what two states tell together.
+    pub(super) fn kept(&self) -> Result<M::Memory, Fault> {
+        let (angle, body) = self.turned();
+        if angle > M::S::lit(FARTHEST) {
+            let cause = Cause::TurnedTooFar { angle: angle.to_f64() };
+            return Err(Fault::of_part(self.t.to_f64(), body, cause));
+        }
+        let (since, mut memory) = (self.since(), *self.after);
+        if since > M::S::lit(0.0) {
+            for (after, before) in memory.followed_mut().iter_mut().zip(self.before.followed()) {
+                after.bend = M::S::lit(0.5) * (after.rate - before.rate) / since;
+            }
+        }
+        Ok(memory)
+    }
+
+    /// The fault of the loop that is nearest to not being closed.
+    pub(super) fn locked(&self) -> Fault {
+        let since = self.since();
+        // How far the unknowns of iterations should have moved.
+        let moved = self.before.followed().iter().map(|at| ((at.rate + at.bend * since) * since).abs());
+        let moved = moved.fold(M::S::lit(0.0), M::S::max);
+        let angle = moved.to_f64();
+        let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
+        Fault::of_part(self.t.to_f64(), flattest::<M>(self.chart, self.after), cause)
+    }
+
+    /// The time since the last look.
+    fn since(&self) -> M::S {
+        self.t - self.before.time().last
+    }
+
+    /// The farthest that a body has turned since the last look, rad, and which one.
+    fn turned(&self) -> (M::S, &'static str) {
+        let mut most = (M::S::lit(0.0), "");
+        for (body, (before, after)) in
+            M::TURNING.iter().zip(self.before.turns().iter().zip(self.after.turns()))
+        {
+            let turned = (after.angle - before.angle).abs();
+            if turned > most.0 {
+                most = (turned, body);
+            }
+        }
+        most
+    }
+}
+
+/// The part that closes the loop of a chart with the smallest determinant.
+pub(super) fn flattest<M: Charted>(chart: usize, memory: &M::Memory) -> &'static str {
+    let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
+    let (mut part, mut least) = ("", M::S::INFINITY);
+    for (closing, area) in parts.iter().zip(memory.areas()) {
+        let area = area.abs();
+        if !least.lt(area) {
+            (part, least) = (closing, area);
+        }
+    }
+    part
+}
+
+/// A fault for a state at which the rate cannot be computed in the chart that is held.
+#[cold]
+pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fault {
+    let after = &system.remember(t, held, x).0;
+    match &held.of_loops {
+        &OfLoops::InChart { chart, memory: ref before } => Looks::<M> { t, chart, before, after }.locked(),
+        OfLoops::Free { .. } => Fault::new(t.to_f64(), Cause::Locked),
+    }
+}

@@ -1,0 +1,40 @@
+//! What is held over a step, in one shape for every mechanism.
+
+use crate::scalar::Scalar;
+
+/// What is held over a step; the rate is smooth in time and state as long as this stays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held<I, W, L> {
+    /// The inputs.
+    pub input: I,
+    /// Of each switch the side that is held: -1 where its condition holds, else 1.
+    pub switches: W,
+    /// What is held of the loops: [`OfLoops`](crate::charts::OfLoops) where they are solved in charts, else nothing.
+    pub of_loops: L,
+}
+
+/// What is held of the loops of several simulations, packed into one.
+pub trait Loops<S>: Copy {
+    /// The same in other numbers.
+    type Packed<T: Scalar>: Copy;
+
+    /// What `all` hold, made by `number`, in the chart of this one; what is held in another chart is left out.
+    fn packed<T: Scalar, const N: usize>(
+        &self,
+        all: [&Self; N],
+        number: &impl Fn([S; N]) -> T,
+    ) -> Self::Packed<T>;
+
+    /// The chart that is held, from 0; none where no chart is good.
+    fn chart(&self) -> Option<usize>;
+}
+
+impl<S> Loops<S> for () {
+    type Packed<T: Scalar> = ();
+
+    fn packed<T: Scalar, const N: usize>(&self, _all: [&(); N], _number: &impl Fn([S; N]) -> T) {}
+
+    fn chart(&self) -> Option<usize> {
+        Some(0)
+    }
+}
