@@ -8,6 +8,9 @@ use crate::scalar::{Real, Scalar};
 
 /// Who sees the steps of a run.
 pub(super) trait Observer<M: Mechanism> {
+    /// Does it see what switches? Who does not pays nothing for it.
+    const SWITCHES: bool = false;
+
     /// A step was accepted; what was held over it is held still.
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
 
@@ -116,6 +119,8 @@ pub(super) struct Watcher<M: Mechanism, F> {
 }
 
 impl<M: Mechanism, F: FnMut(Seen<'_, M::State>)> Observer<M> for Watcher<M, F> {
+    const SWITCHES: bool = true;
+
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
         let Self { samples, see } = self;
         samples.give(method, course, |state| see(Seen::Sample(state)))?;

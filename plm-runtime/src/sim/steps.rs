@@ -15,17 +15,15 @@ use crate::system::{Accepted, System};
 const MOST_FAILURES: u32 = 100;
 
 /// Advances to the end of the course; no known time lies before it.
-pub(super) fn stretch<M: Mechanism, I: Method<M>>(
+pub(super) fn stretch<M: Mechanism, I: Method<M>, O: Observer<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     guarded: Guarded<'_, M>,
-    observer: &mut impl Observer<M>,
+    observer: &mut O,
 ) -> Result<(), Fault> {
-    let (held, switches) = (course.held, course.stats.switches);
+    let before = O::SWITCHES.then_some((course.held, course.stats.switches));
     guarded.0.begin(method, course)?;
-    if course.stats.switches > switches {
-        observer.switched(course, &held, What::Due);
-    }
+    tell(course, observer, before, What::Due);
     method.begin(course)?;
     go_on(method, course, guarded, (Ok(()), observer))
 }
@@ -67,11 +65,11 @@ fn go_on<M: Mechanism, I: Method<M>>(
 
 /// One step; it may be refused, and is not made then. The rescue's own may lead over singular poses.
 #[inline]
-fn step<M: Mechanism, I: Method<M>>(
+fn step<M: Mechanism, I: Method<M>, O: Observer<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
     (watch, limits): Guarded<'_, M>,
-    observer: &mut impl Observer<M>,
+    observer: &mut O,
     by_rescue: bool,
 ) -> Result<(), Fault> {
     let before = (course.time, course.x);
@@ -89,12 +87,23 @@ fn step<M: Mechanism, I: Method<M>>(
         kept.see((&*method, course.system), || Begun { time: before.0, held, x: before.1 });
     }
     next.hold(method, course);
-    let (held, switches) = (course.held, course.stats.switches);
+    let before = O::SWITCHES.then_some((course.held, course.stats.switches));
     watch.switch(method, course, due)?;
-    if course.stats.switches > switches {
-        observer.switched(course, &held, due.map_or(What::Due, What::Condition));
-    }
+    tell(course, observer, before, due.map_or(What::Due, What::Condition));
     Ok(())
+}
+
+/// Tells an observer of what has switched, who gave what was held `before` and how much had switched then.
+#[inline]
+fn tell<M: Mechanism>(
+    course: &Course<'_, M>,
+    observer: &mut impl Observer<M>,
+    before: Option<(M::U, u64)>,
+    what: What,
+) {
+    if let Some((held, _)) = before.filter(|(_, switches)| course.stats.switches > *switches) {
+        observer.switched(course, &held, what);
+    }
 }
 
 /// Steps near singular poses, until the mechanism's own coordinates are regular again; also where they are said to be
