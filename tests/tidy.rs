@@ -207,10 +207,9 @@ fn every_allow_has_a_reason() {
 }
 
 /// Words that have given way to those of docs/src/theory/vocabulary.md: where, the word, what stands instead.
-const OLD_WORDS: [(&str, &str, &str); 8] = [
+const OLD_WORDS: [(&str, &str, &str); 7] = [
     ("plm-macros/compiler/src/", "driver", "independent coordinate"),
     ("plm-macros/compiler/src/", "drivers", "independent"),
-    ("plm-macros/compiler/src/", "jacobian", "phi_q; a Jacobian is df/dx"),
     ("plm-macros/compiler/src/", "survey", "remember_pose"),
     ("plm-runtime/src/", "survey", "remember_pose"),
     ("plm-macros/compiler/src/formulate/", "drift", "time_rate; drift is the violation of constraints"),
