@@ -1,6 +1,7 @@
 //! A mechanism that is run from outside, by number: parameters are turned, bodies are pulled while it moves, starts are set by
 //! hand. A page holds it as WebAssembly; what it computes is what every other run computes, to the bit.
 
+use plm_runtime::described::Place;
 use plm_runtime::statics::Statics;
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -29,6 +30,7 @@ pub struct Live<M: Mechanism> {
     sim: Option<Sim<M>>,
     trouble: Option<Trouble>,
     numbers: Vec<f64>,
+    shape: Vec<f64>,
 }
 
 /// A declaration to which an input of force and torque at the centre of gravity of each body is added, three for each:
@@ -53,7 +55,14 @@ pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
 impl<M: Described<S = f64> + Statics> Live<M> {
     /// Assembles it and stands at the start.
     pub fn new(mechanism: M) -> Self {
-        let mut live = Self { declared: mechanism, mechanism, sim: None, trouble: None, numbers: Vec::new() };
+        let mut live = Self {
+            declared: mechanism,
+            mechanism,
+            sim: None,
+            trouble: None,
+            numbers: Vec::new(),
+            shape: Vec::new(),
+        };
         live.restart();
         live
     }
@@ -117,6 +126,26 @@ impl<M: Described<S = f64> + Statics> Live<M> {
             }
         }
         &self.numbers
+    }
+
+    /// What parameters change of bodies and ground, SI: of each body mass, moment of inertia, depth, place and angle of each
+    /// port, the number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth.
+    pub fn shape(&mut self) -> &[f64] {
+        let (of, shape) = (&self.mechanism, &mut self.shape);
+        let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
+        let place = |place: Option<Place<f64>>| place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]);
+        shape.clear();
+        for (k, body) in M::TABLES.bodies.iter().enumerate() {
+            shape.extend([of.mass(k), of.inertia(k), of.depth(k)].map(number));
+            shape.extend((0..body.ports.len()).flat_map(|port| place(of.port(k, port))));
+            shape.push(body.contour as f64);
+            shape.extend((0..body.contour).flat_map(|point| of.contour(k, point).unwrap_or([f64::NAN; 2])));
+        }
+        for k in 0..M::TABLES.ground.len() {
+            shape.extend(place(of.ground(0.0, k)));
+            shape.push(number(of.ground_depth(k)));
+        }
+        shape
     }
 
     /// A parameter, SI; not a number beyond the last.

@@ -6,6 +6,8 @@ import { SPEEDS } from "./player.js";
 /** @import {App, Layout, Mode} from "./app.js" */
 
 const MODES = ["pan", "orbit", "zoom", "window", "info"];
+/** Of a page with the mechanism itself, too. */
+const LIVE_MODES = [...MODES, "pull", "place"];
 
 /**
  * What is shown, as the part of an address behind `#`. What is usual is left out.
@@ -17,7 +19,7 @@ export function addressOf(app) {
   const put = (/** @type {string} */ name, /** @type {string | number} */ value, /** @type {string | number} */ usual) => {
     if (value !== usual) parts.set(name, String(value));
   };
-  put("t", rounded(player.time), rounded(player.start));
+  put("t", rounded(player.isFollowing ? player.start : player.time), rounded(player.start));
   put("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","), "");
   put("mode", app.mode, "pan");
   put("wire", Number(app.isWire), 0);
@@ -75,7 +77,7 @@ function showSwitches(app, parts) {
     const value = parts.get(name) ?? "";
     return list.includes(value) ? value : usual;
   };
-  app.mode = /** @type {Mode} */ (chosen("mode", MODES, app.mode));
+  app.mode = /** @type {Mode} */ (chosen("mode", app.live === null ? MODES : LIVE_MODES, app.mode));
   // A live source may have added tabs: the panel knows which there are.
   app.tab = parts.get("tab") ?? app.tab;
   app.theme = /** @type {App["theme"]} */ (chosen("theme", ["auto", "light", "dark"], app.theme));

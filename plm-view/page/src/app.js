@@ -13,9 +13,14 @@ import { View } from "./view.js";
 /** @import {Item} from "./solid.js" */
 /** @import {Area, PresetName} from "./view.js" */
 
-/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info"} Mode what dragging does */
+/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
 /** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} Shown */
+/**
+ * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
+ * pulled, wherever it is.
+ * @typedef {{kind: "pull" | "place", body: number, point: number[], target: number[], reach: number[] | null}} Hand
+ */
 /** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
 
 export class App {
@@ -55,6 +60,10 @@ export class App {
     this.window = null;
     /** @type {Message[]} */
     this.messages = [];
+    /** The mechanism itself, if the page holds it. @type {import("./live.js").Live | null} */
+    this.live = null;
+    /** @type {Hand | null} */
+    this.hand = null;
     this.madeBy = "";
     /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
     this.bytes = null;
@@ -143,9 +152,19 @@ export class App {
    * @param {Run} run
    */
   addRun(run) {
-    const scene = new Scene(run);
-    this.shown.push({ run, scene, forces: forceField(scene), velocities: velocityField(scene), isShown: true });
+    this.shown.push({ run, ...sceneOf(run), isShown: true });
     this.updateBounds();
+    this.change();
+  }
+
+  /** A source has changed the bodies of a run. @param {Run} run */
+  shapeChanged(run) {
+    const shown = this.shown.find((candidate) => candidate.run === run);
+    if (shown === undefined) return;
+    const { forces, velocities } = shown;
+    Object.assign(shown, sceneOf(run));
+    shown.forces.largest = Math.max(shown.forces.largest, forces.largest);
+    shown.velocities.largest = Math.max(shown.velocities.largest, velocities.largest);
     this.change();
   }
 
@@ -162,8 +181,9 @@ export class App {
     this.messages = this.messages.filter(({ kind }) => kind !== "fault");
     const fault = this.run?.fault ?? null;
     if (fault === null) return;
-    const text = `The run ended at ${timeText(fault.time, fault.time)}: ${fault.part}: ${fault.text}`;
-    this.tell("fault", text);
+    const what = this.run?.isLive ? "Stopped" : "The run ended";
+    const where = fault.part === "" ? "" : `${fault.part}: `;
+    this.tell("fault", `${what} at ${timeText(fault.time, fault.time)}: ${where}${fault.text}`);
   }
 
   updateBounds() {
@@ -211,7 +231,36 @@ export class App {
 
   /** The last file again, at its start. */
   async reload() {
+    const hasLive = this.live?.isShown;
     if (this.bytes !== null) await this.load(this.bytes);
+    if (hasLive) this.live?.reset();
+  }
+
+  /** Plays what there is; from the end of a live run on, the mechanism goes on. */
+  play() {
+    const { live, player } = this;
+    if (live !== null && this.run === live.run && (player.isFollowing || player.time >= player.end)) live.start();
+    else player.play();
+  }
+
+  get isPlaying() {
+    return this.player.isPlaying || (this.live?.isRunning ?? false);
+  }
+
+  stop() {
+    this.player.stop();
+    if (this.live?.isRunning) this.live.pause();
+  }
+
+  /** A step forwards; from the end of a live run on, the mechanism makes one. */
+  stepForwards() {
+    const { live, player } = this;
+    const isAtEnd = player.time >= player.end;
+    if (live !== null && this.run === live.run && isAtEnd && !live.isRunning) live.step(player.chosenStep ?? 0.01);
+    else {
+      this.stop();
+      player.stepBy(1);
+    }
   }
 
   zoomToExtents() {
@@ -263,6 +312,7 @@ export class App {
     if (this.selected !== null && this.items().every((item) => item.kind !== this.selected?.kind || item.index !== this.selected.index)) {
       this.selected = null;
     }
+    this.player.isFollowing = this.run?.isLive ?? false;
     this.updateBounds();
     this.tellFault();
     this.change();
@@ -305,6 +355,12 @@ export class App {
     if (next !== undefined) this.player.seek(next);
     this.touch();
   }
+}
+
+/** What is drawn of a run. @param {Run} run */
+function sceneOf(run) {
+  const scene = new Scene(run);
+  return { scene, forces: forceField(scene), velocities: velocityField(scene) };
 }
 
 /**

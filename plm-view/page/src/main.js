@@ -4,8 +4,11 @@ import { addressKeeper, showAddress } from "./address.js";
 import { App } from "./app.js";
 import { openHelp, openOptions } from "./dialogs.js";
 import { byId } from "./dom.js";
-import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
+import { chooseFile, embeddedModule, embeddedResults, listenToDrops } from "./files.js";
+import { listenToHandKeys } from "./hand.js";
 import { listenToKeys } from "./keys.js";
+import { Live } from "./live.js";
+import { LivePanel } from "./livepanel.js";
 import { Panel } from "./panel.js";
 import { listenToPointers } from "./pointer.js";
 import { Stage } from "./stage.js";
@@ -47,13 +50,37 @@ function assemblePage(app) {
   });
   const panel = new Panel(app, byId("panel", HTMLElement));
   const showButtons = makeToolbars(app, dialogs, [
-    [byId("tools", HTMLElement), ["file", "camera", "view", "show", "page"]],
+    [byId("tools", HTMLElement), ["file", "camera", "live", "view", "show", "page"]],
     [byId("transport", HTMLElement), ["animate"]],
   ]);
+  listenToHandKeys(app);
   listenToKeys(app, dialogs);
   listenToPointers(app, canvas);
   listenToDrops(app);
-  return { stage, panel, parts: [{ update: showButtons }, panel, stage, timeline] };
+  const { live } = app;
+  if (live !== null) panel.add("live", "Live", (sheet) => new LivePanel(app, live, sheet));
+  return { stage, panel, parts: [...(live === null ? [] : [live]), { update: showButtons }, panel, stage, timeline] };
+}
+
+/**
+ * Brings the mechanism to life that the first run describes.
+ * @param {App} app
+ */
+async function wake(app) {
+  const wasm = await embeddedModule();
+  if (wasm === null) return;
+  const head = app.run?.head;
+  if (head === undefined) {
+    app.tell("error", "The page holds a module, but no results that tell what it is.");
+    return;
+  }
+  // A file without rows only describes the mechanism.
+  if (app.run?.rows === 0) app.shown = [];
+  app.live = new Live(app, head, wasm);
+  app.tab = "live";
+  app.live.show();
+  // Who asked for less motion begins it.
+  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.live.start();
 }
 
 /**
@@ -74,7 +101,7 @@ function runFrames(app, draw) {
     drawnAt = now;
     app.player.tick(now);
     draw();
-    if (app.player.isPlaying) ask();
+    if (app.isPlaying) ask();
   };
   const ask = () => {
     if (isAsked) return;
@@ -99,6 +126,9 @@ function followSystem(app) {
 async function startPage() {
   const app = new App();
   followSystem(app);
+  const bytes = embeddedResults();
+  if (bytes !== null) await app.load(bytes);
+  await wake(app);
   const { stage, panel, parts } = assemblePage(app);
   const keepAddress = addressKeeper(app);
   const draw = () => {
@@ -109,11 +139,10 @@ async function startPage() {
   const address = location.hash;
   window.addEventListener("hashchange", () => showAddress(app, location.hash));
   stage.measure();
-  const bytes = embeddedResults();
-  if (bytes !== null) await app.load(bytes);
+  app.zoomToExtents();
   if (address.length > 1) showAddress(app, address);
   runFrames(app, draw);
-  // For a live source, and for tests.
+  // For tests, and for who wants more.
   Object.assign(window, { plmPage: { app, panel } });
   performance.mark("page is ready");
 }

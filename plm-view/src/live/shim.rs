@@ -38,6 +38,19 @@ pub extern "C" fn plm_length() -> usize {
     with(|live| live.read().len())
 }
 
+/// Where what parameters change of bodies and ground stands: of each body mass, moment of inertia, depth, x, y, angle of each
+/// port, the number of points of its contour, and these; x, y, angle, depth of each port of the ground; SI.
+#[unsafe(no_mangle)]
+pub extern "C" fn plm_shape() -> *const f64 {
+    with(|live| live.shape().as_ptr())
+}
+
+/// How many numbers they are.
+#[unsafe(no_mangle)]
+pub extern "C" fn plm_shape_length() -> usize {
+    with(|live| live.shape().len())
+}
+
 #[unsafe(no_mangle)]
 pub extern "C" fn plm_parameter(index: usize) -> f64 {
     with(|live| live.parameter(index))

@@ -14,6 +14,8 @@ const MODULES: &[(&str, &str)] = &[
     ("format", include_str!("../../page/src/format.js")),
     ("run", include_str!("../../page/src/run.js")),
     ("results", include_str!("../../page/src/results.js")),
+    ("write", include_str!("../../page/src/write.js")),
+    ("shape", include_str!("../../page/src/shape.js")),
     ("outline", include_str!("../../page/src/outline.js")),
     ("view", include_str!("../../page/src/view.js")),
     ("levels", include_str!("../../page/src/levels.js")),
@@ -28,6 +30,7 @@ const MODULES: &[(&str, &str)] = &[
     ("arrows", include_str!("../../page/src/arrows.js")),
     ("traces", include_str!("../../page/src/traces.js")),
     ("decor", include_str!("../../page/src/decor.js")),
+    ("worker", include_str!("../../page/src/worker.js")),
     ("player", include_str!("../../page/src/player.js")),
     ("app", include_str!("../../page/src/app.js")),
     ("dom", include_str!("../../page/src/dom.js")),
@@ -35,6 +38,7 @@ const MODULES: &[(&str, &str)] = &[
     ("icons", include_str!("../../page/src/icons.js")),
     ("commands", include_str!("../../page/src/commands.js")),
     ("keys", include_str!("../../page/src/keys.js")),
+    ("hand", include_str!("../../page/src/hand.js")),
     ("pointer", include_str!("../../page/src/pointer.js")),
     ("timeline", include_str!("../../page/src/timeline.js")),
     ("chart", include_str!("../../page/src/chart.js")),
@@ -42,6 +46,8 @@ const MODULES: &[(&str, &str)] = &[
     ("objects", include_str!("../../page/src/objects.js")),
     ("runs", include_str!("../../page/src/runs.js")),
     ("model", include_str!("../../page/src/model.js")),
+    ("live", include_str!("../../page/src/live.js")),
+    ("livepanel", include_str!("../../page/src/livepanel.js")),
     ("panel", include_str!("../../page/src/panel.js")),
     ("toolbar", include_str!("../../page/src/toolbar.js")),
     ("dialogs", include_str!("../../page/src/dialogs.js")),
@@ -55,16 +61,23 @@ const MODULES: &[(&str, &str)] = &[
 pub(super) fn script() -> String {
     let mut script = String::new();
     for (_, text) in MODULES {
-        for line in without_comments(&without_imports(text)).lines() {
-            let line = line.trim();
-            let line = line.strip_prefix("export ").unwrap_or(line);
-            if !line.is_empty() {
-                script.push_str(line);
-                script.push('\n');
-            }
-        }
+        script.push_str(&without_noise(text));
     }
     script
+}
+
+/// The code of a module alone, line by line.
+pub(super) fn without_noise(text: &str) -> String {
+    let mut code = String::new();
+    for line in without_comments(&without_imports(text)).lines() {
+        let line = line.trim();
+        let line = line.strip_prefix("export ").unwrap_or(line);
+        if !line.is_empty() {
+            code.push_str(line);
+            code.push('\n');
+        }
+    }
+    code
 }
 
 /// A module without its import statements, which end with a semicolon.
