@@ -21,7 +21,7 @@ export function addressOf(app) {
   };
   put("t", rounded(player.isFollowing ? player.start : player.time), rounded(player.start));
   put("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","), "");
-  put("mode", app.mode, "pan");
+  put("mode", app.mode, app.live === null ? "pan" : "pull");
   put("wire", Number(app.isWire), 0);
   put("run", app.run?.name ?? "", app.shown[0]?.run.name ?? "");
   put("layout", app.layout, "one");
@@ -38,7 +38,7 @@ export function addressOf(app) {
   put("rate", app.refreshRate, 60);
   put("back", app.background ?? "", "");
   put("theme", app.theme, "auto");
-  put("tab", app.tab, "curves");
+  put("tab", app.tab, app.live === null ? "curves" : "live");
   put("panel", Number(app.hasPanel), 1);
   return parts.toString();
 }
@@ -59,7 +59,8 @@ export function showAddress(app, hash) {
   for (const shown of app.shown) shown.isShown = !hidden.includes(shown.run.name);
   app.updateBounds();
   showSwitches(app, parts);
-  if (parts.has("view")) showView(app, numbers(parts.get("view")));
+  app.isViewGiven = parts.has("view");
+  if (app.isViewGiven) showView(app, numbers(parts.get("view")));
   else if (layout !== null) app.zoomToExtents();
   if (parts.has("curves")) app.curves = known(app, names(parts.get("curves")));
   app.traces = names(parts.get("paths"));

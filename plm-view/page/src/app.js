@@ -5,7 +5,7 @@ import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { Scene } from "./scene.js";
-import { timeText } from "./text.js";
+import { timeText, withShortNumbers } from "./text.js";
 import { View } from "./view.js";
 
 /** @import {ArrowField} from "./arrows.js" */
@@ -64,6 +64,8 @@ export class App {
     this.live = null;
     /** @type {Hand | null} */
     this.hand = null;
+    /** Whether the address told where to look from. */
+    this.isViewGiven = false;
     this.madeBy = "";
     /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
     this.bytes = null;
@@ -183,7 +185,7 @@ export class App {
     if (fault === null) return;
     const what = this.run?.isLive ? "Stopped" : "The run ended";
     const where = fault.part === "" ? "" : `${fault.part}: `;
-    this.tell("fault", `${what} at ${timeText(fault.time, fault.time)}: ${where}${fault.text}`);
+    this.tell("fault", `${what} at ${timeText(fault.time, fault.time)}: ${where}${withShortNumbers(fault.text)}`);
   }
 
   updateBounds() {
@@ -264,7 +266,9 @@ export class App {
   }
 
   zoomToExtents() {
-    const boxes = this.visible().map(({ scene }) => scene.extents());
+    const drawn = this.visible().filter(({ run }) => run.rows > 0);
+    // A run that is about to begin will be where the others are.
+    const boxes = (drawn.length > 0 ? drawn : this.shown).map(({ scene }) => scene.extents());
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
       const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));

@@ -177,8 +177,10 @@ function pageCommand(id, name, key, run) {
 }
 
 /** @param {App} app @param {Mode} mode */
-function setMode(app, mode) {
+export function setMode(app, mode) {
   app.mode = mode;
+  // What moves cannot be placed.
+  if (mode === "place" && app.live?.isRunning) app.live.pause();
   const { x, y, width, height } = app.area;
   // By keys the window is moved and made smaller; by the mouse it is drawn.
   app.window =

@@ -1,5 +1,6 @@
 // The mechanism itself in the page: it runs in a worker, and what it computes becomes the rows of a run.
 
+import { KeptInView } from "./inview.js";
 import { Run } from "./run.js";
 import { BAR } from "./scene.js";
 import { readShape } from "./shape.js";
@@ -37,6 +38,7 @@ export class Live {
     /** As set, SI. @type {{parameter: number[], input: number[]}} */
     this.settings = { parameter: [], input: [] };
     this.speed = 1;
+    this.inView = new KeptInView(app);
     /** Rises with the settings. */
     this.revision = 0;
     /** A placement that the worker has not answered, and the one to be asked for then. */
@@ -75,6 +77,7 @@ export class Live {
       this.send({ kind: "speed", speed: this.speed });
     }
     if (this.isRunning && !this.isShown) this.pause();
+    if (this.app.run === this.run) this.inView.update();
     player.pace = this.isRunning && this.app.run === this.run && this.run.fault === null ? this.speed : null;
   }
 
@@ -256,7 +259,8 @@ export class Live {
     }
     if (app.run === run) app.player.isFollowing = true;
     app.rowsAppended(run);
-    if (isFirst && app.run === run && app.shown.every((shown) => shown.run.isLive)) app.zoomToExtents();
+    // Where a recorded run told how large it is, the view is chosen already.
+    if (isFirst && app.shown.every((shown) => shown.run.isLive) && !app.isViewGiven) this.inView.choose();
   }
 
   /** @param {Extract<FromWorker, {kind: "settings"}>} settings */

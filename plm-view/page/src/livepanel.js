@@ -1,6 +1,9 @@
 // The panel of the mechanism itself: parameters, inputs, start and pause, recordings.
 
+import { setMode } from "./commands.js";
 import { element, saveBlob, setText } from "./dom.js";
+import { LIVE_WINDOW } from "./live.js";
+import { niceNear } from "./numbers.js";
 import { fileStem } from "./picture.js";
 import { timeText, typeset } from "./text.js";
 import { csvText, resultsFile } from "./write.js";
@@ -13,9 +16,6 @@ import { csvText, resultsFile } from "./write.js";
  * A quantity that is set by a slider and by a number, in its declared unit.
  * @typedef {{kind: "parameter" | "input", index: number, factor: number, slider: HTMLInputElement, field: HTMLInputElement}} Dial
  */
-
-/** Half the range of a slider for a quantity that is usually 0, in its unit, where nothing tells its size. */
-const USUAL_SPAN = 1;
 
 export class LivePanel {
   /**
@@ -74,7 +74,7 @@ export class LivePanel {
 
   /** @param {"pull" | "place" | "pan"} mode */
   choose(mode) {
-    this.app.mode = mode;
+    setMode(this.app, mode);
     this.app.touch();
   }
 
@@ -96,12 +96,13 @@ export class LivePanel {
    * @param {number} index
    * @param {Parameter | Input} quantity
    */
-  dial(kind, index, { name, unit, factor, default: usual }) {
+  dial(kind, index, { name, unit, factor, default: usual, exponents }) {
     const { live } = this;
+    const span = usualSpan(live, exponents ?? []) / factor;
     const set = (/** @type {HTMLInputElement} */ { value }) => {
       if (value.trim() !== "") live.set(kind, index, Number(value) * factor);
     };
-    const { low, high, step } = rangeAround((usual ?? 0) / factor);
+    const { low, high, step } = rangeAround((usual ?? 0) / factor, span);
     const id = `${kind}-${index}`;
     const slider = element("input", { type: "range", id: `${id}-slider`, "aria-label": `${name}, slider`, min: low, max: high, step, oninput: () => set(slider) });
     const field = element("input", { type: "number", id, step: "any", onchange: () => set(field) });
@@ -148,11 +149,23 @@ function inUnit(value, factor) {
   return short * factor === value ? short : shown;
 }
 
-/** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a usual span. @param {number} usual */
-export function rangeAround(usual) {
-  if (usual === 0 || !Number.isFinite(usual)) return { low: -USUAL_SPAN, high: USUAL_SPAN, step: USUAL_SPAN / 100 };
+/** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a span. @param {number} usual @param {number} span */
+export function rangeAround(usual, span) {
+  if (usual === 0 || !Number.isFinite(usual)) return { low: -span, high: span, step: span / 100 };
   const step = Number((Math.abs(usual) / 100).toPrecision(12));
   return usual > 0 ? { low: 0, high: 200 * step, step } : { low: -200 * step, high: 0, step };
+}
+
+/**
+ * Half the range of a slider for a quantity that is usually 0, SI: the weight of all for a force, that at an arm as long as a
+ * body for a torque.
+ * @param {Live} live
+ * @param {number[]} exponents of m, kg, s, …
+ */
+function usualSpan(live, [metre, kilogram, second]) {
+  const weight = 9.81 * live.mechanism.bodies.reduce((sum, { mass }) => sum + mass, 0);
+  const isForce = kilogram === 1 && second === -2 && (metre === 1 || metre === 2);
+  return isForce && weight > 0 ? niceNear(weight * live.size() ** (metre - 1)) : 1;
 }
 
 /** @param {string} id @param {string} name @param {() => void} act @param {string} [title] */
@@ -171,10 +184,10 @@ function stateText({ isBroken, isRunning, isAssembled, run, app }) {
 
 /** @param {Live} live */
 function tapeText(live) {
-  const { recordings, recordsFrom, run } = live;
+  const { recordings, recordsFrom } = live;
   const done = recordings.length === 0 ? "" : `${recordings.length} recorded, also among the runs. `;
   if (recordsFrom !== null) return `${done}Recording since ${timeText(recordsFrom, 1)}.`;
-  return done || `Nothing is recorded yet: the last ${timeText(Math.min(run.end - run.start, 20), 1)} would be saved.`;
+  return done || `Nothing is recorded yet: the last ${LIVE_WINDOW} s are kept.`;
 }
 
 /** @param {App} app */

@@ -78,6 +78,7 @@ async function wake(app) {
   if (app.run?.rows === 0) app.shown = [];
   app.live = new Live(app, head, wasm);
   app.tab = "live";
+  app.mode = "pull";
   app.live.show();
   // Who asked for less motion begins it.
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.live.start();
@@ -140,6 +141,7 @@ async function startPage() {
   window.addEventListener("hashchange", () => showAddress(app, location.hash));
   stage.measure();
   app.zoomToExtents();
+  app.live?.inView.choose();
   if (address.length > 1) showAddress(app, address);
   runFrames(app, draw);
   // For tests, and for who wants more.

@@ -46,6 +46,7 @@ const MODULES: &[(&str, &str)] = &[
     ("objects", include_str!("../../page/src/objects.js")),
     ("runs", include_str!("../../page/src/runs.js")),
     ("model", include_str!("../../page/src/model.js")),
+    ("inview", include_str!("../../page/src/inview.js")),
     ("live", include_str!("../../page/src/live.js")),
     ("livepanel", include_str!("../../page/src/livepanel.js")),
     ("panel", include_str!("../../page/src/panel.js")),
