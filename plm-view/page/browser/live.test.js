@@ -365,6 +365,8 @@ test("toolbar and keys of the live page", { skip }, async () => {
     await page.click(`#do-${mode}`);
     assert.equal(await state(page, "app.mode"), mode);
   }
+  // To place a body has paused it.
+  await page.click("#live-go");
   await page.keyboard.press("m");
   await page.focus("#picture");
   await page.keyboard.press("h");

@@ -268,7 +268,8 @@ export class App {
   zoomToExtents() {
     const drawn = this.visible().filter(({ run }) => run.rows > 0);
     // A run that is about to begin will be where the others are.
-    const boxes = (drawn.length > 0 ? drawn : this.shown).map(({ scene }) => scene.extents());
+    const known = drawn.length > 0 ? drawn : this.shown.filter(({ run }) => run.rows > 0);
+    const boxes = known.map(({ scene }) => scene.extents());
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
       const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));

@@ -17,6 +17,15 @@ export class KeptInView {
     this.lookedAt = 0;
   }
 
+  /** At a start the view is chosen anew, but not under the hand that places a body. */
+  begin() {
+    if (this.chosen !== null && this.isOwn() && this.app.mode !== "place") this.choose();
+  }
+
+  isOwn() {
+    return JSON.stringify(this.app.view) === JSON.stringify(this.chosen);
+  }
+
   /** Shows everything, and goes on to do so. */
   choose() {
     this.app.zoomToExtents();
@@ -28,8 +37,7 @@ export class KeptInView {
     const now = performance.now();
     if (this.chosen === null || now - this.lookedAt < LOOK_EVERY) return;
     this.lookedAt = now;
-    const { view } = this.app;
-    if (JSON.stringify(view) !== JSON.stringify(this.chosen)) this.chosen = null;
+    if (!this.isOwn()) this.chosen = null;
     else if (this.app.hand === null && this.isOutside()) this.choose();
   }
 
@@ -37,7 +45,8 @@ export class KeptInView {
   isOutside() {
     const { app } = this;
     const { scene, area } = app;
-    if (scene === null || !scene.run.isLive || scene.run.rows === 0) return false;
+    // What cannot be assembled says nothing of what is to be seen.
+    if (scene === null || !scene.run.isLive || scene.run.rows === 0 || scene.run.fault !== null) return false;
     const projection = app.view.projection(area);
     const places = scene.at(scene.run.end);
     return scene.pieces.some((piece) => {

@@ -259,6 +259,7 @@ export class Live {
     }
     if (app.run === run) app.player.isFollowing = true;
     app.rowsAppended(run);
+    if (isAssembled && !isFirst) this.inView.begin();
     // Where a recorded run told how large it is, the view is chosen already.
     if (isFirst && app.shown.every((shown) => shown.run.isLive) && !app.isViewGiven) this.inView.choose();
   }

@@ -166,19 +166,33 @@ export class LiveMachine {
   }
 
   /**
-   * Places a body so that a point of it comes near a target. Joints close by turning bodies, too: a few times over comes nearer.
+   * Places a body so that a point of it comes near a target, or turns it. All bodies give way when joints close, so that it
+   * comes a part of the way: the next trial asks for as much more as the last one fell short.
    * @param {number} body
    * @param {number[]} point
    * @param {number[]} target
-   * @param {number} turn rad
+   * @param {number} turn rad; if it is not 0, the target does not count
    */
   place(body, point, target, turn) {
-    for (let left = 3, isDone = false; left > 0 && !isDone; left--) {
+    const goal = this.now[3 + 6 * body] + turn;
+    let gain = 1;
+    for (let left = 12; left > 0; left--) {
       const { x, y } = this.pointOf(body, point);
       const [gx, gy, angle] = this.now.subarray(1 + 6 * body, 4 + 6 * body);
-      isDone = this.exports.plm_place(body, gx + target[0] - x, gy + target[1] - y, angle + turn) !== 1;
-      turn = 0;
+      const rest = turn === 0 ? [target[0] - x, target[1] - y, 0] : [0, 0, goal - angle];
+      if (Math.hypot(...rest) < 1e-9) break;
+      if (this.exports.plm_place(body, gx + gain * rest[0], gy + gain * rest[1], angle + gain * rest[2]) !== 1) {
+        if (gain === 1) break;
+        gain = Math.max(1, gain / 4);
+        continue;
+      }
       this.read();
+      const after = this.pointOf(body, point);
+      const moved = turn === 0 ? [after.x - x, after.y - y, 0] : [0, 0, this.now[3 + 6 * body] - angle];
+      const along = moved.reduce((sum, part, at) => sum + part * rest[at], 0);
+      // It goes no farther that way.
+      if (along < 1e-6 * Math.hypot(...rest) ** 2) break;
+      gain = Math.min(Math.max((gain * along) / Math.hypot(...moved) ** 2, 1), 30);
     }
     this.tellBegun();
     this.send({ kind: "placed" });

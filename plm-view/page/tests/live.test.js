@@ -68,6 +68,23 @@ test("the machine of the worker has the bits of the native run", { skip: without
   same(machine.now, native[0]);
 });
 
+test("a placed point comes where it is asked to, and the joints close", { skip: withoutModule }, async () => {
+  const { instance } = await WebAssembly.instantiate(readFileSync(modulePath()), {});
+  const machine = new LiveMachine(instance.exports, { parameters: 2, inputs: 1 }, () => {});
+  machine.begin("restart");
+  // The end of the crank, along its circle around the origin.
+  const angle = machine.now[3] + 0.15;
+  machine.place(0, [0.5, 0], [Math.cos(angle), Math.sin(angle)], 0);
+  const { x, y } = machine.pointOf(0, [0.5, 0]);
+  assert.ok(Math.hypot(x - Math.cos(angle), y - Math.sin(angle)) < 2e-3, `${x} ${y}`);
+  assert.ok(Math.abs(Math.hypot(x, y) - 1) < 1e-9);
+  // A turn, by the number.
+  machine.place(0, [0, 0], [0, 0], 0.1);
+  assert.ok(Math.abs(machine.now[3] - angle - 0.1) < 5e-3, `${machine.now[3]} ${angle + 0.1}`);
+  const [b, c] = [machine.pointOf(1, [-0.2, 0]), machine.pointOf(0, [0.5, 0])];
+  assert.ok(Math.hypot(b.x - c.x, b.y - c.y) < 1e-9);
+});
+
 test("a spring pulls a point of a body, and a force is taken away with it", () => {
   const pulls = [];
   const machine = new LiveMachine({ plm_pull: (...numbers) => pulls.push(numbers) }, { parameters: 0, inputs: 0 }, () => {});
