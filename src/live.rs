@@ -133,7 +133,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     pub fn shape(&mut self) -> &[f64] {
         let (of, shape) = (&self.mechanism, &mut self.shape);
         let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
-        let place = |place: Option<Place<f64>>| place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]);
+        let place =
+            |place: Option<Place<f64>>| place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]);
         shape.clear();
         for (k, body) in M::TABLES.bodies.iter().enumerate() {
             shape.extend([of.mass(k), of.inertia(k), of.depth(k)].map(number));

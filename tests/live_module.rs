@@ -93,7 +93,8 @@ fn about(native: &str) -> serde_json::Value {
     let ground = tables.ground.iter().enumerate().map(|(k, port)| place(port.name, of.ground(0.0, k)));
     let parts = tables.parts.iter().map(|part| {
         let frames = part.frames.iter();
-        let frames = frames.map(|frame| json!({ "argument": frame.argument, "body": frame.body, "port": frame.port }));
+        let frames =
+            frames.map(|frame| json!({ "argument": frame.argument, "body": frame.body, "port": frame.port }));
         let frames: Vec<_> = frames.collect();
         json!({ "name": part.name, "kind": part.kind, "pair": part.pair, "frames": frames })
     });

@@ -11,7 +11,7 @@ import { View } from "./view.js";
 /** @import {ArrowField} from "./arrows.js" */
 /** @import {Run} from "./run.js" */
 /** @import {Item} from "./solid.js" */
-/** @import {Area, PresetName} from "./view.js" */
+/** @import {Area, PresetName, Projection} from "./view.js" */
 
 /** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
@@ -20,6 +20,11 @@ import { View } from "./view.js";
  * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
  * pulled, wherever it is.
  * @typedef {{kind: "pull" | "place", body: number, point: number[], target: number[], reach: number[] | null}} Hand
+ */
+/**
+ * How a body is held by the mouse: taken at a place of the screen (whether it can be), moved, let go.
+ * @typedef {{grab: (kind: Hand["kind"], body: number, projection: Projection, x: number, y: number) => boolean,
+ *   move: (projection: Projection, x: number, y: number) => void, letGo: () => void}} Grip
  */
 /** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
 
@@ -64,6 +69,8 @@ export class App {
     this.live = null;
     /** @type {Hand | null} */
     this.hand = null;
+    /** @type {Grip | null} */
+    this.grip = null;
     /** Whether the address told where to look from. */
     this.isViewGiven = false;
     this.madeBy = "";

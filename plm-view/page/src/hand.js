@@ -2,7 +2,7 @@
 
 import { belongsTo, keyName } from "./keys.js";
 
-/** @import {App} from "./app.js" */
+/** @import {App, Grip} from "./app.js" */
 /** @import {Live} from "./live.js" */
 /** @import {Projection} from "./view.js" */
 
@@ -23,7 +23,7 @@ const KEY_STEP = 0.01;
  * @param {number} px
  * @param {number} py
  */
-export function grab(app, kind, body, projection, px, py) {
+function grab(app, kind, body, projection, px, py) {
   const shown = app.shown.find(({ run }) => run.isLive);
   const target = shown === undefined ? null : projection.onPlane(px, py, shown.scene.levels.bodies[body]);
   if (shown === undefined || target === null) return false;
@@ -41,7 +41,7 @@ export function grab(app, kind, body, projection, px, py) {
  * @param {number} px
  * @param {number} py
  */
-export function moveHand(app, projection, px, py) {
+function moveHand(app, projection, px, py) {
   const { hand, live, scene } = app;
   if (hand === null || live === null || scene === null) return;
   const target = projection.onPlane(px, py, scene.levels.bodies[hand.body]);
@@ -53,9 +53,18 @@ export function moveHand(app, projection, px, py) {
 }
 
 /** @param {App} app */
-export function letGoOfHand(app) {
+function letGoOfHand(app) {
   if (app.hand?.kind === "pull") app.live?.pull(null);
   app.hand = null;
+}
+
+/** @param {App} app @returns {Grip} */
+export function handGrip(app) {
+  return {
+    grab: (kind, body, projection, x, y) => grab(app, kind, body, projection, x, y),
+    move: (projection, x, y) => moveHand(app, projection, x, y),
+    letGo: () => letGoOfHand(app),
+  };
 }
 
 /**

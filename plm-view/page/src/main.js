@@ -4,11 +4,8 @@ import { addressKeeper, showAddress } from "./address.js";
 import { App } from "./app.js";
 import { openHelp, openOptions } from "./dialogs.js";
 import { byId } from "./dom.js";
-import { chooseFile, embeddedModule, embeddedResults, listenToDrops } from "./files.js";
-import { listenToHandKeys } from "./hand.js";
+import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
 import { listenToKeys } from "./keys.js";
-import { Live } from "./live.js";
-import { LivePanel } from "./livepanel.js";
 import { Panel } from "./panel.js";
 import { listenToPointers } from "./pointer.js";
 import { Stage } from "./stage.js";
@@ -53,35 +50,10 @@ function assemblePage(app) {
     [byId("tools", HTMLElement), ["file", "camera", "live", "view", "show", "page"]],
     [byId("transport", HTMLElement), ["animate"]],
   ]);
-  listenToHandKeys(app);
   listenToKeys(app, dialogs);
   listenToPointers(app, canvas);
   listenToDrops(app);
-  const { live } = app;
-  if (live !== null) panel.add("live", "Live", (sheet) => new LivePanel(app, live, sheet));
-  return { stage, panel, parts: [...(live === null ? [] : [live]), { update: showButtons }, panel, stage, timeline] };
-}
-
-/**
- * Brings the mechanism to life that the first run describes.
- * @param {App} app
- */
-async function wake(app) {
-  const wasm = await embeddedModule();
-  if (wasm === null) return;
-  const head = app.run?.head;
-  if (head === undefined) {
-    app.tell("error", "The page holds a module, but no results that tell what it is.");
-    return;
-  }
-  // A file without rows only describes the mechanism.
-  if (app.run?.rows === 0) app.shown = [];
-  app.live = new Live(app, head, wasm);
-  app.tab = "live";
-  app.mode = "pull";
-  app.live.show();
-  // Who asked for less motion begins it.
-  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.live.start();
+  return { stage, panel, parts: [...(app.live === null ? [] : [app.live]), { update: showButtons }, panel, stage, timeline] };
 }
 
 /**
@@ -124,13 +96,18 @@ function followSystem(app) {
   window.addEventListener("resize", () => app.touch());
 }
 
-async function startPage() {
+/**
+ * @param {((app: App) => Promise<(panel: Panel) => void>) | null} wake brings the mechanism itself to life, and then adds to
+ *   the panel; null in a page that has none
+ */
+export async function startPage(wake) {
   const app = new App();
   followSystem(app);
   const bytes = embeddedResults();
   if (bytes !== null) await app.load(bytes);
-  await wake(app);
+  const join = (await wake?.(app)) ?? null;
   const { stage, panel, parts } = assemblePage(app);
+  join?.(panel);
   const keepAddress = addressKeeper(app);
   const draw = () => {
     document.documentElement.dataset["theme"] = app.isDark ? "dark" : "light";
@@ -148,5 +125,3 @@ async function startPage() {
   Object.assign(window, { plmPage: { app, panel } });
   performance.mark("page is ready");
 }
-
-void startPage();

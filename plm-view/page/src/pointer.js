@@ -1,6 +1,5 @@
 // Mouse, pen and fingers on the picture.
 
-import { grab, letGoOfHand, moveHand } from "./hand.js";
 import { pickAt } from "./picture.js";
 
 /** @import {App, Mode} from "./app.js" */
@@ -42,7 +41,7 @@ export function listenToPointers(app, canvas) {
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, spot(event));
-    letGoOfHand(app);
+    app.grip?.letGo();
     drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event)) : null;
     if (drag?.mode === "pull" || drag?.mode === "place") startHand(app, drag);
   });
@@ -57,7 +56,7 @@ export function listenToPointers(app, canvas) {
   });
   const release = (/** @type {PointerEvent} */ event) => {
     down.delete(event.pointerId);
-    letGoOfHand(app);
+    app.grip?.letGo();
     if (drag !== null && event.type === "pointerup") endDrag(app, drag, event.button);
     drag = null;
     app.touch();
@@ -112,7 +111,7 @@ function startHand(app, drag) {
   const { index, item } = pickAt(app, x, y);
   const isHeld = item?.kind === "body" && app.shown[index].run.isLive;
   const kind = drag.mode === "place" ? "place" : "pull";
-  if (!isHeld || !grab(app, kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
+  if (!isHeld || !app.grip?.grab(kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
 }
 
 /** @param {App} app @param {Drag} drag @param {Spot} at */
@@ -123,7 +122,7 @@ function moveDrag(app, drag, at) {
   drag.last = at;
   const { dx: fromX, dy: fromY } = fromMiddle(app, drag.from);
   if (drag.mode === "pull" || drag.mode === "place") {
-    moveHand(app, app.view.projection(areaAt(app, drag.from)), at.x, at.y);
+    app.grip?.move(app.view.projection(areaAt(app, drag.from)), at.x, at.y);
     return;
   }
   if (drag.mode === "pan" || drag.mode === "info") app.view.pan(dx, dy);
