@@ -16,7 +16,7 @@ use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 
-use plm::view::{Chart, Figures, Options, Recorder};
+use plm::view::{Chart, Figures, Options};
 
 plm::mechanism! {
     /// The double pendulum of the manual, section 2.2.
@@ -88,7 +88,7 @@ fn dynamic_run(options: &Options, figures: &mut Figures) -> Result<(), Box<dyn E
     for (joint, turn) in sim.branches() {
         println!("\nbranch: {joint} turns by {:.2} deg", turn.to_degrees());
     }
-    let mut recorder = Recorder::new(&sim);
+    let mut recorder = options.recorder(&sim);
     let (until, every) = (options.until.unwrap_or(40.0), options.every.unwrap_or(0.02));
     let run = plm::view::run(&mut sim, &mut recorder, until, every);
     // What was recorded before a failure is written all the same.

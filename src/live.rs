@@ -1,7 +1,9 @@
 //! A mechanism that is run from outside, by number: parameters are turned, bodies are pulled while it moves, starts are set by
 //! hand. A page holds it as WebAssembly; what it computes is what every other run computes, to the bit.
 
+use plm_runtime::described::Place;
 use plm_runtime::statics::Statics;
+use std::fmt::Write;
 use std::string::{String, ToString};
 use std::vec::Vec;
 use std::{borrow::ToOwned, format};
@@ -29,6 +31,7 @@ pub struct Live<M: Mechanism> {
     sim: Option<Sim<M>>,
     trouble: Option<Trouble>,
     numbers: Vec<f64>,
+    shape: Vec<f64>,
 }
 
 /// A declaration to which an input of force and torque at the centre of gravity of each body is added, three for each:
@@ -41,10 +44,8 @@ pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
     );
     for (k, body) in bodies.iter().enumerate() {
         let name = format!("{PULL}{k}");
-        text.push_str(&format!(
-            "input {name}_x: N = 0; input {name}_y: N = 0; input {name}_turn: N*m = 0;\n\
-             plm_pull {name}({body}) {{ x: {name}_x; y: {name}_y; turn: {name}_turn; }}\n"
-        ));
+        let _ = writeln!(text, "input {name}_x: N = 0; input {name}_y: N = 0; input {name}_turn: N*m = 0;");
+        let _ = writeln!(text, "plm_pull {name}({body}) {{ x: {name}_x; y: {name}_y; turn: {name}_turn; }}");
     }
     text.push_str("}\n");
     text
@@ -53,7 +54,14 @@ pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
 impl<M: Described<S = f64> + Statics> Live<M> {
     /// Assembles it and stands at the start.
     pub fn new(mechanism: M) -> Self {
-        let mut live = Self { declared: mechanism, mechanism, sim: None, trouble: None, numbers: Vec::new() };
+        let mut live = Self {
+            declared: mechanism,
+            mechanism,
+            sim: None,
+            trouble: None,
+            numbers: Vec::new(),
+            shape: Vec::new(),
+        };
         live.restart();
         live
     }
@@ -88,35 +96,59 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// and all observed quantities, in SI. Where nothing was assembled, the start values as they are set.
     pub fn read(&mut self) -> &[f64] {
         self.numbers.clear();
-        match &self.sim {
-            Some(sim) => {
-                let state = sim.state();
-                self.numbers.push(state.time());
-                let numbers = &mut self.numbers;
-                M::poses(state, &mut |pose| {
-                    numbers.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega]);
-                });
-                for port in 0..M::TABLES.ground.len() {
-                    let place = state.mechanism().ground(state.time(), port);
-                    numbers.extend(place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]));
-                }
-                let observed = (0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN));
-                numbers.extend(observed);
-            }
-            None => {
-                let (bodies, ground) = (6 * M::TABLES.bodies.len(), 3 * M::TABLES.ground.len());
-                self.numbers.push(0.0);
-                let (numbers, mut left) = (&mut self.numbers, bodies);
-                self.mechanism.starts_mut().each(&mut |_, start| {
-                    if left > 0 {
-                        numbers.push(start.value);
-                        left -= 1;
-                    }
-                });
-                self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
-            }
+        if self.sim.is_some() {
+            self.read_state();
+        } else {
+            self.read_starts();
         }
         &self.numbers
+    }
+
+    fn read_state(&mut self) {
+        let (Some(sim), numbers) = (&self.sim, &mut self.numbers) else { return };
+        let state = sim.state();
+        numbers.push(state.time());
+        M::poses(state, &mut |pose| {
+            numbers.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega]);
+        });
+        for port in 0..M::TABLES.ground.len() {
+            let place = state.mechanism().ground(state.time(), port);
+            numbers.extend(place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]));
+        }
+        numbers.extend((0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN)));
+    }
+
+    fn read_starts(&mut self) {
+        let (bodies, ground) = (6 * M::TABLES.bodies.len(), 3 * M::TABLES.ground.len());
+        let numbers = &mut self.numbers;
+        numbers.push(0.0);
+        self.mechanism.starts_mut().each(&mut |_, start| {
+            if numbers.len() <= bodies {
+                numbers.push(start.value);
+            }
+        });
+        self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
+    }
+
+    /// What parameters change of bodies and ground, SI: of each body mass, moment of inertia, depth, place and angle of each
+    /// port, the number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth.
+    pub fn shape(&mut self) -> &[f64] {
+        let (of, shape) = (&self.mechanism, &mut self.shape);
+        let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
+        let place =
+            |place: Option<Place<f64>>| place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]);
+        shape.clear();
+        for (k, body) in M::TABLES.bodies.iter().enumerate() {
+            shape.extend([of.mass(k), of.inertia(k), of.depth(k)].map(number));
+            shape.extend((0..body.ports.len()).flat_map(|port| place(of.port(k, port))));
+            shape.push(body.contour as f64);
+            shape.extend((0..body.contour).flat_map(|point| of.contour(k, point).unwrap_or([f64::NAN; 2])));
+        }
+        for k in 0..M::TABLES.ground.len() {
+            shape.extend(place(of.ground(0.0, k)));
+            shape.push(number(of.ground_depth(k)));
+        }
+        shape
     }
 
     /// A parameter, SI; not a number beyond the last.

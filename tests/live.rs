@@ -43,6 +43,24 @@ fn it_runs_as_a_simulation_does() {
     assert_eq!(live.read().len(), length);
 }
 
+/// What a picture needs follows the parameters.
+#[test]
+fn its_shape_has_the_parameters_of_now() {
+    let mut live = Live::new(FourBar::new());
+    let declared = live.shape().to_vec();
+    // Mass, inertia, depth, two ports, no contour.
+    let of_body = 3 + 2 * 3 + 1;
+    assert_eq!(declared.len(), 3 * of_body + 2 * 4);
+    // The crank's ports are given from its centre of gravity, which is at its first one.
+    assert_eq!(declared[..of_body], [1.0, 0.02, 0.0, 0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.0]);
+    // The coupler's centre of gravity stands at (0.4, 0.1).
+    let end = of_body + 3 + 3;
+    assert_eq!([declared[end], declared[end + 1]], [0.9 - 0.4, -0.1]);
+    assert_eq!(declared[3 * of_body + 4..], [1.0, 0.0, 0.0, 0.0]);
+    live.set_parameter(0, 0.95);
+    assert_eq!(live.shape()[end], 0.95 - 0.4);
+}
+
 /// The work of the pull at the end of the crank stands in the energy.
 #[test]
 fn a_pull_acts_where_it_is_applied() {

@@ -1,4 +1,5 @@
-//! A results file becomes a page: `cargo run -p plm-view --example page -- results.npz page.html [title]`.
+//! A results file becomes a page, a live one if there is a module of WebAssembly:
+//! `cargo run -p plm-view --example page -- results.npz page.html [title [module.wasm]]`.
 
 use std::process::ExitCode;
 
@@ -6,18 +7,24 @@ use plm_view::Page;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [results, html, title @ ..] = arguments.as_slice() else {
-        eprintln!("usage: page RESULTS.npz PAGE.html [TITLE]");
+    let [results, html, rest @ ..] = arguments.as_slice() else {
+        eprintln!("usage: page RESULTS.npz PAGE.html [TITLE [MODULE.wasm]]");
         return ExitCode::FAILURE;
     };
-    let title = title.first().unwrap_or(results);
-    let written = std::fs::read(results)
-        .map_err(|error| format!("cannot read {results}: {error}"))
-        .and_then(|bytes| Page::new(&bytes, title).write_html(html).map_err(|error| error.to_string()));
-    if let Err(message) = written {
+    if let Err(message) = write(results, html, rest) {
         eprintln!("{message}");
         return ExitCode::FAILURE;
     }
     println!("wrote {html}");
     ExitCode::SUCCESS
+}
+
+fn write(results: &str, html: &str, rest: &[String]) -> Result<(), String> {
+    let read = |path: &str| std::fs::read(path).map_err(|error| format!("cannot read {path}: {error}"));
+    let title = rest.first().map_or(results, String::as_str);
+    let mut page = Page::new(&read(results)?, title);
+    if let Some(module) = rest.get(1) {
+        page = page.with_module(&read(module)?);
+    }
+    page.write_html(html).map_err(|error| error.to_string())
 }

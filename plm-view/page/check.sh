@@ -15,6 +15,13 @@ if [ -z "$browser" ] && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; the
     apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium fonts-dejavu-core || true
 fi
 
+# The live page's tests take the module that `cargo test -p plm-planar --test live_module` has built; without it they say so.
+live=${CARGO_TARGET_DIR:-../../target}/tmp/live
+if [ -z "${PLM_LIVE:-}" ] && [ -d "$live" ]; then
+    PLM_LIVE=$(cd "$live" && pwd)
+    export PLM_LIVE
+fi
+
 printf '== types\n'
 node_modules/.bin/tsc --project tsconfig.json
 

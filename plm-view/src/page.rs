@@ -1,18 +1,22 @@
-//! Results as one HTML file that moves: everything in it, nothing asked of a network.
+//! Results, and the mechanism itself, as one HTML file that moves: everything in it, nothing asked of a network.
 
 mod bundle;
 
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
 
 use crate::error::{Error, write_file};
 
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
+/// In a live page the script stands deflated, because with the module it would be too large; this starts it.
+const UNPACK: &str = include_str!("../page/unpack.js");
 
 /// A page that shows results: one HTML file for any browser, without network.
 ///
@@ -26,6 +30,7 @@ const STYLE: &str = include_str!("../page/style.css");
 pub struct Page {
     results: Vec<u8>,
     title: String,
+    module: Vec<u8>,
 }
 
 impl Page {
@@ -34,14 +39,32 @@ impl Page {
     /// The bytes are not looked at: what is wrong with them the page tells whoever opens it. Without bytes it waits
     /// for a file to be opened or dropped.
     pub fn new(results: &[u8], title: impl Into<String>) -> Self {
-        Self { results: results.to_vec(), title: title.into() }
+        Self { results: results.to_vec(), title: title.into(), module: Vec::new() }
+    }
+
+    /// The same page with the mechanism alive: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
+    ///
+    /// The first run of the results tells what the module computes: its mechanism, and as its columns all observed
+    /// quantities in SI. The bytes are not looked at; a module that is none, or another mechanism's, the page tells of.
+    ///
+    /// [`Module::build`]: crate::live::Module::build
+    #[must_use]
+    pub fn with_module(mut self, module: &[u8]) -> Self {
+        self.module = module.to_vec();
+        self
     }
 
     /// The text of the file.
     pub fn to_html(&self) -> String {
         let results = STANDARD.encode(&self.results);
-        let script = bundle::script();
-        let mut html = String::with_capacity(TEMPLATE.len() + STYLE.len() + script.len() + results.len());
+        let (script, packed) = if self.module.is_empty() {
+            (bundle::script(false), String::new())
+        } else {
+            let script = element("packed", bundle::script(true).as_bytes());
+            (bundle::without_noise(UNPACK), script + &element("module", &self.module))
+        };
+        let mut html =
+            String::with_capacity(TEMPLATE.len() + STYLE.len() + script.len() + packed.len() + results.len());
         let mut rest = TEMPLATE;
         // In one pass, so that braces in a title stay what they are.
         while let Some((before, (name, after))) = next_place(rest) {
@@ -51,6 +74,7 @@ impl Page {
                 "style" => html.push_str(STYLE),
                 "script" => html.push_str(&script),
                 "results" => html.push_str(&results),
+                "packed" => html.push_str(&packed),
                 other => html.push_str(other),
             }
             rest = after;
@@ -66,6 +90,14 @@ impl Page {
     pub fn write_html(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         write_file(path.as_ref(), io::Result::Ok(self.to_html().into_bytes()))
     }
+}
+
+/// An element that holds bytes deflated, which the page unpacks.
+fn element(id: &str, bytes: &[u8]) -> String {
+    let mut deflated = DeflateEncoder::new(Vec::new(), Compression::best());
+    // Writing into memory does not fail.
+    let packed = deflated.write_all(bytes).and_then(|()| deflated.finish()).unwrap_or_default();
+    format!("<script type=\"text/plain\" id=\"{id}\">{}</script>\n", STANDARD.encode(packed))
 }
 
 /// What stands before the next `{{name}}`, the name, and what stands behind it.
@@ -92,6 +124,10 @@ fn escape(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::io::Read;
+
+    use flate2::read::DeflateDecoder;
+
     use super::*;
 
     fn between<'a>(html: &'a str, from: &str, to: &str) -> &'a str {
@@ -104,6 +140,19 @@ mod tests {
         let html = Page::new(&bytes, "x").to_html();
         let text = between(&html, "id=\"results\">", "</script>");
         assert_eq!(STANDARD.decode(text).ok(), Some(bytes));
+    }
+
+    #[test]
+    fn a_module_comes_back_to_the_byte() {
+        let bytes: Vec<u8> = (0..=255).cycle().take(20_000).collect();
+        let html = Page::new(&[], "x").with_module(&bytes).to_html();
+        let packed = STANDARD.decode(between(&html, "id=\"module\">", "</script>")).unwrap_or_default();
+        assert!(packed.len() < 1000, "{} bytes", packed.len());
+        let mut found = Vec::new();
+        let read = DeflateDecoder::new(packed.as_slice()).read_to_end(&mut found);
+        assert!(read.is_ok() && found == bytes);
+        // Without one, there is no element.
+        assert!(!Page::new(&[], "x").to_html().contains("id=\"module\""));
     }
 
     #[test]
@@ -123,13 +172,15 @@ mod tests {
             names.push(name);
             rest = after;
         }
-        assert_eq!(names, ["title", "style", "title", "results", "script"]);
+        assert_eq!(names, ["title", "style", "title", "results", "packed", "script"]);
         assert!(!STYLE.contains("</"), "a style that would end its element");
     }
 
     #[test]
     fn nothing_is_asked_of_a_network() {
-        let html = Page::new(&[], "x").to_html();
+        // The script of a live page stands packed in it.
+        let html =
+            Page::new(&[], "x").with_module(&[0]).to_html() + &bundle::script(true) + &bundle::script(false);
         let addresses: Vec<&str> = html.split("http").skip(1).collect();
         // The name of a vocabulary, which nobody fetches.
         assert!(addresses.iter().all(|text| text.starts_with("://www.w3.org/2000/svg")), "{addresses:?}");

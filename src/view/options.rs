@@ -9,7 +9,9 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use lexopt::{Arg, Parser, ValueExt};
-use plm_runtime::Described;
+use plm_runtime::{AsMoment, Described, Moment};
+
+use super::recorder::Recorder;
 
 /// What is asked for on the command line.
 ///
@@ -115,6 +117,11 @@ impl Options {
             }
         }
         Ok(options)
+    }
+
+    /// A recorder of what they need: the declared outputs in their units, or all that a live page shows.
+    pub fn recorder<M: Described>(&self, of: &impl AsMoment<State: Moment<M = M>>) -> Recorder<M> {
+        if self.live { Recorder::observing_all(of) } else { Recorder::new(of) }
     }
 
     /// Sets the parameters of a mechanism.

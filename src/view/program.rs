@@ -10,10 +10,12 @@ use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_runtime::{Described, Fault, Method, Moment, Sim};
+use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
 use super::options::{HELP, Options};
 use super::recorder::Recorder;
+use crate::live::with_pulls;
 
 /// A run of a mechanism as its command line asks for it.
 ///
@@ -157,8 +159,26 @@ pub fn write<M: Described<S = f64>>(
 /// The page, with the mechanism in it where that is asked for.
 fn page<M: Described<S = f64>>(options: &Options, recording: &Recording) -> Result<Page, Box<dyn Error>> {
     let results = Results { runs: std::vec![recording.clone()], ..Results::default() }.to_bytes()?;
-    let _ = options;
-    Ok(Page::new(&results, M::TABLES.name))
+    let page = Page::new(&results, M::TABLES.name);
+    if !options.live {
+        return Ok(page);
+    }
+    let bodies: Vec<&str> = M::TABLES.bodies.iter().map(|body| body.name).collect();
+    let declaration: String = with_pulls(M::DECLARATION, &bodies);
+    let module = Module {
+        name: M::TABLES.name,
+        declaration: &declaration,
+        files: M::FILES,
+        plm: Path::new(env!("CARGO_MANIFEST_DIR")),
+    };
+    match module.build(Path::new("target/plm/live").join(M::TABLES.name)) {
+        Ok(bytes) => Ok(page.with_module(&bytes)),
+        Err(error) => {
+            // What was recorded can be looked at without it.
+            eprintln!("{error}\nthe page shows the recorded run alone");
+            Ok(page)
+        }
+    }
 }
 
 /// `DoublePendulum` becomes `double_pendulum`.

@@ -6,6 +6,8 @@ import { SPEEDS } from "./player.js";
 /** @import {App, Layout, Mode} from "./app.js" */
 
 const MODES = ["pan", "orbit", "zoom", "window", "info"];
+/** Of a page with the mechanism itself, too. */
+const LIVE_MODES = [...MODES, "pull", "place"];
 
 /**
  * What is shown, as the part of an address behind `#`. What is usual is left out.
@@ -17,9 +19,9 @@ export function addressOf(app) {
   const put = (/** @type {string} */ name, /** @type {string | number} */ value, /** @type {string | number} */ usual) => {
     if (value !== usual) parts.set(name, String(value));
   };
-  put("t", rounded(player.time), rounded(player.start));
+  put("t", rounded(player.isFollowing ? player.start : player.time), rounded(player.start));
   put("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","), "");
-  put("mode", app.mode, "pan");
+  put("mode", app.mode, app.live === null ? "pan" : "pull");
   put("wire", Number(app.isWire), 0);
   put("run", app.run?.name ?? "", app.shown[0]?.run.name ?? "");
   put("layout", app.layout, "one");
@@ -36,7 +38,7 @@ export function addressOf(app) {
   put("rate", app.refreshRate, 60);
   put("back", app.background ?? "", "");
   put("theme", app.theme, "auto");
-  put("tab", app.tab, "curves");
+  put("tab", app.tab, app.live === null ? "curves" : "live");
   put("panel", Number(app.hasPanel), 1);
   return parts.toString();
 }
@@ -57,7 +59,8 @@ export function showAddress(app, hash) {
   for (const shown of app.shown) shown.isShown = !hidden.includes(shown.run.name);
   app.updateBounds();
   showSwitches(app, parts);
-  if (parts.has("view")) showView(app, numbers(parts.get("view")));
+  app.isViewGiven = parts.has("view");
+  if (app.isViewGiven) showView(app, numbers(parts.get("view")));
   else if (layout !== null) app.zoomToExtents();
   if (parts.has("curves")) app.curves = known(app, names(parts.get("curves")));
   app.traces = names(parts.get("paths"));
@@ -75,7 +78,7 @@ function showSwitches(app, parts) {
     const value = parts.get(name) ?? "";
     return list.includes(value) ? value : usual;
   };
-  app.mode = /** @type {Mode} */ (chosen("mode", MODES, app.mode));
+  app.mode = /** @type {Mode} */ (chosen("mode", app.live === null ? MODES : LIVE_MODES, app.mode));
   // A live source may have added tabs: the panel knows which there are.
   app.tab = parts.get("tab") ?? app.tab;
   app.theme = /** @type {App["theme"]} */ (chosen("theme", ["auto", "light", "dark"], app.theme));

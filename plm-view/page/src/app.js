@@ -5,17 +5,27 @@ import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { Scene } from "./scene.js";
-import { timeText } from "./text.js";
+import { timeText, withShortNumbers } from "./text.js";
 import { View } from "./view.js";
 
 /** @import {ArrowField} from "./arrows.js" */
 /** @import {Run} from "./run.js" */
 /** @import {Item} from "./solid.js" */
-/** @import {Area, PresetName} from "./view.js" */
+/** @import {Area, PresetName, Projection} from "./view.js" */
 
-/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info"} Mode what dragging does */
+/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
 /** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} Shown */
+/**
+ * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
+ * pulled, wherever it is.
+ * @typedef {{kind: "pull" | "place", body: number, point: number[], target: number[], reach: number[] | null}} Hand
+ */
+/**
+ * How a body is held by the mouse: taken at a place of the screen (whether it can be), moved, let go.
+ * @typedef {{grab: (kind: Hand["kind"], body: number, projection: Projection, x: number, y: number) => boolean,
+ *   move: (projection: Projection, x: number, y: number) => void, letGo: () => void}} Grip
+ */
 /** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
 
 export class App {
@@ -55,6 +65,14 @@ export class App {
     this.window = null;
     /** @type {Message[]} */
     this.messages = [];
+    /** The mechanism itself, if the page holds it. @type {import("./live.js").Live | null} */
+    this.live = null;
+    /** @type {Hand | null} */
+    this.hand = null;
+    /** @type {Grip | null} */
+    this.grip = null;
+    /** Whether the address told where to look from. */
+    this.isViewGiven = false;
     this.madeBy = "";
     /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
     this.bytes = null;
@@ -143,9 +161,19 @@ export class App {
    * @param {Run} run
    */
   addRun(run) {
-    const scene = new Scene(run);
-    this.shown.push({ run, scene, forces: forceField(scene), velocities: velocityField(scene), isShown: true });
+    this.shown.push({ run, ...sceneOf(run), isShown: true });
     this.updateBounds();
+    this.change();
+  }
+
+  /** A source has changed the bodies of a run. @param {Run} run */
+  shapeChanged(run) {
+    const shown = this.shown.find((candidate) => candidate.run === run);
+    if (shown === undefined) return;
+    const { forces, velocities } = shown;
+    Object.assign(shown, sceneOf(run));
+    shown.forces.largest = Math.max(shown.forces.largest, forces.largest);
+    shown.velocities.largest = Math.max(shown.velocities.largest, velocities.largest);
     this.change();
   }
 
@@ -162,8 +190,9 @@ export class App {
     this.messages = this.messages.filter(({ kind }) => kind !== "fault");
     const fault = this.run?.fault ?? null;
     if (fault === null) return;
-    const text = `The run ended at ${timeText(fault.time, fault.time)}: ${fault.part}: ${fault.text}`;
-    this.tell("fault", text);
+    const what = this.run?.isLive ? "Stopped" : "The run ended";
+    const where = fault.part === "" ? "" : `${fault.part}: `;
+    this.tell("fault", `${what} at ${timeText(fault.time, fault.time)}: ${where}${withShortNumbers(fault.text)}`);
   }
 
   updateBounds() {
@@ -211,11 +240,43 @@ export class App {
 
   /** The last file again, at its start. */
   async reload() {
+    const hasLive = this.live?.isShown;
     if (this.bytes !== null) await this.load(this.bytes);
+    if (hasLive) this.live?.reset();
+  }
+
+  /** Plays what there is; from the end of a live run on, the mechanism goes on. */
+  play() {
+    const { live, player } = this;
+    if (live !== null && this.run === live.run && (player.isFollowing || player.time >= player.end)) live.start();
+    else player.play();
+  }
+
+  get isPlaying() {
+    return this.player.isPlaying || (this.live?.isRunning ?? false);
+  }
+
+  stop() {
+    this.player.stop();
+    if (this.live?.isRunning) this.live.pause();
+  }
+
+  /** A step forwards; from the end of a live run on, the mechanism makes one. */
+  stepForwards() {
+    const { live, player } = this;
+    const isAtEnd = player.time >= player.end;
+    if (live !== null && this.run === live.run && isAtEnd && !live.isRunning) live.step(player.chosenStep ?? 0.01);
+    else {
+      this.stop();
+      player.stepBy(1);
+    }
   }
 
   zoomToExtents() {
-    const boxes = this.visible().map(({ scene }) => scene.extents());
+    const drawn = this.visible().filter(({ run }) => run.rows > 0);
+    // A run that is about to begin will be where the others are.
+    const known = drawn.length > 0 ? drawn : this.shown.filter(({ run }) => run.rows > 0);
+    const boxes = known.map(({ scene }) => scene.extents());
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
       const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));
@@ -263,6 +324,7 @@ export class App {
     if (this.selected !== null && this.items().every((item) => item.kind !== this.selected?.kind || item.index !== this.selected.index)) {
       this.selected = null;
     }
+    this.player.isFollowing = this.run?.isLive ?? false;
     this.updateBounds();
     this.tellFault();
     this.change();
@@ -305,6 +367,12 @@ export class App {
     if (next !== undefined) this.player.seek(next);
     this.touch();
   }
+}
+
+/** What is drawn of a run. @param {Run} run */
+function sceneOf(run) {
+  const scene = new Scene(run);
+  return { scene, forces: forceField(scene), velocities: velocityField(scene) };
 }
 
 /**

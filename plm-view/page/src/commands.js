@@ -21,6 +21,7 @@ export const GROUPS = {
   show: "Show",
   page: "Page",
   animate: "Animate",
+  live: "Alive",
   move: "Move the view by keys",
   panel: "Panel and objects",
 };
@@ -95,17 +96,17 @@ export const COMMANDS = [
   animateCommand("start", "Jump to start", ["Ctrl+A", "A", "Home"], "start", (app) => app.player.seek(app.player.start)),
   animateCommand("back step", "Step backwards", ["Ctrl+B", "B", "ArrowLeft"], "back1", (app) => app.player.stepBy(-1)),
   {
-    ...animateCommand("play", "Play", ["Ctrl+P", "P"], "play", (app) => app.player.play()),
-    isOn: (app) => app.player.isPlaying,
+    ...animateCommand("play", "Play", ["Ctrl+P", "P"], "play", (app) => app.play()),
+    isOn: (app) => app.isPlaying,
   },
-  animateCommand("stop", "Stop", ["Ctrl+S", "S"], "stop", (app) => app.player.stop()),
-  animateCommand("forward step", "Step forwards", ["Ctrl+F", "F", "ArrowRight"], "forward1", (app) => app.player.stepBy(1)),
+  animateCommand("stop", "Stop", ["Ctrl+S", "S"], "stop", (app) => app.stop()),
+  animateCommand("forward step", "Step forwards", ["Ctrl+F", "F", "ArrowRight"], "forward1", (app) => app.stepForwards()),
   animateCommand("end", "Jump to end", ["Ctrl+E", "E", "End"], "end", jumpToEnd),
   {
     ...animateCommand("loop", "Loop", ["L"], "loop", ({ player }) => (player.isLooping = !player.isLooping)),
     isOn: (app) => app.player.isLooping,
   },
-  animateCommand("toggle", "Play or stop", ["Space"], null, ({ player }) => (player.isPlaying ? player.stop() : player.play())),
+  animateCommand("toggle", "Play or stop", ["Space"], null, (app) => (app.isPlaying ? app.stop() : app.play())),
   animateCommand("slower", "Slower", ["<"], null, (app) => app.player.changeSpeed(-1)),
   animateCommand("faster", "Faster", [">"], null, (app) => app.player.changeSpeed(1)),
   animateCommand("event before", "Jump to the event before", ["["], null, (app) => app.jumpToEvent(-1)),
@@ -134,6 +135,24 @@ export const COMMANDS = [
   panelCommand("run before", "Run before", "PageUp", (app) => app.activate(app.active - 1)),
 ];
 
+/** @type {(id: string, name: string, key: string, icon: string | null, run: Command["run"]) => Command} */
+const liveCommand = (id, name, key, icon, run) => ({ id, name, group: "live", icon, keys: [key], run });
+
+/** What a page with the mechanism itself has, too. @type {Command[]} */
+export const LIVE_COMMANDS = [
+  { ...liveCommand("pull", "Pull a body", "H", "pull", (app) => setMode(app, "pull")), isOn: (app) => app.mode === "pull" },
+  { ...liveCommand("place", "Place a body", "Shift+H", "place", (app) => setMode(app, "place")), isOn: (app) => app.mode === "place" },
+  liveCommand("restart", "Begin again", "Shift+B", "restart", (app) => app.live?.restart()),
+  liveCommand("reset", "Begin again as declared", "Shift+D", null, (app) => app.live?.reset()),
+  { ...liveCommand("record", "Record", "Shift+C", "record", (app) => app.live?.record()), isOn: (app) => (app.live?.recordsFrom ?? null) !== null },
+  liveCommand("live tab", "Live", "Shift+L", null, (app) => openTab(app, "live")),
+];
+
+/** @param {App} app */
+export function commandsOf(app) {
+  return app.live === null ? COMMANDS : [...COMMANDS, ...LIVE_COMMANDS];
+}
+
 /**
  * @param {string} id
  * @param {string} name
@@ -158,8 +177,10 @@ function pageCommand(id, name, key, run) {
 }
 
 /** @param {App} app @param {Mode} mode */
-function setMode(app, mode) {
+export function setMode(app, mode) {
   app.mode = mode;
+  // What moves cannot be placed.
+  if (mode === "place" && app.live?.isRunning) app.live.pause();
   const { x, y, width, height } = app.area;
   // By keys the window is moved and made smaller; by the mouse it is drawn.
   app.window =

@@ -34,8 +34,8 @@ export class Curves {
     this.revision = -1;
     /** @type {Plot[]} */
     this.plots = [];
-    this.lastGrowth = 0;
-    this.rowsShown = 0;
+    /** What was painted of runs that may grow, and when. */
+    this.growth = { version: -1, at: 0, start: 0, end: 0 };
     this.filter = element("input", {
       type: "search",
       placeholder: "Filter, such as angle or force",
@@ -59,25 +59,33 @@ export class Curves {
       this.listOffers();
       this.build();
     }
-    const now = performance.now();
-    const rows = app.visible().reduce((sum, { run }) => sum + run.rows, 0);
-    if (rows !== this.rowsShown && now - this.lastGrowth > REPAINT_EVERY) {
-      [this.rowsShown, this.lastGrowth] = [rows, now];
-    } else if (rows !== this.rowsShown) {
-      // The last rows of a run that stops to grow are painted too.
-      setTimeout(() => app.touch(), REPAINT_EVERY);
-    }
+    this.watchGrowth();
     const stale = this.plots.filter((plot) => plot.painted !== this.wanted(plot));
     // One range may ask for more room on the left of all.
     if (stale.length > 0) this.paint();
     for (const plot of this.plots) this.draw(plot);
   }
 
+  /** Curves that grow are painted now and then. */
+  watchGrowth() {
+    const { app } = this;
+    const now = performance.now();
+    const version = app.visible().reduce((sum, { run }) => sum + run.version, 0);
+    if (version !== this.growth.version && now - this.growth.at <= REPAINT_EVERY) {
+      // The last rows of a run that stops to grow are painted too.
+      setTimeout(() => app.touch(), REPAINT_EVERY);
+      return;
+    }
+    const { start, end } = app.player;
+    this.growth = { version, at: version === this.growth.version ? this.growth.at : now, start, end };
+  }
+
   /** What the still part of a plot depends on. @param {Plot} plot */
   wanted({ canvas }) {
-    const { palette, player } = this.app;
+    const { palette } = this.app;
+    const { version, start, end } = this.growth;
     const colours = `${palette.name}${palette.background}`;
-    return [canvas.clientWidth, colours, player.start, player.end, this.rowsShown, window.devicePixelRatio].join(" ");
+    return [canvas.clientWidth, colours, start, end, version, window.devicePixelRatio].join(" ");
   }
 
   /** Paints all but the cursors. */

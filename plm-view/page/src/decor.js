@@ -6,6 +6,7 @@ import { circleOutline } from "./outline.js";
 import { framePose } from "./solid.js";
 import { quantityText } from "./text.js";
 
+/** @import {Hand} from "./app.js" */
 /** @import {Palette} from "./palette.js" */
 /** @import {Pen} from "./pen.js" */
 /** @import {Scene} from "./scene.js" */
@@ -108,7 +109,27 @@ function drawName(pen, x, y, name, palette) {
 }
 
 /**
- * A ring around the part that ended the run.
+ * The line from the point that is held to where it is to go.
+ * @param {Pen} pen
+ * @param {Scene} scene
+ * @param {Hand} hand
+ * @param {Places} places
+ * @param {Projection} projection
+ * @param {Palette} palette
+ */
+export function drawHand(pen, scene, { kind, body, point: [u, v], target, reach }, places, projection, palette) {
+  const [x, y, angle] = places.poses.subarray(3 * body, 3 * body + 3);
+  const z = scene.levels.bodies[body];
+  const [px, py] = [x + Math.cos(angle) * u - Math.sin(angle) * v, y + Math.sin(angle) * u + Math.cos(angle) * v];
+  const from = projection.point(px, py, z);
+  const to = reach === null ? projection.point(target[0], target[1], z) : projection.point(px + reach[0], py + reach[1], z);
+  if (kind === "pull") drawArrow(pen, from, to, palette.force);
+  else pen.line([...from, ...to], { stroke: palette.select, width: 2, dash: [5, 4] });
+  pen.polygon(circleOutline(from[0], from[1], 4), { fill: kind === "pull" ? palette.force : palette.select });
+}
+
+/**
+ * A ring around the part that ended the run, and its name.
  * @param {Pen} pen
  * @param {Scene} scene
  * @param {string} name of the part
@@ -125,4 +146,5 @@ export function drawFault(pen, scene, name, places, projection, palette) {
   const [px, py] = projection.point(x, y, scene.slabOf(frame)[1]);
   const radius = Math.max(14, 2.2 * scene.radius * projection.scale);
   pen.polygon(circleOutline(px, py, radius), { stroke: palette.fault, width: 3, dash: [6, 5] });
+  drawName(pen, px + 0.7 * radius, py - 0.7 * radius, name, palette);
 }

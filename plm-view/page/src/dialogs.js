@@ -1,6 +1,6 @@
 // Dialogs: options; keys and the page itself.
 
-import { COMMANDS, GROUPS } from "./commands.js";
+import { commandsOf, GROUPS } from "./commands.js";
 import { element } from "./dom.js";
 import { shortNumber } from "./text.js";
 import { keysText } from "./toolbar.js";
@@ -67,8 +67,10 @@ function optionRow(name, control, ...more) {
 
 /** @param {App} app */
 export function openHelp(app) {
-  const groups = Object.entries(GROUPS).map(([group, title]) => {
-    const rows = COMMANDS.filter((command) => command.group === group).map((command) =>
+  const all = commandsOf(app);
+  const present = Object.entries(GROUPS).filter(([group]) => all.some((command) => command.group === group));
+  const groups = present.map(([group, title]) => {
+    const rows = all.filter((command) => command.group === group).map((command) =>
       element("tr", {}, element("th", { scope: "row" }, command.name), element("td", {}, element("kbd", {}, keysText(command.keys)))),
     );
     return element("section", {}, element("h3", {}, title), element("table", {}, element("tbody", {}, ...rows)));

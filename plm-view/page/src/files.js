@@ -1,6 +1,7 @@
 // Results: those in the page itself, and those that are opened or dropped.
 
 import { element } from "./dom.js";
+import { inflated } from "./zip.js";
 
 /** @import {App} from "./app.js" */
 
@@ -9,7 +10,21 @@ import { element } from "./dom.js";
  * @returns {Uint8Array | null}
  */
 export function embeddedResults() {
-  const text = document.getElementById("results")?.textContent?.trim() ?? "";
+  return bytesOf("results");
+}
+
+/**
+ * The module of WebAssembly that Rust has put into the page; null if there is none.
+ * @returns {Promise<Uint8Array | null>}
+ */
+export async function embeddedModule() {
+  const packed = bytesOf("module");
+  return packed === null ? null : inflated(packed);
+}
+
+/** The bytes in an element of the page, which has them as base64. @param {string} id */
+function bytesOf(id) {
+  const text = document.getElementById(id)?.textContent?.trim() ?? "";
   if (text === "") return null;
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);

@@ -3,14 +3,15 @@
 /**
  * @typedef {{name: string, x: number, y: number, angle: number}} Port place from G, in the axes of the body
  * @typedef {{name: string, mass: number, inertia: number, depth: number, ports: Port[], contour: number[][] | null}} Body
- * @typedef {Port & {depth: number}} GroundPort place in absolute axes, at time 0
+ * @typedef {Port & {depth: number, moves?: boolean}} GroundPort place in absolute axes, at time 0
  * @typedef {{argument: string, body: number | null, port: number | null}} Frame body null: ground; port null: G, or the
  *   origin of the ground
  * @typedef {{name: string, kind: string, pair: string | null, frames: Frame[], sizes: {[name: string]: number}}} Part
  * @typedef {{name: string, unit: string, factor: number, exponents: number[], default: number, value: number}} Parameter
+ * @typedef {{name: string, unit: string, factor: number, exponents?: number[], default?: number | null}} Input
  * @typedef {{formulation: string, reason: string, degrees_of_freedom: number, operations: {[name: string]: number}}} Report
  * @typedef {{name: string, doc: string, report: Report | null, bodies: Body[], ground: GroundPort[], parts: Part[],
- *   parameters: Parameter[], inputs: {name: string, unit: string, factor: number}[],
+ *   parameters: Parameter[], inputs: Input[],
  *   states: {name: string, unit: string}[]}} Mechanism
  * @typedef {{name: string, unit: string}} Column
  * @typedef {{time: number, what: string, row: number | null}} RunEvent

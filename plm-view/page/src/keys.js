@@ -1,6 +1,6 @@
 // Keys.
 
-import { COMMANDS } from "./commands.js";
+import { commandsOf } from "./commands.js";
 
 /** @import {App} from "./app.js" */
 /** @import {Command, Dialogs} from "./commands.js" */
@@ -17,19 +17,18 @@ export function keyName({ key, ctrlKey, metaKey, altKey, shiftKey }) {
   return `${ctrlKey || metaKey ? "Ctrl+" : ""}${altKey ? "Alt+" : ""}${shift}${name}`;
 }
 
-/** @type {Map<string, Command>} */
-const COMMAND_OF_KEY = new Map(COMMANDS.flatMap((command) => command.keys.map((key) => [key, command])));
-
 /**
  * @param {App} app
  * @param {Dialogs} dialogs
  */
 export function listenToKeys(app, dialogs) {
+  /** @type {Map<string, Command>} */
+  const commandOfKey = new Map(commandsOf(app).flatMap((command) => command.keys.map((key) => [key, command])));
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     if (document.querySelector("dialog[open]") !== null) return;
     const name = keyName(event);
-    const command = COMMAND_OF_KEY.get(name);
+    const command = commandOfKey.get(name);
     if (command === undefined || belongsTo(target, name)) return;
     if (!app.hasPlainKeys && Array.from(name).length === 1) return;
     event.preventDefault();
@@ -43,7 +42,7 @@ export function listenToKeys(app, dialogs) {
  * @param {HTMLElement} target
  * @param {string} name
  */
-function belongsTo(target, name) {
+export function belongsTo(target, name) {
   if (target instanceof HTMLInputElement && target.type === "range") {
     // The time line moves by steps; other sliders by themselves.
     return target.id !== "time" && /^(Arrow|Home|End|Page)/.test(name);

@@ -47,13 +47,13 @@ function assemblePage(app) {
   });
   const panel = new Panel(app, byId("panel", HTMLElement));
   const showButtons = makeToolbars(app, dialogs, [
-    [byId("tools", HTMLElement), ["file", "camera", "view", "show", "page"]],
+    [byId("tools", HTMLElement), ["file", "camera", "live", "view", "show", "page"]],
     [byId("transport", HTMLElement), ["animate"]],
   ]);
   listenToKeys(app, dialogs);
   listenToPointers(app, canvas);
   listenToDrops(app);
-  return { stage, panel, parts: [{ update: showButtons }, panel, stage, timeline] };
+  return { stage, panel, parts: [...(app.live === null ? [] : [app.live]), { update: showButtons }, panel, stage, timeline] };
 }
 
 /**
@@ -74,7 +74,7 @@ function runFrames(app, draw) {
     drawnAt = now;
     app.player.tick(now);
     draw();
-    if (app.player.isPlaying) ask();
+    if (app.isPlaying) ask();
   };
   const ask = () => {
     if (isAsked) return;
@@ -96,10 +96,18 @@ function followSystem(app) {
   window.addEventListener("resize", () => app.touch());
 }
 
-async function startPage() {
+/**
+ * @param {((app: App) => Promise<(panel: Panel) => void>) | null} wake brings the mechanism itself to life, and then adds to
+ *   the panel; null in a page that has none
+ */
+export async function startPage(wake) {
   const app = new App();
   followSystem(app);
+  const bytes = embeddedResults();
+  if (bytes !== null) await app.load(bytes);
+  const join = (await wake?.(app)) ?? null;
   const { stage, panel, parts } = assemblePage(app);
+  join?.(panel);
   const keepAddress = addressKeeper(app);
   const draw = () => {
     document.documentElement.dataset["theme"] = app.isDark ? "dark" : "light";
@@ -109,13 +117,11 @@ async function startPage() {
   const address = location.hash;
   window.addEventListener("hashchange", () => showAddress(app, location.hash));
   stage.measure();
-  const bytes = embeddedResults();
-  if (bytes !== null) await app.load(bytes);
+  app.zoomToExtents();
+  app.live?.inView.choose();
   if (address.length > 1) showAddress(app, address);
   runFrames(app, draw);
-  // For a live source, and for tests.
+  // For tests, and for who wants more.
   Object.assign(window, { plmPage: { app, panel } });
   performance.mark("page is ready");
 }
-
-void startPage();

@@ -1,7 +1,7 @@
 // The picture of the scene, on the canvas or in a file.
 
 import { drawArrowKey, drawArrows } from "./arrows.js";
-import { drawAxes, drawFault, drawScaleBar, drawSelection } from "./decor.js";
+import { drawAxes, drawFault, drawHand, drawScaleBar, drawSelection } from "./decor.js";
 import { saveBlob } from "./dom.js";
 import { drawScene } from "./draw.js";
 import { CanvasPen, SvgPen } from "./pen.js";
@@ -68,6 +68,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   const how = { places, moment, projection, factor: app.arrowFactor };
   if (app.showsVelocities) drawArrows(pen, scene, velocities, { ...how, colour: palette.velocity });
   if (app.showsForces) drawArrows(pen, scene, forces, { ...how, colour: palette.force });
+  if (app.hand !== null && run.isLive) drawHand(pen, scene, app.hand, places, projection, palette);
   if (selected !== null) drawSelection(pen, scene, selected, places, projection, palette);
   if (run.fault !== null && time >= run.fault.time) drawFault(pen, scene, run.fault.part, places, projection, palette);
   drawKeys(pen, app, { scene, forces, velocities }, area);
@@ -95,9 +96,9 @@ function pathOf(run, name) {
   const paths = knownPaths.get(run) ?? new Map();
   knownPaths.set(run, paths);
   const known = paths.get(name);
-  if (known?.rows === run.rows) return known;
+  if (known?.version === run.version) return known;
   const point = tracePoints(run).find((candidate) => candidate.name === name);
-  const path = point === undefined ? { rows: run.rows, stride: 1, line: [], times: [] } : tracePath(run, point);
+  const path = point === undefined ? { version: run.version, stride: 1, line: [], times: [] } : tracePath(run, point);
   paths.set(name, path);
   return path;
 }

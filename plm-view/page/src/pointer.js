@@ -41,7 +41,9 @@ export function listenToPointers(app, canvas) {
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, spot(event));
+    app.grip?.letGo();
     drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event)) : null;
+    if (drag?.mode === "pull" || drag?.mode === "place") startHand(app, drag);
   });
   canvas.addEventListener("pointermove", (event) => {
     const before = down.get(event.pointerId);
@@ -54,6 +56,7 @@ export function listenToPointers(app, canvas) {
   });
   const release = (/** @type {PointerEvent} */ event) => {
     down.delete(event.pointerId);
+    app.grip?.letGo();
     if (drag !== null && event.type === "pointerup") endDrag(app, drag, event.button);
     drag = null;
     app.touch();
@@ -102,6 +105,15 @@ function areaAt(app, { x, y }) {
   return app.areas().find(holds) ?? app.area;
 }
 
+/** Takes hold of the body under the pointer; where there is none, dragging pans. @param {App} app @param {Drag} drag */
+function startHand(app, drag) {
+  const { x, y } = drag.from;
+  const { index, item } = pickAt(app, x, y);
+  const isHeld = item?.kind === "body" && app.shown[index].run.isLive;
+  const kind = drag.mode === "place" ? "place" : "pull";
+  if (!isHeld || !app.grip?.grab(kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
+}
+
 /** @param {App} app @param {Drag} drag @param {Spot} at */
 function moveDrag(app, drag, at) {
   const [dx, dy] = [at.x - drag.last.x, at.y - drag.last.y];
@@ -109,6 +121,10 @@ function moveDrag(app, drag, at) {
   if (!drag.hasMoved) return;
   drag.last = at;
   const { dx: fromX, dy: fromY } = fromMiddle(app, drag.from);
+  if (drag.mode === "pull" || drag.mode === "place") {
+    app.grip?.move(app.view.projection(areaAt(app, drag.from)), at.x, at.y);
+    return;
+  }
   if (drag.mode === "pan" || drag.mode === "info") app.view.pan(dx, dy);
   else if (drag.mode === "orbit") app.view.orbit(dx, dy);
   // As in the manual: upwards enlarges.

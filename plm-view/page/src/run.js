@@ -44,6 +44,17 @@ export class Table {
   clear() {
     this.rows = 0;
   }
+
+  /** Leaves out the first rows. @param {number} count */
+  dropFirst(count) {
+    this.data.copyWithin(0, count * this.width, this.rows * this.width);
+    this.rows -= Math.min(count, this.rows);
+  }
+
+  /** A copy of the rows from one on. @param {number} row */
+  from(row) {
+    return new Table(this.width, this.data.slice(row * this.width, this.rows * this.width), Math.max(0, this.rows - row));
+  }
 }
 
 export class Run {
@@ -65,6 +76,8 @@ export class Run {
     this.ground = tables.ground;
     /** Whether rows may still come. */
     this.isLive = false;
+    /** Rises with every change of its rows. */
+    this.version = 0;
   }
 
   /** A run without rows, for a source that appends them. @param {RunHead} head */
@@ -97,6 +110,7 @@ export class Run {
    * @param {ArrayLike<number>} [ground] x y θ of each port, where they move
    */
   append(time, poses, values, ground) {
+    this.version += 1;
     this.time.append([time]);
     this.poses.append(poses);
     this.values.append(values);
@@ -104,9 +118,35 @@ export class Run {
   }
 
   clear() {
-    for (const table of [this.time, this.poses, this.values, this.ground]) table?.clear();
+    this.version += 1;
+    for (const table of this.tables()) table?.clear();
     this.events.length = 0;
     this.fault = null;
+  }
+
+  tables() {
+    return [this.time, this.poses, this.values, this.ground];
+  }
+
+  /** Leaves out what was before a time. @param {number} time */
+  dropBefore(time) {
+    this.version += 1;
+    const count = Math.max(0, lastNotAbove(this.time.data, this.rows, time));
+    for (const table of this.tables()) table?.dropFirst(count);
+    this.events.splice(0, this.events.filter((event) => event.time < this.start).length);
+  }
+
+  /**
+   * A copy of what was from a time on, which stays as it is.
+   * @param {number} time
+   * @param {string} name
+   */
+  since(time, name) {
+    const row = Math.max(0, lastNotAbove(this.time.data, this.rows, time));
+    const events = this.events.filter((event) => event.time >= time);
+    const head = { ...structuredClone({ ...this.head, mechanism: this.mechanism, events, fault: this.fault }), name };
+    const [values, poses] = [this.values.from(row), this.poses.from(row)];
+    return new Run(head, { time: this.time.from(row), poses, values, ground: this.ground?.from(row) ?? null });
   }
 
   /**

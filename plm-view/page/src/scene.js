@@ -101,7 +101,7 @@ export class Scene {
 }
 
 /** Half the width of a bar, as a share of the usual size of bodies. */
-const BAR = 0.055;
+export const BAR = 0.055;
 /** Rows that are looked at for the extents of a run. */
 const EXTENT_SAMPLES = 100;
 

@@ -85,3 +85,8 @@ export function timeText(seconds, duration) {
   const decimals = duration > 0 ? Math.max(0, Math.min(9, 3 - Math.floor(Math.log10(duration)))) : 3;
   return `${seconds.toFixed(decimals).replace("-", "−")} s`;
 }
+
+/** A text in which numbers of many digits are short. @param {string} text */
+export function withShortNumbers(text) {
+  return text.replace(/-?\d+\.\d{5,}(e-?\d+)?/g, (digits) => shortNumber(Number(digits)));
+}

@@ -1,6 +1,6 @@
 // Buttons.
 
-import { COMMANDS, GROUPS } from "./commands.js";
+import { commandsOf, GROUPS } from "./commands.js";
 import { element } from "./dom.js";
 import { iconOf } from "./icons.js";
 
@@ -21,7 +21,8 @@ export function makeToolbars(app, dialogs, places) {
   const made = [];
   for (const [place, groups] of places) {
     for (const group of groups) {
-      const commands = COMMANDS.filter((command) => command.group === group && command.icon !== null);
+      const commands = commandsOf(app).filter((command) => command.group === group && command.icon !== null);
+      if (commands.length === 0) continue;
       const buttons = commands.map((command) => {
         const button = commandButton(app, dialogs, command);
         made.push({ command, button });

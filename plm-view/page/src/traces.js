@@ -6,7 +6,7 @@
 /** @import {Projection} from "./view.js" */
 
 /** @typedef {{name: string, body: number, x: number, y: number}} TracePoint `arm.tip`, or `arm.G`; in the axes of the body */
-/** @typedef {{rows: number, stride: number, line: number[][], times: number[][]}} TracePath in unbroken pieces */
+/** @typedef {{version: number, stride: number, line: number[][], times: number[][]}} TracePath in unbroken pieces */
 
 /** Points of a path at most: more cannot be told apart. */
 const MOST_POINTS = 4000;
@@ -31,7 +31,7 @@ export function tracePoints(run) {
 export function tracePath(run, point) {
   const stride = Math.max(1, Math.ceil(run.rows / MOST_POINTS));
   /** @type {TracePath} */
-  const path = { rows: run.rows, stride, line: [], times: [] };
+  const path = { version: run.version, stride, line: [], times: [] };
   /** @type {number[]} */
   let line = [];
   /** @type {number[]} */

@@ -177,6 +177,19 @@ export class Projection {
   }
 
   /**
+   * The point of a plane of equal z that is seen at a place of the screen; null where the plane is seen from its edge.
+   * @param {number} px
+   * @param {number} py
+   * @param {number} z
+   */
+  onPlane(px, py, z) {
+    const determinant = this.xx * this.yy - this.xy * this.yx;
+    if (Math.abs(determinant) < 1e-3 * this.scale * this.scale) return null;
+    const [dx, dy] = [px - this.x0 - this.xz * z, py - this.y0 - this.yz * z];
+    return [(this.yy * dx - this.xy * dy) / determinant, (this.xx * dy - this.yx * dx) / determinant];
+  }
+
+  /**
    * Points of a plane of equal z on the screen.
    * @param {ArrayLike<number>} line x0 y0 x1 y1 …
    * @param {number} z

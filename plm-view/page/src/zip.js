@@ -172,7 +172,7 @@ async function entryAt(bytes, place) {
  * All that can be unpacked; a stream that is cut off gives its beginning.
  * @param {Uint8Array} packed
  */
-async function inflated(packed) {
+export async function inflated(packed) {
   const stream = new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (packed)])
     .stream()
     .pipeThrough(new DecompressionStream("deflate-raw"));

@@ -3,7 +3,7 @@
 //! All modules share one scope then, so no two of them may declare the same name at the top, and a module stands
 //! behind those that it imports. Tests hold the modules to that.
 
-/// The modules, each behind those that it imports.
+/// The modules of every page, each behind those that it imports.
 const MODULES: &[(&str, &str)] = &[
     ("numbers", include_str!("../../page/src/numbers.js")),
     ("text", include_str!("../../page/src/text.js")),
@@ -51,20 +51,39 @@ const MODULES: &[(&str, &str)] = &[
     ("main", include_str!("../../page/src/main.js")),
 ];
 
-/// The script of the page.
-pub(super) fn script() -> String {
-    let mut script = String::new();
-    for (_, text) in MODULES {
-        for line in without_comments(&without_imports(text)).lines() {
-            let line = line.trim();
-            let line = line.strip_prefix("export ").unwrap_or(line);
-            if !line.is_empty() {
-                script.push_str(line);
-                script.push('\n');
-            }
+/// Behind them, in a page of results.
+const PLAIN: &[(&str, &str)] = &[("start", include_str!("../../page/src/start.js"))];
+
+/// Behind them, in a page that holds the mechanism itself.
+const ALIVE: &[(&str, &str)] = &[
+    ("shape", include_str!("../../page/src/shape.js")),
+    ("write", include_str!("../../page/src/write.js")),
+    ("worker", include_str!("../../page/src/worker.js")),
+    ("inview", include_str!("../../page/src/inview.js")),
+    ("live", include_str!("../../page/src/live.js")),
+    ("livepanel", include_str!("../../page/src/livepanel.js")),
+    ("hand", include_str!("../../page/src/hand.js")),
+    ("alive", include_str!("../../page/src/alive.js")),
+];
+
+/// The script of a page.
+pub(super) fn script(is_alive: bool) -> String {
+    let end = if is_alive { ALIVE } else { PLAIN };
+    MODULES.iter().chain(end).map(|(_, text)| without_noise(text)).collect()
+}
+
+/// The code of a module alone, line by line.
+pub(super) fn without_noise(text: &str) -> String {
+    let mut code = String::new();
+    for line in without_comments(&without_imports(text)).lines() {
+        let line = line.trim();
+        let line = line.strip_prefix("export ").unwrap_or(line);
+        if !line.is_empty() {
+            code.push_str(line);
+            code.push('\n');
         }
     }
-    script
+    code
 }
 
 /// A module without its import statements, which end with a semicolon.
@@ -103,13 +122,17 @@ mod tests {
 
     use super::*;
 
+    fn all() -> Vec<(&'static str, &'static str)> {
+        [MODULES, ALIVE, PLAIN].concat()
+    }
+
     #[test]
     fn every_module_is_in_the_list() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/page/src");
         let mut found: Vec<String> = fs::read_dir(folder)
             .map(|entries| entries.flatten().filter_map(|e| e.file_name().into_string().ok()).collect())
             .unwrap_or_default();
-        let mut listed: Vec<String> = MODULES.iter().map(|(name, _)| format!("{name}.js")).collect();
+        let mut listed: Vec<String> = all().iter().map(|(name, _)| format!("{name}.js")).collect();
         found.sort();
         listed.sort();
         assert_eq!(found, listed);
@@ -117,14 +140,15 @@ mod tests {
 
     #[test]
     fn a_module_stands_behind_those_that_it_imports() {
-        for (position, (name, text)) in MODULES.iter().enumerate() {
+        let all = all();
+        for (position, (name, text)) in all.iter().enumerate() {
             for import in
                 text.lines().filter(|line| line.starts_with("import ") || line.starts_with("} from "))
             {
                 let Some((_, from)) = import.split_once("\"./") else { continue };
                 let other = from.trim_end_matches(".js\";");
                 assert!(
-                    MODULES[..position].iter().any(|(earlier, _)| *earlier == other),
+                    all[..position].iter().any(|(earlier, _)| *earlier == other),
                     "{name} imports {other}"
                 );
                 assert!(
@@ -147,7 +171,7 @@ mod tests {
     #[test]
     fn no_two_modules_declare_the_same_name() {
         let mut owners = BTreeMap::new();
-        for (module, text) in MODULES {
+        for (module, text) in all() {
             for name in text.lines().filter_map(declared) {
                 if let Some(other) = owners.insert(name, module) {
                     unreachable!("{name} is declared by {other} and by {module}");
@@ -160,7 +184,7 @@ mod tests {
     #[test]
     fn no_text_goes_over_lines() {
         // Indentation would be part of it.
-        for (module, text) in MODULES {
+        for (module, text) in all() {
             for line in text.lines() {
                 assert!(line.matches('`').count() % 2 == 0, "{module}: {line}");
             }
@@ -169,14 +193,18 @@ mod tests {
 
     #[test]
     fn the_script_is_code_alone() {
-        let script = script();
-        for line in script.lines() {
+        let [plain, alive] = [false, true].map(script);
+        for line in plain.lines().chain(alive.lines()) {
             assert!(!line.starts_with("import ") && !line.starts_with("export "), "{line}");
             assert!(!line.starts_with("//") && !line.starts_with('*') && !line.contains("/**"), "{line}");
         }
         // Either would end or hide the script in the page.
-        assert!(!script.contains("</script") && !script.contains("<!--"));
-        assert!(script.contains("startPage();"));
+        for script in [&plain, &alive] {
+            assert!(!script.contains("</script") && !script.contains("<!--"));
+        }
+        assert!(plain.ends_with("startPage(null);\n") && alive.ends_with("startPage(wake);\n"));
+        // What a page has no use for is not in it.
+        assert!(!plain.contains("WebAssembly"));
     }
 
     #[test]

@@ -50,12 +50,13 @@ after(async () => {
 const folder = mkdtempSync(join(tmpdir(), "plm-page-"));
 
 /** A page as Rust writes it: `PLM_PAGE` is the example `page`, built; else cargo builds it. @returns {string} its address */
-export function writePage(name, bytes, title = name) {
+export function writePage(name, bytes, title = name, module = null) {
   const [results, html] = [join(folder, `${name}.npz`), join(folder, `${name}.html`)];
   writeFileSync(results, bytes);
   const program = process.env["PLM_PAGE"];
-  if (program !== undefined) execFileSync(program, [results, html, title]);
-  else execFileSync("cargo", ["run", "-q", "-p", "plm-view", "--example", "page", "--", results, html, title]);
+  const what = [results, html, title, ...(module === null ? [] : [module])];
+  if (program !== undefined) execFileSync(program, what);
+  else execFileSync("cargo", ["run", "-q", "-p", "plm-view", "--example", "page", "--", ...what]);
   return pathToFileURL(html).href;
 }
 

@@ -1,0 +1,306 @@
+// The mechanism itself in the page: it runs in a worker, and what it computes becomes the rows of a run.
+
+import { KeptInView } from "./inview.js";
+import { Run } from "./run.js";
+import { BAR } from "./scene.js";
+import { readShape } from "./shape.js";
+import { workerText } from "./worker.js";
+
+/** @import {App} from "./app.js" */
+/** @import {RunHead} from "./format.js" */
+/** @import {FromWorker, Pull, ToWorker} from "./worker.js" */
+
+/** Without a recording so much is kept, s. */
+export const LIVE_WINDOW = 20;
+/** How often a pulled body swings at most, rad/s: a force that is renewed every 10 ms follows it well. */
+const FASTEST_SWING = 40;
+/** Damping of a pull, as a share of the critical one. */
+const PULL_DAMPING = 0.5;
+
+export class Live {
+  /**
+   * @param {App} app
+   * @param {RunHead} head of a run with all observed quantities
+   * @param {Uint8Array} wasm
+   * @param {Pick<Worker, "postMessage"> & {onmessage: unknown}} [worker]
+   */
+  constructor(app, head, wasm, worker = startWorker()) {
+    this.app = app;
+    this.run = Run.empty(liveHead(head));
+    this.run.isLive = true;
+    this.isRunning = false;
+    this.isAssembled = false;
+    this.isBroken = false;
+    /** When the recording began, s; null while nothing is recorded. @type {number | null} */
+    this.recordsFrom = null;
+    /** @type {Run[]} */
+    this.recordings = [];
+    /** As set, SI. @type {{parameter: number[], input: number[]}} */
+    this.settings = { parameter: [], input: [] };
+    this.speed = 1;
+    this.inView = new KeptInView(app);
+    /** Rises with the settings. */
+    this.revision = 0;
+    /** A placement that the worker has not answered, and the one to be asked for then. */
+    this.placing = { isAsked: false, next: /** @type {ToWorker | null} */ (null) };
+    this.worker = worker;
+    worker.onmessage = (/** @type {MessageEvent<FromWorker>} */ { data }) => this.hear(data);
+    const { parameters, inputs } = this.run.mechanism;
+    this.send({ kind: "load", wasm, parameters: parameters.length, inputs: inputs.length });
+  }
+
+  /** @param {ToWorker} message */
+  send(message) {
+    this.worker.postMessage(message);
+  }
+
+  get mechanism() {
+    return this.run.mechanism;
+  }
+
+  /** Whether it is on the screen. */
+  get isShown() {
+    return this.app.shown.some(({ run }) => run === this.run);
+  }
+
+  /** Its run among the others, and on the screen. */
+  show() {
+    if (!this.isShown) this.app.addRun(this.run);
+    this.app.activate(this.app.shown.findIndex(({ run }) => run === this.run));
+  }
+
+  /** Brought up to date in every frame. */
+  update() {
+    const { player } = this.app;
+    if (this.speed !== player.speed) {
+      this.speed = player.speed;
+      this.send({ kind: "speed", speed: this.speed });
+    }
+    if (this.isRunning && !this.isShown) this.pause();
+    if (this.app.run === this.run) this.inView.update();
+    player.pace = this.isRunning && this.app.run === this.run && this.run.fault === null ? this.speed : null;
+  }
+
+  start() {
+    if (this.isBroken) return;
+    this.show();
+    this.app.player.stop();
+    this.app.player.isFollowing = true;
+    this.isRunning = true;
+    this.send({ kind: "run" });
+    this.app.change();
+  }
+
+  pause() {
+    this.isRunning = false;
+    this.send({ kind: "pause" });
+    this.app.change();
+  }
+
+  /** So many steps, one after the other. @param {number} dt s @param {number} [count] */
+  step(dt, count = 1) {
+    this.pause();
+    this.app.player.isFollowing = true;
+    this.send({ kind: "step", dt, count });
+  }
+
+  /** Begins again with the parameters as they are. */
+  restart() {
+    this.show();
+    this.send({ kind: "restart" });
+  }
+
+  /** Begins again as declared. */
+  reset() {
+    this.show();
+    this.send({ kind: "reset" });
+  }
+
+  /** @param {"parameter" | "input"} kind @param {number} index @param {number} value SI */
+  set(kind, index, value) {
+    if (!Number.isFinite(value) || value === this.settings[kind][index]) return;
+    this.settings[kind][index] = value;
+    this.send({ kind, index, value });
+    const list = kind === "parameter" ? this.mechanism.parameters : this.mechanism.inputs;
+    const { name, factor, unit } = list[index];
+    this.note(name, `${name} = ${Number((value / factor).toPrecision(6))} ${unit}`.trim());
+  }
+
+  /** An event; turning one thing for a while is one. @param {string} name @param {string} what */
+  note(name, what) {
+    const { events, end } = this.run;
+    if (this.run.rows < 2) return;
+    const last = events.at(-1);
+    if (last !== undefined && last.what.startsWith(`${name} = `) && end - last.time < 1) events.pop();
+    events.push({ time: end, what, row: null });
+  }
+
+  /** @param {Pull | null} pull */
+  pull(pull) {
+    this.send({ kind: "pull", pull });
+  }
+
+  /**
+   * @param {number} body
+   * @param {number[]} point in its axes
+   * @param {number[]} target of the point, absolute axes
+   * @param {number} [turn] rad
+   */
+  place(body, point, target, turn = 0) {
+    if (this.isRunning) this.pause();
+    /** @type {ToWorker} */
+    const wanted = { kind: "place", body, point, target, turn };
+    // Of many that come while one is worked out the last alone counts.
+    if (this.placing.isAsked) this.placing.next = wanted;
+    else this.send(wanted);
+    this.placing.isAsked = true;
+  }
+
+  /**
+   * A spring that holds the whole weight when it is as long as a quarter of the mechanism; softer where it would shake a
+   * light body.
+   * @param {number} body
+   * @param {number[]} point
+   */
+  stiffness(body, [u, v]) {
+    const { bodies } = this.mechanism;
+    const total = bodies.reduce((sum, { mass }) => sum + mass, 0);
+    const { mass, inertia } = bodies[body];
+    const felt = Math.max(1 / (1 / mass + (u * u + v * v) / inertia) || 0, 0.01 * total);
+    const stiffness = Math.min((4 * 9.81 * total) / this.size(), felt * FASTEST_SWING ** 2);
+    return { stiffness, damping: 2 * PULL_DAMPING * Math.sqrt(stiffness * felt) };
+  }
+
+  /** The usual size of its bodies, m. */
+  size() {
+    const shown = this.app.shown.find(({ run }) => run === this.run);
+    return shown === undefined ? 1 : shown.scene.radius / BAR;
+  }
+
+  record() {
+    if (this.recordsFrom === null) this.recordsFrom = this.run.end;
+    else this.stopRecording();
+    this.app.change();
+  }
+
+  /** What was recorded becomes a run of its own. */
+  stopRecording() {
+    const { run, recordsFrom: from } = this;
+    this.recordsFrom = null;
+    if (from === null || run.rows === 0) return;
+    const copy = run.since(from, `recording ${this.recordings.length + 1}`);
+    if (copy.rows < 2) return;
+    this.recordings.push(copy);
+    this.app.addRun(copy);
+  }
+
+  /** What is exported: the recordings, one that still goes on too; without any, what is kept. */
+  kept() {
+    const { run, recordsFrom } = this;
+    if (recordsFrom !== null) return [...this.recordings, run.since(recordsFrom, `recording ${this.recordings.length + 1}`)];
+    return this.recordings.length > 0 ? this.recordings : [run];
+  }
+
+  /** @param {FromWorker} message */
+  hear(message) {
+    if (message.kind === "rows") {
+      for (let at = 0; at < message.numbers.length; at += message.width) this.append(message.numbers.subarray(at, at + message.width));
+      this.trim();
+      this.app.rowsAppended(this.run);
+    } else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
+    else if (message.kind === "settings") this.take(message);
+    else if (message.kind === "trouble") {
+      this.run.fault = message.trouble;
+      this.app.tellFault();
+      this.app.change();
+    } else if (message.kind === "placed") {
+      const { next } = this.placing;
+      this.placing = { isAsked: next !== null, next: null };
+      if (next !== null) this.send(next);
+    } else this.breakDown(`The module has stopped: ${message.text}. Load the page anew.`);
+  }
+
+  /** @param {string} text */
+  breakDown(text) {
+    this.isBroken = true;
+    this.pause();
+    this.app.tell("error", text);
+  }
+
+  /** @param {Float64Array} numbers as `plm_read` gives them */
+  append(numbers) {
+    const { run, mechanism } = this;
+    const [bodies, ground] = [6 * mechanism.bodies.length, 3 * mechanism.ground.length];
+    const places = numbers.subarray(1 + bodies, 1 + bodies + ground);
+    run.append(numbers[0], numbers.subarray(1, 1 + bodies), numbers.subarray(1 + bodies + ground), places);
+  }
+
+  /**
+   * A start. Where nothing could be assembled the last picture stays, if there is one.
+   * @param {Float64Array} numbers
+   * @param {boolean} isAssembled
+   */
+  begin(numbers, isAssembled) {
+    const { run, app, mechanism } = this;
+    const expected = 1 + 6 * mechanism.bodies.length + 3 * mechanism.ground.length + run.columns.length;
+    if (numbers.length !== expected) {
+      this.breakDown(`The module is not of this mechanism: it gives ${numbers.length} numbers where the results have ${expected}.`);
+      return;
+    }
+    const isFirst = run.rows === 0;
+    this.isAssembled = isAssembled;
+    if (isAssembled || isFirst) {
+      const isRecording = this.recordsFrom !== null;
+      this.stopRecording();
+      run.clear();
+      this.append(numbers);
+      if (isRecording) this.recordsFrom = run.start;
+      if (!isAssembled) standStill(run);
+    }
+    if (app.run === run) app.player.isFollowing = true;
+    app.rowsAppended(run);
+    if (isAssembled && !isFirst) this.inView.begin();
+    // Where a recorded run told how large it is, the view is chosen already.
+    if (isFirst && app.shown.every((shown) => shown.run.isLive) && !app.isViewGiven) this.inView.choose();
+  }
+
+  /** @param {Extract<FromWorker, {kind: "settings"}>} settings */
+  take({ parameters, inputs, shape }) {
+    const { mechanism } = this;
+    // Where nothing is assembled there are no inputs.
+    const known = inputs.map((value, index) => (Number.isNaN(value) ? (this.settings.input[index] ?? 0) : value));
+    this.settings = { parameter: parameters, input: known };
+    mechanism.parameters.forEach((parameter, index) => (parameter.value = parameters[index]));
+    this.revision += 1;
+    if (readShape(mechanism, shape)) this.app.shapeChanged(this.run);
+    this.app.touch();
+  }
+
+  /** Rows that are older than the window go, unless they are recorded. */
+  trim() {
+    const { run, recordsFrom } = this;
+    const from = Math.min(recordsFrom ?? Infinity, run.end - LIVE_WINDOW);
+    if (run.start < from) run.dropBefore(from);
+  }
+}
+
+/** What cannot be assembled has no ground: it is where it is declared. @param {Run} run */
+function standStill(run) {
+  run.ground?.clear();
+  run.ground?.append(run.mechanism.ground.flatMap(({ x, y, angle }) => [x, y, angle]));
+}
+
+/** @param {RunHead} head @returns {RunHead} */
+function liveHead(head) {
+  const live = structuredClone(head);
+  // The page pulls by parts and inputs of its own.
+  live.mechanism.parts = live.mechanism.parts.filter(({ kind }) => kind !== "plm_pull");
+  return { ...live, name: "live", method: "alive in a page", events: [], fault: null };
+}
+
+function startWorker() {
+  const address = URL.createObjectURL(new Blob([workerText()], { type: "text/javascript" }));
+  const worker = new Worker(address);
+  URL.revokeObjectURL(address);
+  return worker;
+}

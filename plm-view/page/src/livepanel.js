@@ -1,0 +1,213 @@
+// The panel of the mechanism itself: parameters, inputs, start and pause, recordings.
+
+import { setMode } from "./commands.js";
+import { element, saveBlob, setText } from "./dom.js";
+import { LIVE_WINDOW } from "./live.js";
+import { niceNear } from "./numbers.js";
+import { fileStem } from "./picture.js";
+import { timeText, typeset } from "./text.js";
+import { csvText, resultsFile } from "./write.js";
+
+/** @import {App} from "./app.js" */
+/** @import {Input, Parameter} from "./format.js" */
+/** @import {Live} from "./live.js" */
+
+/**
+ * A quantity that is set by a slider and by a number, in its declared unit.
+ * @typedef {{kind: "parameter" | "input", index: number, factor: number, slider: HTMLInputElement, field: HTMLInputElement}} Dial
+ */
+
+export class LivePanel {
+  /**
+   * @param {App} app
+   * @param {Live} live
+   * @param {HTMLElement} root
+   */
+  constructor(app, live, root) {
+    this.app = app;
+    this.live = live;
+    this.revision = -1;
+    this.go = actButton("live-go", "Run", () => (live.isRunning ? live.pause() : live.start()));
+    this.record = actButton("live-record", "Record", () => live.record());
+    this.state = element("p", { id: "live-state", class: "hint" });
+    this.tape = element("p", { id: "live-tape", class: "hint" });
+    /** @type {Dial[]} */
+    this.dials = [];
+    root.append(
+      element(
+        "div",
+        { class: "row" },
+        this.go,
+        actButton("live-restart", "Restart", () => live.restart(), "Begin again with the parameters as they are"),
+        actButton("live-reset", "Reset", () => live.reset(), "Begin again as declared"),
+        this.record,
+      ),
+      this.state,
+      this.byHand(),
+      ...this.dialGroup("Parameters", "parameter", live.mechanism.parameters),
+      ...this.dialGroup("Inputs", "input", live.mechanism.inputs),
+      element("h2", {}, "Save what was recorded"),
+      this.tape,
+      element(
+        "div",
+        { class: "row" },
+        actButton("live-npz", "Results file (.npz)", () => void saveResults(app, live)),
+        actButton("live-csv", "Table (.csv)", () => saveTables(app, live)),
+      ),
+    );
+  }
+
+  /** Which mode is chosen, and how it is used. */
+  byHand() {
+    const modes = /** @type {const} */ ([["pull", "Pull"], ["place", "Place"], ["pan", "Look"]]);
+    this.modes = modes.map(([mode, name]) =>
+      element(
+        "label",
+        {},
+        element("input", { type: "radio", name: "hand", id: `hand-${mode}`, value: mode, onchange: () => this.choose(mode) }),
+        name,
+      ),
+    );
+    this.hint = element("p", { class: "hint" });
+    return element("fieldset", { class: "row hand" }, element("legend", {}, "By mouse and arrow keys"), ...this.modes, this.hint);
+  }
+
+  /** @param {"pull" | "place" | "pan"} mode */
+  choose(mode) {
+    setMode(this.app, mode);
+    this.app.touch();
+  }
+
+  /**
+   * @param {string} title
+   * @param {"parameter" | "input"} kind
+   * @param {(Parameter | Input)[]} quantities
+   */
+  dialGroup(title, kind, quantities) {
+    const rows = quantities.flatMap((quantity, index) =>
+      // The page's own pulls are no inputs of the user's.
+      quantity.name.startsWith("plm_pull_") ? [] : [this.dial(kind, index, quantity)],
+    );
+    return rows.length === 0 ? [] : [element("h2", {}, title), element("div", { class: "dials" }, ...rows)];
+  }
+
+  /**
+   * @param {"parameter" | "input"} kind
+   * @param {number} index
+   * @param {Parameter | Input} quantity
+   */
+  dial(kind, index, { name, unit, factor, default: usual, exponents }) {
+    const { live } = this;
+    const span = usualSpan(live, exponents ?? []) / factor;
+    const set = (/** @type {HTMLInputElement} */ { value }) => {
+      if (value.trim() !== "") live.set(kind, index, Number(value) * factor);
+    };
+    const { low, high, step } = rangeAround((usual ?? 0) / factor, span);
+    const id = `${kind}-${index}`;
+    const slider = element("input", { type: "range", id: `${id}-slider`, "aria-label": `${name}, slider`, min: low, max: high, step, oninput: () => set(slider) });
+    const field = element("input", { type: "number", id, step: "any", onchange: () => set(field) });
+    const label = element("label", { for: id }, name);
+    this.dials.push({ kind, index, factor, slider, field });
+    return element("div", { class: "dial" }, label, slider, field, element("span", { class: "faint" }, typeset(unit)));
+  }
+
+  update() {
+    const { app, live } = this;
+    setText(this.go, live.isRunning ? "Pause" : "Run");
+    const isRecording = live.recordsFrom !== null;
+    setText(this.record, isRecording ? "Stop recording" : "Record");
+    if (this.record.getAttribute("aria-pressed") !== String(isRecording)) this.record.setAttribute("aria-pressed", String(isRecording));
+    setText(this.state, stateText(live));
+    setText(this.tape, tapeText(live));
+    for (const label of this.modes ?? []) {
+      const radio = label.querySelector("input");
+      if (radio !== null) radio.checked = radio.value === (app.mode === "pull" || app.mode === "place" ? app.mode : "pan");
+    }
+    if (this.hint !== undefined) setText(this.hint, handHint(app));
+    if (this.revision !== live.revision) {
+      this.revision = live.revision;
+      for (const dial of this.dials) this.turn(dial);
+    }
+  }
+
+  /** Shows a value, with its slider made longer where it stands outside. @param {Dial} dial */
+  turn({ kind, index, factor, slider, field }) {
+    const shown = inUnit(this.live.settings[kind][index] ?? NaN, factor);
+    if (!Number.isFinite(shown)) return;
+    if (document.activeElement !== field || Number(field.value) !== shown) field.value = String(shown);
+    if (document.activeElement === slider && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;
+    if (shown > Number(slider.max)) slider.max = String(shown);
+    if (shown < Number(slider.min)) slider.min = String(shown);
+    slider.value = String(shown);
+  }
+}
+
+/** A value in its unit without the noise of the division: 400 and not 400.00000000000006. @param {number} value @param {number} factor */
+function inUnit(value, factor) {
+  const shown = value / factor;
+  const short = Number(shown.toPrecision(15));
+  return short * factor === value ? short : shown;
+}
+
+/** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a span. @param {number} usual @param {number} span */
+export function rangeAround(usual, span) {
+  if (usual === 0 || !Number.isFinite(usual)) return { low: -span, high: span, step: span / 100 };
+  const step = Number((Math.abs(usual) / 100).toPrecision(12));
+  return usual > 0 ? { low: 0, high: 200 * step, step } : { low: -200 * step, high: 0, step };
+}
+
+/**
+ * Half the range of a slider for a quantity that is usually 0, SI: the weight of all for a force, that at an arm as long as a
+ * body for a torque.
+ * @param {Live} live
+ * @param {number[]} exponents of m, kg, s, …
+ */
+function usualSpan(live, [metre, kilogram, second]) {
+  const weight = 9.81 * live.mechanism.bodies.reduce((sum, { mass }) => sum + mass, 0);
+  const isForce = kilogram === 1 && second === -2 && (metre === 1 || metre === 2);
+  return isForce && weight > 0 ? niceNear(weight * live.size() ** (metre - 1)) : 1;
+}
+
+/** @param {string} id @param {string} name @param {() => void} act @param {string} [title] */
+function actButton(id, name, act, title) {
+  return element("button", { type: "button", id, title: title ?? null, onclick: act }, name);
+}
+
+/** @param {Live} live */
+function stateText({ isBroken, isRunning, isAssembled, run, app }) {
+  if (isBroken) return "The module has stopped.";
+  if (run.rows === 0) return "Loading …";
+  if (run.fault !== null && !isAssembled) return "Not assembled. Change a parameter, or reset.";
+  if (run.fault !== null) return "Stopped. Change something, restart or reset.";
+  return isRunning ? "Running" : `Paused at ${timeText(run.end, app.player.duration)}`;
+}
+
+/** @param {Live} live */
+function tapeText(live) {
+  const { recordings, recordsFrom } = live;
+  const done = recordings.length === 0 ? "" : `${recordings.length} recorded, also among the runs. `;
+  if (recordsFrom !== null) return `${done}Recording since ${timeText(recordsFrom, 1)}.`;
+  return done || `Nothing is recorded yet: the last ${LIVE_WINDOW} s are kept.`;
+}
+
+/** @param {App} app */
+function handHint({ mode, selected, live }) {
+  const isBody = selected?.kind === "body";
+  const name = isBody ? (live?.mechanism.bodies[selected.index].name ?? "") : "a body that you select";
+  if (mode === "pull") return `Press on a body and drag: a spring pulls it. Arrow keys pull ${name}.`;
+  if (mode === "place") return `Drag a body: joints close by themselves. Arrow keys move ${name}, Page ↑ and Page ↓ turn it.`;
+  return "Dragging moves the view.";
+}
+
+/** @param {App} app @param {Live} live */
+async function saveResults(app, live) {
+  const bytes = await resultsFile(live.kept(), app.madeBy || "plm");
+  saveBlob(new Blob([bytes], { type: "application/zip" }), `${fileStem(app)}-live.npz`);
+}
+
+/** A file for each recording. @param {App} app @param {Live} live */
+function saveTables(app, live) {
+  for (const run of live.kept()) {
+    saveBlob(new Blob([csvText(run)], { type: "text/csv" }), `${fileStem(app)}-${run.name.replaceAll(" ", "-")}.csv`);
+  }
+}

@@ -1,0 +1,32 @@
+// What parameters change of a mechanism: a live module tells it as numbers.
+
+/** @import {Mechanism} from "./format.js" */
+
+/** What was read last, for each mechanism. @type {WeakMap<Mechanism, string>} */
+const knownShapes = new WeakMap();
+
+/**
+ * Puts the numbers of `plm_shape` (plm-view/src/live/shim.rs) into a mechanism; whether anything changed.
+ * @param {Mechanism} mechanism
+ * @param {Float64Array} numbers
+ */
+export function readShape(mechanism, numbers) {
+  const text = numbers.join();
+  if (knownShapes.get(mechanism) === text) return false;
+  knownShapes.set(mechanism, text);
+  let at = 0;
+  const next = () => numbers[at++];
+  const place = (/** @type {import("./format.js").Port} */ port) => ([port.x, port.y, port.angle] = [next(), next(), next()]);
+  for (const body of mechanism.bodies) {
+    [body.mass, body.inertia, body.depth] = [next(), next(), next()];
+    body.ports.forEach(place);
+    const contour = Array.from({ length: next() }, () => [next(), next()]);
+    const canBeDrawn = contour.length > 0 && contour.flat().every(Number.isFinite);
+    body.contour = canBeDrawn ? contour : null;
+  }
+  for (const port of mechanism.ground) {
+    place(port);
+    port.depth = next();
+  }
+  return true;
+}

@@ -1,0 +1,5 @@
+// Starts a page of results.
+
+import { startPage } from "./main.js";
+
+void startPage(null);

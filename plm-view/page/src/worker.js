@@ -1,0 +1,290 @@
+// The mechanism in a worker of its own: a module of WebAssembly is stepped in real time, and its rows are posted.
+//
+// `LiveMachine` and `liveWorker` go into the worker as text, so that they use nothing from outside of themselves.
+
+/**
+ * What a module exports: `plm-view/src/live/shim.rs`.
+ * @typedef {{memory: WebAssembly.Memory, plm_restart: () => number, plm_reset: () => number, plm_step: (dt: number) => number,
+ *   plm_read: () => number, plm_length: () => number, plm_shape: () => number, plm_shape_length: () => number,
+ *   plm_parameter: (index: number) => number, plm_set_parameter: (index: number, value: number) => void,
+ *   plm_input: (index: number) => number, plm_set_input: (index: number, value: number) => void,
+ *   plm_pull: (body: number, x: number, y: number, fx: number, fy: number) => void,
+ *   plm_place: (body: number, x: number, y: number, angle: number) => number,
+ *   plm_trouble: () => number, plm_trouble_length: () => number}} LiveExports
+ */
+
+/**
+ * A spring from a point of a body (in its axes) to a target in absolute axes; or a constant force, N.
+ * @typedef {{body: number, point: number[], target: number[], stiffness: number, damping: number, force: number[] | null}} Pull
+ * @typedef {{time: number, part: string, text: string}} Trouble
+ */
+
+/**
+ * @typedef {{kind: "load", wasm: Uint8Array, parameters: number, inputs: number} | {kind: "run" | "pause" | "restart" | "reset"}
+ *   | {kind: "speed", speed: number} | {kind: "step", dt: number, count: number}
+ *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "pull", pull: Pull | null}
+ *   | {kind: "place", body: number, point: number[], target: number[], turn: number}} ToWorker
+ * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "began", numbers: Float64Array, isAssembled: boolean}
+ *   | {kind: "trouble", trouble: Trouble | null} | {kind: "placed"} | {kind: "broken", text: string}
+ *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array}} FromWorker
+ */
+
+export class LiveMachine {
+  /**
+   * @param {LiveExports} exports
+   * @param {{parameters: number, inputs: number}} counts
+   * @param {(message: FromWorker) => void} post
+   */
+  constructor(exports, counts, post) {
+    this.exports = exports;
+    this.counts = counts;
+    this.post = post;
+    /** Inputs that were set by hand: they outlive a start that failed. @type {Map<number, number>} */
+    this.inputs = new Map();
+    /** @type {Pull | null} */
+    this.pull = null;
+    /** Rows that are not posted yet. @type {Float64Array[]} */
+    this.rows = [];
+    this.now = new Float64Array(0);
+    this.isAssembled = false;
+    /** It cannot go on until something is changed. */
+    this.isStuck = false;
+    this.told = "null";
+  }
+
+  read() {
+    const { exports } = this;
+    // The memory may grow while it is read.
+    const [place, length] = [exports.plm_read(), exports.plm_length()];
+    this.now = new Float64Array(exports.memory.buffer, place, length).slice();
+    return this.now;
+  }
+
+  /** Posts a message behind the rows that came before. @param {FromWorker} message */
+  send(message) {
+    this.flush();
+    this.post(message);
+  }
+
+  flush() {
+    if (this.rows.length === 0) return;
+    const width = this.rows[0].length;
+    const numbers = new Float64Array(width * this.rows.length);
+    this.rows.forEach((row, at) => numbers.set(row, at * width));
+    this.rows = [];
+    this.post({ kind: "rows", width, numbers });
+  }
+
+  /** @returns {Trouble | null} */
+  trouble() {
+    const { exports } = this;
+    const [place, length] = [exports.plm_trouble(), exports.plm_trouble_length()];
+    if (length === 0) return null;
+    const [time, part, ...text] = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, place, length)).split("\n");
+    return { time: Number(time), part, text: text.join("\n") };
+  }
+
+  /** Tells what is wrong, or that nothing is any more. */
+  tellTrouble() {
+    const trouble = this.trouble();
+    const words = JSON.stringify(trouble);
+    if (words === this.told) return;
+    this.told = words;
+    this.send({ kind: "trouble", trouble });
+  }
+
+  tellSettings() {
+    const { exports, counts } = this;
+    const parameters = Array.from({ length: counts.parameters }, (_, index) => exports.plm_parameter(index));
+    const inputs = Array.from({ length: counts.inputs }, (_, index) => exports.plm_input(index));
+    const [place, length] = [exports.plm_shape(), exports.plm_shape_length()];
+    const shape = new Float64Array(exports.memory.buffer, place, length).slice();
+    this.send({ kind: "settings", parameters, inputs, shape });
+  }
+
+  /** @param {"restart" | "reset"} how */
+  begin(how) {
+    const { exports } = this;
+    if (how === "reset") this.inputs.clear();
+    this.isAssembled = (how === "reset" ? exports.plm_reset() : exports.plm_restart()) === 1;
+    for (const [index, value] of this.inputs) exports.plm_set_input(index, value);
+    this.tellBegun();
+  }
+
+  tellBegun() {
+    this.isStuck = !this.isAssembled;
+    this.send({ kind: "began", numbers: this.read(), isAssembled: this.isAssembled });
+    this.tellTrouble();
+    this.tellSettings();
+  }
+
+  /** @param {"parameter" | "input"} kind @param {number} index @param {number} value SI */
+  set(kind, index, value) {
+    const { exports } = this;
+    if (kind === "input") {
+      this.inputs.set(index, value);
+      exports.plm_set_input(index, value);
+    } else {
+      exports.plm_set_parameter(index, value);
+    }
+    this.isStuck = false;
+    // At the start a parameter acts on the assembly at once.
+    if (kind === "parameter" && (!this.isAssembled || this.now[0] === 0)) this.begin("restart");
+    else this.tellSettings();
+  }
+
+  /** Goes on by `dt`, s. @param {number} dt */
+  step(dt) {
+    if (this.isStuck) return;
+    this.applyPull();
+    if (this.exports.plm_step(dt) === 1) this.rows.push(this.read());
+    else this.isStuck = true;
+    if (this.isStuck || this.told !== "null") this.tellTrouble();
+  }
+
+  /** A point of a body now, and its velocity, in absolute axes. @param {number} body @param {number[]} point */
+  pointOf(body, [u, v]) {
+    const [x, y, angle, vx, vy, omega] = this.now.subarray(1 + 6 * body, 7 + 6 * body);
+    const [dx, dy] = [Math.cos(angle) * u - Math.sin(angle) * v, Math.sin(angle) * u + Math.cos(angle) * v];
+    return { x: x + dx, y: y + dy, vx: vx - omega * dy, vy: vy + omega * dx };
+  }
+
+  applyPull() {
+    if (this.pull === null) return;
+    const { body, point, target, stiffness, damping, force } = this.pull;
+    const { x, y, vx, vy } = this.pointOf(body, point);
+    const [fx, fy] = force ?? [stiffness * (target[0] - x) - damping * vx, stiffness * (target[1] - y) - damping * vy];
+    this.exports.plm_pull(body, x, y, fx, fy);
+  }
+
+  /** @param {Pull | null} pull */
+  setPull(pull) {
+    const before = this.pull?.body;
+    if (before !== undefined && before !== pull?.body) this.exports.plm_pull(before, 0, 0, 0, 0);
+    this.pull = pull;
+    this.isStuck &&= !this.isAssembled;
+  }
+
+  /**
+   * Places a body so that a point of it comes near a target, or turns it. All bodies give way when joints close, so that it
+   * comes a part of the way: the next trial asks for as much more as the last one fell short.
+   * @param {number} body
+   * @param {number[]} point
+   * @param {number[]} target
+   * @param {number} turn rad; if it is not 0, the target does not count
+   */
+  place(body, point, target, turn) {
+    const goal = this.now[3 + 6 * body] + turn;
+    let gain = 1;
+    for (let left = 12; left > 0; left--) {
+      const { x, y } = this.pointOf(body, point);
+      const [gx, gy, angle] = this.now.subarray(1 + 6 * body, 4 + 6 * body);
+      const rest = turn === 0 ? [target[0] - x, target[1] - y, 0] : [0, 0, goal - angle];
+      if (Math.hypot(...rest) < 1e-9) break;
+      if (this.exports.plm_place(body, gx + gain * rest[0], gy + gain * rest[1], angle + gain * rest[2]) !== 1) {
+        if (gain === 1) break;
+        gain = Math.max(1, gain / 4);
+        continue;
+      }
+      this.read();
+      const after = this.pointOf(body, point);
+      const moved = turn === 0 ? [after.x - x, after.y - y, 0] : [0, 0, this.now[3 + 6 * body] - angle];
+      const along = moved.reduce((sum, part, at) => sum + part * rest[at], 0);
+      // It goes no farther that way.
+      if (along < 1e-6 * Math.hypot(...rest) ** 2) break;
+      gain = Math.min(Math.max((gain * along) / Math.hypot(...moved) ** 2, 1), 30);
+    }
+    this.tellBegun();
+    this.send({ kind: "placed" });
+  }
+}
+
+/**
+ * Obeys messages and keeps the time.
+ * @param {{onmessage: ((event: MessageEvent<ToWorker>) => void) | null, postMessage: (message: FromWorker) => void}} scope
+ */
+export function liveWorker(scope) {
+  /** Rows are no farther apart, s of the run; and at speeds below 1 none of the screen. */
+  const longestStep = 0.01;
+  /** One turn computes no longer, ms: messages wait meanwhile. */
+  const longestTurn = 40;
+  /** @type {LiveMachine | null} */
+  let machine = null;
+  let isRunning = false;
+  let speed = 1;
+  let due = 0;
+  let last = 0;
+
+  const turn = () => {
+    if (!isRunning || machine === null) return;
+    const now = performance.now();
+    due += (Math.min(now - last, 100) / 1000) * speed;
+    last = now;
+    const step = longestStep * Math.min(speed, 1);
+    while (due >= step && !machine.isStuck) {
+      machine.step(step);
+      due -= step;
+      // Where the machine is too slow the run is slower, and skips nothing.
+      if (performance.now() - now > longestTurn) due = 0;
+    }
+    if (machine.isStuck) due = 0;
+    machine.flush();
+    setTimeout(() => guarded(turn), 8);
+  };
+  const guarded = (/** @type {() => unknown} */ act) => {
+    try {
+      act();
+    } catch (error) {
+      isRunning = false;
+      machine = null;
+      scope.postMessage({ kind: "broken", text: error instanceof Error ? error.message : String(error) });
+    }
+  };
+
+  /** @param {LiveMachine} on @param {ToWorker} message */
+  const obey = (on, message) => {
+    if (message.kind === "run") {
+      if (isRunning) return;
+      [isRunning, last, due] = [true, performance.now(), 0];
+      on.isStuck &&= !on.isAssembled;
+      setTimeout(() => guarded(turn), 0);
+    } else if (message.kind === "pause") isRunning = false;
+    else if (message.kind === "speed") speed = message.speed;
+    else if (message.kind === "restart" || message.kind === "reset") on.begin(message.kind);
+    else if (message.kind === "parameter" || message.kind === "input") on.set(message.kind, message.index, message.value);
+    else if (message.kind === "pull") on.setPull(message.pull);
+    else if (message.kind === "place") on.place(message.body, message.point, message.target, message.turn);
+    else if (message.kind === "step") {
+      on.isStuck &&= !on.isAssembled;
+      for (let left = message.count; left > 0; left--) on.step(message.dt);
+      on.flush();
+    }
+  };
+
+  /** What came before the module was there. @type {ToWorker[]} */
+  const waiting = [];
+  scope.onmessage = ({ data }) => {
+    if (data.kind !== "load") {
+      const on = machine;
+      if (on === null) waiting.push(data);
+      else guarded(() => obey(on, data));
+      return;
+    }
+    const isLoaded = WebAssembly.instantiate(/** @type {Uint8Array<ArrayBuffer>} */ (data.wasm), {});
+    isLoaded.then(
+      ({ instance }) =>
+        guarded(() => {
+          const on = new LiveMachine(/** @type {any} */ (instance.exports), data, (message) => scope.postMessage(message));
+          machine = on;
+          on.begin("restart");
+          for (const message of waiting.splice(0)) obey(on, message);
+        }),
+      (error) => guarded(() => { throw error; }),
+    );
+  };
+}
+
+/** The text of the worker. */
+export function workerText() {
+  return `${LiveMachine}\n${liveWorker}\nliveWorker(self);\n`;
+}
