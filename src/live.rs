@@ -41,13 +41,13 @@ pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
     text.push_str(
         "\npart plm_pull(a: body) { input x: N = 0; input y: N = 0; input turn: N*m = 0; force on a: (x, y); torque on a: turn; }\n",
     );
-    for (k, body) in bodies.iter().enumerate() {
+    text.extend(bodies.iter().enumerate().map(|(k, body)| {
         let name = format!("{PULL}{k}");
-        text.push_str(&format!(
+        format!(
             "input {name}_x: N = 0; input {name}_y: N = 0; input {name}_turn: N*m = 0;\n\
              plm_pull {name}({body}) {{ x: {name}_x; y: {name}_y; turn: {name}_turn; }}\n"
-        ));
-    }
+        )
+    }));
     text.push_str("}\n");
     text
 }
@@ -97,33 +97,30 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// and all observed quantities, in SI. Where nothing was assembled, the start values as they are set.
     pub fn read(&mut self) -> &[f64] {
         self.numbers.clear();
-        match &self.sim {
-            Some(sim) => {
-                let state = sim.state();
-                self.numbers.push(state.time());
-                let numbers = &mut self.numbers;
-                M::poses(state, &mut |pose| {
-                    numbers.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega]);
-                });
-                for port in 0..M::TABLES.ground.len() {
-                    let place = state.mechanism().ground(state.time(), port);
-                    numbers.extend(place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]));
+        if let Some(sim) = &self.sim {
+            let state = sim.state();
+            self.numbers.push(state.time());
+            let numbers = &mut self.numbers;
+            M::poses(state, &mut |pose| {
+                numbers.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega]);
+            });
+            for port in 0..M::TABLES.ground.len() {
+                let place = state.mechanism().ground(state.time(), port);
+                numbers.extend(place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]));
+            }
+            let observed = (0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN));
+            numbers.extend(observed);
+        } else {
+            let (bodies, ground) = (6 * M::TABLES.bodies.len(), 3 * M::TABLES.ground.len());
+            self.numbers.push(0.0);
+            let (numbers, mut left) = (&mut self.numbers, bodies);
+            self.mechanism.starts_mut().each(&mut |_, start| {
+                if left > 0 {
+                    numbers.push(start.value);
+                    left -= 1;
                 }
-                let observed = (0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN));
-                numbers.extend(observed);
-            }
-            None => {
-                let (bodies, ground) = (6 * M::TABLES.bodies.len(), 3 * M::TABLES.ground.len());
-                self.numbers.push(0.0);
-                let (numbers, mut left) = (&mut self.numbers, bodies);
-                self.mechanism.starts_mut().each(&mut |_, start| {
-                    if left > 0 {
-                        numbers.push(start.value);
-                        left -= 1;
-                    }
-                });
-                self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
-            }
+            });
+            self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
         }
         &self.numbers
     }

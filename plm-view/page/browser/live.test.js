@@ -269,6 +269,9 @@ test("a body is placed by mouse and by keys, and the joints close", { skip }, as
   await settle(page);
   assert.ok(await page.isChecked("#hand-place"));
   assert.ok(!(await state(page, "app.live.isRunning")), "it pauses");
+  await page.keyboard.press("Shift+D");
+  await page.waitForFunction(() => window.plmPage.app.live.run.rows === 1);
+  await settle(page);
   const [x, y] = await onScreen(page, 0, [0.4, 0]);
   const before = await pose(page, 0);
   await page.mouse.move(x, y);
