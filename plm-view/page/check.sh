@@ -16,10 +16,9 @@ if [ -z "$browser" ] && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; the
 fi
 
 # The live page's tests take the module that `cargo test -p plm-planar --test live_module` has built; without it they say so.
-live=${CARGO_TARGET_DIR:-../../target}/tmp/live
-if [ -z "${PLM_LIVE:-}" ] && [ -d "$live" ]; then
-    PLM_LIVE=$(cd "$live" && pwd)
-    export PLM_LIVE
+target=${CARGO_TARGET_DIR:-../../target}
+if [ -z "${PLM_LIVE:-}" ] && live=$(cd "$target" 2>/dev/null && cd tmp/live 2>/dev/null && pwd); then
+    export PLM_LIVE=$live
 fi
 
 printf '== types\n'

@@ -269,6 +269,9 @@ test("a body is placed by mouse and by keys, and the joints close", { skip }, as
   await settle(page);
   assert.ok(await page.isChecked("#hand-place"));
   assert.ok(!(await state(page, "app.live.isRunning")), "it pauses");
+  await page.keyboard.press("Shift+D");
+  await page.waitForFunction(() => window.plmPage.app.live.run.rows === 1);
+  await settle(page);
   const [x, y] = await onScreen(page, 0, [0.4, 0]);
   const before = await pose(page, 0);
   await page.mouse.move(x, y);
@@ -336,6 +339,7 @@ test("record, and export what was recorded", { skip }, async () => {
   await page.focus("#picture");
   await page.keyboard.press("Shift+C");
   assert.equal(await state(page, "app.live.recordings.length"), 1);
+  await settle(page);
   assert.match(await page.textContent("#live-tape"), /1 recorded/);
   const file = async (button) => {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
@@ -372,6 +376,7 @@ test("toolbar and keys of the live page", { skip }, async () => {
   await page.keyboard.press("h");
   assert.equal(await state(page, "app.mode"), "pull");
   await page.click("#do-record");
+  await settle(page);
   assert.equal(await page.getAttribute("#do-record", "aria-pressed"), "true");
   for (const use of [() => page.click("#do-restart"), () => page.keyboard.press("Shift+D")]) {
     await page.waitForFunction(() => window.plmPage.app.live.run.end > 0.15);

@@ -134,7 +134,8 @@ export class LivePanel {
   turn({ kind, index, factor, slider, field }) {
     const shown = inUnit(this.live.settings[kind][index] ?? NaN, factor);
     if (!Number.isFinite(shown)) return;
-    if (document.activeElement !== field || Number(field.value) !== shown) field.value = String(shown);
+    // What is being typed is not overwritten.
+    if (document.activeElement !== field) field.value = String(shown);
     if (document.activeElement === slider && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;
     if (shown > Number(slider.max)) slider.max = String(shown);
     if (shown < Number(slider.min)) slider.min = String(shown);

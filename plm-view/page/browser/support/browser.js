@@ -88,6 +88,8 @@ let heard = { requests: [], errors: [] };
 
 async function newPage() {
   const page = await (await theBrowser()).newPage();
+  // Choosers are caught from the beginning: to begin when one is awaited may be too late.
+  page.on("filechooser", () => {});
   page.on("request", (request) => heard.requests.push(request.url()));
   page.on("pageerror", (error) => heard.errors.push(String(error.stack ?? error)));
   // Chromium's own warnings are no errors of the page.
