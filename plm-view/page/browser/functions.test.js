@@ -354,6 +354,8 @@ test("theme, panel, options, help", { skip }, async () => {
     await page.fill("#rate", "10");
     await page.fill("#step", "0.25");
     await page.keyboard.press("Escape");
+    // A frame is 0.1 s now.
+    await page.waitForTimeout(300);
     await settle(page);
     const { back, ink } = await drawn(page);
     assert.ok(Math.abs(back[0] - 0x20) < 3 && Math.abs(back[2] - 0x60) < 3 && ink > 5000, `${message}: ${back}`);
