@@ -108,12 +108,9 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let (Some(sim), numbers) = (&self.sim, &mut self.numbers) else { return };
         let state = sim.state();
         numbers.push(state.time());
-        M::poses(state, &mut |pose| {
-            numbers.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega]);
-        });
+        M::poses(state, &mut |pose| numbers.extend(pose.components()));
         for port in 0..M::TABLES.ground.len() {
-            let place = state.mechanism().ground(state.time(), port);
-            numbers.extend(place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]));
+            numbers.extend(Place::components(state.mechanism().ground(state.time(), port)));
         }
         numbers.extend((0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN)));
     }
@@ -135,17 +132,15 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     pub fn shape(&mut self) -> &[f64] {
         let (of, shape) = (&self.mechanism, &mut self.shape);
         let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
-        let place =
-            |place: Option<Place<f64>>| place.map_or([f64::NAN; 3], |place| [place.x, place.y, place.angle]);
         shape.clear();
         for (k, body) in M::TABLES.bodies.iter().enumerate() {
             shape.extend([of.mass(k), of.inertia(k), of.depth(k)].map(number));
-            shape.extend((0..body.ports.len()).flat_map(|port| place(of.port(k, port))));
+            shape.extend((0..body.ports.len()).flat_map(|port| Place::components(of.port(k, port))));
             shape.push(body.contour as f64);
             shape.extend((0..body.contour).flat_map(|point| of.contour(k, point).unwrap_or([f64::NAN; 2])));
         }
         for k in 0..M::TABLES.ground.len() {
-            shape.extend(place(of.ground(0.0, k)));
+            shape.extend(Place::components(of.ground(0.0, k)));
             shape.push(number(of.ground_depth(k)));
         }
         shape

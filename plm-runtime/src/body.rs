@@ -63,6 +63,13 @@ pub struct BodyMotion<S> {
     pub omega: S,
 }
 
+impl<S: Copy> BodyMotion<S> {
+    /// (x, y, angle, vx, vy, omega).
+    pub fn components(&self) -> [S; 6] {
+        [self.x, self.y, self.angle, self.vx, self.vy, self.omega]
+    }
+}
+
 impl<S: Scalar> BodyMotion<S> {
     /// Absolute position of a point of the body that stands at (`x`, `y`) from G in the body's axes, m.
     pub fn point(&self, x: S, y: S) -> [S; 2] {

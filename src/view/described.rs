@@ -62,7 +62,7 @@ fn body<M: Described>(of: &M, k: usize) -> Body {
 
 /// Place and angle.
 pub(super) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
-    place.map_or([f64::NAN; 3], |Place { x, y, angle }| [x, y, angle].map(Scalar::to_f64))
+    Place::components(place).map(Scalar::to_f64)
 }
 
 fn ground<M: Described>(of: &M, k: usize) -> GroundPort {

@@ -151,7 +151,7 @@ impl<M: Described> Recorder<M> {
     pub fn take(&mut self, state: &M::State) {
         let (time, mut poses, mut ground) = (state.time(), Vec::new(), Vec::new());
         M::poses(state, &mut |pose| {
-            poses.extend([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega].map(Scalar::to_f64));
+            poses.extend(pose.components().map(Scalar::to_f64));
         });
         if self.recording.about.mechanism.ground_moves() {
             let ports = 0..M::TABLES.ground.len();

@@ -31,6 +31,13 @@ pub struct Place<S> {
     pub angle: S,
 }
 
+impl<S: Scalar> Place<S> {
+    /// (x, y, angle) of a place; not numbers where there is none.
+    pub fn components(place: Option<Self>) -> [S; 3] {
+        place.map_or([S::lit(f64::NAN); 3], |Place { x, y, angle }| [x, y, angle])
+    }
+}
+
 /// The numbers that a mechanism computes with.
 type Number<M> = <M as System>::S;
 

@@ -15,6 +15,7 @@ mod search;
 
 use self::kinks::Kinks;
 use self::looks::Looks;
+use self::past::hold_past;
 pub(crate) use self::past::switch_past;
 use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
@@ -219,18 +220,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
     ) -> Result<(), Fault> {
         let here = guards_here(course)?;
         self.guards = Some(here);
-        let Some(first) = (0..G::LEN).find(|i| is_past(course.system, &here, *i)) else {
-            return Ok(());
-        };
-        for index in (first..G::LEN).filter(|i| is_past(course.system, &here, *i)) {
-            required(course, index)?;
-        }
-        let mut after = course.held;
-        let switched = switch_where_due(course.system, course.time, &mut after, &course.x);
-        if by_step {
-            hold(course, after)?;
-        }
-        course.held = after;
+        let Some((first, switched)) = hold_past(course, &here, by_step)? else { return Ok(()) };
         method.restart();
         self.guards = Some(guards_here(course)?);
         self.count(course, switched, first)

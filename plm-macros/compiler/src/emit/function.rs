@@ -241,8 +241,7 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
         )
     });
     let name = named("jacobian");
-    let jacobian =
-        chart.jacobian.as_ref().filter(|_| reduced.charts.iter().all(|chart| chart.jacobian.is_some()));
+    let jacobian = chart.jacobian.as_ref().filter(|_| reduced.has_jacobian());
     let jacobian = jacobian.map(|jacobian| {
         function(
             emission,

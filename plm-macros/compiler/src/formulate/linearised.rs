@@ -1,8 +1,51 @@
 //! Linearised equations of motion, and what they are for.
 
-use super::reduced::Augmented;
+use std::collections::BTreeMap;
+
+use plm_cas::{Expr, algebra};
+
+use super::function::{Function, Section, stored};
+use super::pattern::Pattern;
 use super::resolvent::Resolvent;
 use crate::model::{Model, Step};
+
+/// What a coefficient multiplies; the words are those of the runtime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Part {
+    Value,
+    Rate,
+    Position,
+    Velocity,
+    Acceleration,
+}
+
+/// Coefficients by equation, unknown and part of it.
+pub(crate) type Terms = BTreeMap<(usize, usize, Part), Expr>;
+
+/// A coefficient in an equation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Term {
+    /// Its place among the results of [`Augmented::coefficients`].
+    pub(crate) coefficient: usize,
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    pub(crate) part: Part,
+}
+
+/// The linearised equations.
+#[derive(Debug)]
+pub(crate) struct Augmented {
+    /// `c`: the different coefficients, where the accelerations are known.
+    pub(crate) coefficients: Function,
+    /// Symbols of the second derivatives of the coordinates.
+    pub(crate) accelerations: Vec<Expr>,
+    /// Number of first-order states.
+    pub(crate) states: usize,
+    /// Where the coefficients stand.
+    pub(crate) terms: Vec<Term>,
+    /// How they are eliminated.
+    pub(crate) pattern: Pattern,
+}
 
 /// The linearised equations of a formulation.
 #[derive(Debug)]
@@ -30,6 +73,20 @@ pub(crate) fn orders_step(model: &Model) -> bool {
 }
 
 impl Augmented {
+    /// Of coefficients, eliminated in an order; `sections` tells of the different ones what a person would write down first.
+    pub(crate) fn new(
+        terms: Terms,
+        (accelerations, states): (Vec<Expr>, usize),
+        order: &[usize],
+        sections: impl FnOnce(&[Expr]) -> Vec<Section>,
+    ) -> Augmented {
+        let (different, terms) = placed(terms);
+        let pattern = Pattern::new(order, terms.iter().map(|term| (term.row, term.column)));
+        let results = stored("c", different.iter());
+        let coefficients = Function { sections: sections(&different), results }.optimise();
+        Augmented { coefficients, accelerations, states, terms, pattern }
+    }
+
     /// Do these equations take fewer operations than the derivatives of the rate in dual numbers and the decomposition of
     /// the full matrix, where `rate` is the number of operations of the rate?
     pub(crate) fn is_cheaper(&self, rate: usize) -> bool {
@@ -41,4 +98,33 @@ impl Augmented {
         let full = rate * (2 * n + k) * 7 / 10 + (n + k).pow(3) / 3;
         sparse < full
     }
+}
+
+/// Adds the derivatives of equations by coordinates, their rates and first-order states, whose columns are behind those of
+/// the coordinates.
+pub(crate) fn add_slopes(terms: &mut Terms, equations: &[Expr], [q, v, x]: [&[Expr]; 3]) {
+    let n = q.len();
+    for (row, &equation) in equations.iter().enumerate() {
+        for (symbols, part, first) in [(q, Part::Position, 0), (v, Part::Velocity, 0), (x, Part::Value, n)] {
+            for (k, slope) in algebra::gradient(equation, symbols) {
+                terms.insert((row, first + k, part), slope);
+            }
+        }
+    }
+}
+
+/// Equal coefficients are computed once.
+fn placed(terms: Terms) -> (Vec<Expr>, Vec<Term>) {
+    let (mut different, mut places, mut placed) = (Vec::new(), BTreeMap::new(), Vec::new());
+    for ((row, column, part), value) in terms {
+        if value.is_zero() {
+            continue;
+        }
+        let coefficient = *places.entry(value).or_insert_with(|| {
+            different.push(value);
+            different.len() - 1
+        });
+        placed.push(Term { coefficient, row, column, part });
+    }
+    (different, placed)
 }

@@ -18,7 +18,7 @@ mod switches;
 
 pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use function::{Function, Place};
-pub(crate) use linearised::Linearised;
+pub(crate) use linearised::{Augmented, Linearised, Part, Term};
 pub(crate) use program::{Program, reduce};
-pub(crate) use reduced::{Augmented, Chart, Part, Reduced, Term};
+pub(crate) use reduced::{Chart, Reduced};
 pub(crate) use resolvent::Resolvent;

@@ -17,7 +17,7 @@ pub(crate) fn minimum_degree(neighbours: Vec<BTreeSet<usize>>) -> impl Iterator<
 
 /// The same where row `i` has to wait until those of `behind[i]` are eliminated, all of which are its neighbours and wait for
 /// nothing.
-pub(crate) fn minimum_degree_behind(
+fn minimum_degree_behind(
     mut neighbours: Vec<BTreeSet<usize>>,
     mut behind: Vec<BTreeSet<usize>>,
 ) -> impl Iterator<Item = Pivot> {
@@ -37,6 +37,23 @@ pub(crate) fn minimum_degree_behind(
         }
         Some((row, near))
     })
+}
+
+/// Minimum degree of the symmetric pattern that holds these entries, (row, column) of `count`; rows from `first` on behind all
+/// that they meet.
+pub(crate) fn minimum_degree_of(
+    count: usize,
+    first: usize,
+    entries: impl Iterator<Item = (usize, usize)>,
+) -> Vec<usize> {
+    let mut near = vec![BTreeSet::new(); count];
+    for (row, column) in entries.filter(|(row, column)| row != column) {
+        near[row].insert(column);
+        near[column].insert(row);
+    }
+    let behind = near.iter().enumerate();
+    let behind = behind.map(|(row, near)| if row < first { BTreeSet::new() } else { near.clone() }).collect();
+    minimum_degree_behind(near, behind).map(|(pivot, _)| pivot).collect()
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use plm_cas::Expr;
 
 use super::function::{Function, Place, stored};
-use super::reduced::{Augmented, Part};
+use super::linearised::{Augmented, Part};
 
 /// Elimination of linearised equations for one lambda, and their solution for one right-hand side.
 #[derive(Debug)]

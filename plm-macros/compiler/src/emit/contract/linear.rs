@@ -1,6 +1,6 @@
 //! `Linear`: the mechanism and what it holds as constants with derivatives; of a large tree, its linearised equations.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
@@ -43,7 +43,7 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
 
 /// The full matrix in the chart that is held, where every chart has it entry by entry.
 fn of_charts(emission: &Emission, reduced: &Reduced) -> Option<TokenStream> {
-    if reduced.charts.iter().any(|chart| chart.jacobian.is_none()) {
+    if !reduced.has_jacobian() {
         return None;
     }
     let length = &emission.sizes.length;
@@ -102,6 +102,14 @@ impl Emission<'_> {
     fn sparse(&self) -> Option<&Augmented> {
         let system = self.systems().into_iter().find(|system| system.linearised.sparse)?;
         Some(&system.linearised.augmented)
+    }
+
+    /// The name of a function of the chart with this number: its own where there are several.
+    pub(crate) fn in_chart(&self, function: &str, chart: usize) -> Ident {
+        match self.form {
+            Form::Loops(_) => format_ident!("{function}_{chart}"),
+            Form::Tree(_) | Form::Absolute => format_ident!("{function}"),
+        }
     }
 
     /// Numbers that coefficients of linearised equations need.
@@ -188,8 +196,7 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
     let memory = memory.map(|memory| quote!(m: &#memory,));
     let multipliers = (!emission.is_reduced()).then(|| quote!(lambda: &[S; #nc],));
     let functions = systems.iter().enumerate().map(|(k, system)| {
-        let suffix = if emission.loops().is_some() { format!("_{k}") } else { String::new() };
-        let name = format_ident!("linearised{suffix}");
+        let name = emission.in_chart("linearised", k);
         function(
             emission,
             "The coefficients of the linearised equations before anything is eliminated; `dx` is the rate there.",

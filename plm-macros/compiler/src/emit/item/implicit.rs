@@ -1,6 +1,6 @@
 //! The linearly implicit step: the equations linearised where it begins, eliminated entry by entry, solved four times.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
@@ -19,9 +19,8 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
     if resolvents.is_empty() {
         return by_matrix(emission);
     }
-    let most =
-        |count: fn(&Resolvent) -> usize| number(resolvents.iter().map(|of| count(of)).max().unwrap_or(0));
-    let (coefficients, entries) = (most(|of| of.c.len()), most(|of| of.e.len()));
+    let entries = number(resolvents.iter().map(|resolvent| resolvent.e.len()).max().unwrap_or(0));
+    let coefficients = emission.coefficients();
     let algebra: TokenStream = resolvents
         .iter()
         .enumerate()
@@ -95,11 +94,10 @@ fn by_time(emission: &Emission) -> TokenStream {
 fn linear_algebra(
     emission: &Emission,
     (chart, resolvent): (usize, &Resolvent),
-    (coefficients, entries): (&proc_macro2::Literal, &proc_macro2::Literal),
+    (coefficients, entries): (&Literal, &Literal),
 ) -> TokenStream {
     let length = &emission.sizes.length;
-    let suffix = if emission.loops().is_some() { format!("_{chart}") } else { String::new() };
-    let name = format_ident!("eliminated{suffix}");
+    let name = emission.in_chart("eliminated", chart);
     let eliminated = function(
         emission,
         "Eliminates the linearised equations for a lambda; returns the largest growth, by which a product was larger than the\npivot that it was taken from.",
@@ -108,7 +106,7 @@ fn linear_algebra(
         },
         (&resolvent.eliminate, Origin::Resolvent(resolvent)),
     );
-    let name = format_ident!("solved{suffix}");
+    let name = emission.in_chart("solved", chart);
     let solved = function(
         emission,
         "Solves `(lambda I - df/dx) k = r`.",

@@ -87,6 +87,18 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
 }
 
 impl Dense {
+    /// `M a - Q`, zero along the motion.
+    pub(crate) fn residuals(&self, motion: &Motion, a: &[Expr]) -> Vec<Expr> {
+        let mut residuals: Vec<Expr> = self.right_hand_side(motion).into_iter().map(|force| -force).collect();
+        for (&(i, j), &mass) in &self.mass {
+            residuals[i] += mass * a[j];
+            if i != j {
+                residuals[j] += mass * a[i];
+            }
+        }
+        residuals
+    }
+
     /// Forces less what the velocities ask for.
     pub(crate) fn right_hand_side(&self, motion: &Motion) -> Vec<Expr> {
         let Some(pace) = motion.pace else { return self.force.clone() };

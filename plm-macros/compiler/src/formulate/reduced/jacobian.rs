@@ -32,36 +32,29 @@ impl Jacobian {
 /// Lays it out; `x` are the first-order states and `x_dot` their rates.
 pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Jacobian {
     let n = motion.independent.len();
-    let of_independent =
-        |of: &[Expr]| motion.independent.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
-    let state = [of_independent(&motion.value), of_independent(&motion.rate), x.to_vec()].concat();
+    let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
+    let state = [y, y_dot, x.to_vec()].concat();
     let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
-    let mut residuals: Vec<Expr> = dense.right_hand_side(motion).into_iter().map(|force| -force).collect();
-    let mut mass = dense.mass.clone();
-    for (&(i, j), mass) in &mut mass {
+    let mut dense = dense.clone();
+    for (&(i, j), mass) in &mut dense.mass {
         *mass = mass.named(format!("m_{i}_{j}"));
-        residuals[i] += *mass * accelerations[j];
-        if i != j {
-            residuals[j] += *mass * accelerations[i];
-        }
     }
+    let residuals = dense.residuals(motion, &accelerations);
     let mut results: Vec<(Place, Expr)> =
         (0..n).map(|i| (Place::Entry("by_x", i, n + i), Expr::ONE)).collect();
-    let factor = factorise(n, &mass, None);
+    let factor = factorise(n, &dense.mass, None);
     let mut columns = vec![vec![Expr::ZERO; n]; state.len()];
     for (i, &residual) in residuals.iter().enumerate() {
         for (column, slope) in algebra::gradient(residual, &state) {
             columns[column][i] = -slope;
         }
     }
-    for (j, column) in
-        columns.iter().enumerate().filter(|(_, column)| column.iter().any(|slope| !slope.is_zero()))
-    {
+    let held = columns.iter().enumerate().filter(|(_, column)| column.iter().any(|slope| !slope.is_zero()));
+    for (j, column) in held {
         let names: Vec<String> = (0..n).map(|i| format!("by_{i}_{j}")).collect();
         let (solution, _) = factor.solve(column, &names);
-        results.extend(
-            solution.into_iter().enumerate().map(|(i, entry)| (Place::Entry("by_x", n + i, j), entry)),
-        );
+        let entries = solution.into_iter().enumerate();
+        results.extend(entries.map(|(i, entry)| (Place::Entry("by_x", n + i, j), entry)));
     }
     for (k, &rate) in x_dot.iter().enumerate() {
         let slopes = algebra::gradient(rate, &state).into_iter();

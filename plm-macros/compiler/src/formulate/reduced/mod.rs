@@ -10,6 +10,7 @@ mod inertia;
 mod jacobian;
 mod joints;
 mod layout;
+mod linearised;
 mod motion;
 mod tree;
 
@@ -27,7 +28,6 @@ use self::motion::Motion;
 use self::motion::memory::Memory;
 use self::motion::solution::measure;
 use self::tree::augmented::augmented;
-pub(crate) use self::tree::augmented::{Augmented, Part, Term, placed};
 use super::function::{Function, Place, Section, stored};
 use super::linearised::{Linearised, orders_step};
 use super::switches;
@@ -67,6 +67,11 @@ impl Reduced {
     /// Are rows left out of it that say what others say?
     pub(crate) fn is_redundant(&self) -> bool {
         self.charts.iter().flat_map(|chart| &chart.groups).any(|group| group.starts_with("redundant"))
+    }
+
+    /// Has every chart df/dx entry by entry?
+    pub(crate) fn has_jacobian(&self) -> bool {
+        self.charts.iter().all(|chart| chart.jacobian.is_some())
     }
 
     /// Is it rung 4?
@@ -207,8 +212,6 @@ impl Layout<'_> {
         let (method, rate) = self.rate(&motion, scheme);
         let tree = scheme.groups.is_empty();
         let large = tree.then(|| augmented(model, equations, &motion)).flatten();
-        let of_independent =
-            |of: &[Expr]| motion.independent.iter().map(|&unknown| of[unknown]).collect::<Vec<Expr>>();
         let names: Vec<String> =
             motion.independent.iter().map(|&unknown| motion.names[unknown].clone()).collect();
         let parts = names.iter().map(|name| owner(name).to_owned());
@@ -240,8 +243,8 @@ impl Layout<'_> {
             parts: parts.collect(),
             names,
             angles: motion.independent.iter().map(is_angle).collect(),
-            y: of_independent(&motion.value),
-            y_dot: of_independent(&motion.rate),
+            y: motion.of_independent(&motion.value),
+            y_dot: motion.of_independent(&motion.rate),
             method,
             rate,
             reactions,
@@ -271,7 +274,7 @@ impl Layout<'_> {
         }
         let dense = self.dense(motion, &loads(self.model, motion));
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let found = tree::linearised::laid_out(motion, &dense, &self.equations.x, &x_dot);
+        let found = linearised::laid_out(motion, &dense, &self.equations.x, &x_dot);
         let sparse = !loops && found.is_cheaper(rate.tape().count().total());
         Linearised::wanted(self.model, found, sparse)
     }

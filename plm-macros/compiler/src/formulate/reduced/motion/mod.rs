@@ -101,6 +101,11 @@ impl<'a> Motion<'a> {
         }
     }
 
+    /// Of values by unknown, those of the independent coordinates.
+    pub(crate) fn of_independent(&self, of: &[Expr]) -> Vec<Expr> {
+        self.independent.iter().map(|&unknown| of[unknown]).collect()
+    }
+
     /// A vector in the axes of a class over the class's base.
     pub(crate) fn over_base(&self, class: usize, vector: Vec2) -> Vec2 {
         let Some(base) = self.bases.of_class(class) else { return vector };

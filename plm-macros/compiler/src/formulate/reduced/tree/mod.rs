@@ -2,6 +2,5 @@
 
 pub(crate) mod articulated;
 pub(crate) mod augmented;
-pub(crate) mod linearised;
 pub(crate) mod reactions;
 pub(crate) mod spatial;

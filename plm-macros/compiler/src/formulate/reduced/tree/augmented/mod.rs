@@ -17,56 +17,19 @@
 mod rows;
 mod unknowns;
 
-use std::collections::BTreeMap;
-
 use plm_cas::{Expr, Vec2, algebra};
 
 use self::rows::Way;
 use self::unknowns::Unknowns;
 use crate::derive::Equations;
-use crate::formulate::function::{Function, Section, stored};
-use crate::formulate::pattern::Pattern;
+use crate::formulate::function::Section;
+use crate::formulate::linearised::Augmented;
 use crate::formulate::reduced::layout::loads;
 use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
 
 /// States up to which implicit methods take the full matrix of derivatives.
 const MOST_FULL: usize = 24;
-
-/// What a coefficient multiplies; the words are those of the runtime.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Part {
-    Value,
-    Rate,
-    Position,
-    Velocity,
-    Acceleration,
-}
-
-/// A coefficient in an equation.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Term {
-    /// Its place among the results of [`Augmented::coefficients`].
-    pub(crate) coefficient: usize,
-    pub(crate) row: usize,
-    pub(crate) column: usize,
-    pub(crate) part: Part,
-}
-
-/// The linearised equations.
-#[derive(Debug)]
-pub(crate) struct Augmented {
-    /// `c`: the different coefficients, where the accelerations are known.
-    pub(crate) coefficients: Function,
-    /// Symbols of the second derivatives of the coordinates.
-    pub(crate) accelerations: Vec<Expr>,
-    /// Number of first-order states.
-    pub(crate) states: usize,
-    /// Where they stand.
-    pub(crate) terms: Vec<Term>,
-    /// How they are eliminated.
-    pub(crate) pattern: Pattern,
-}
 
 /// Lays out the linearised equations of a tree; nothing where df/dx is small.
 pub(crate) fn augmented(model: &Model, equations: &Equations, motion: &Motion) -> Option<Augmented> {
@@ -87,18 +50,9 @@ pub(crate) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) ->
     for (old, value) in terms.values_mut().zip(values) {
         *old = value;
     }
-    let (different, terms) = placed(terms);
-    let pattern =
-        Pattern::new(&unknowns.order(coordinates), terms.iter().map(|term| (term.row, term.column)));
-    let results = stored("c", different.iter());
-    let coefficients = Function { sections, results }.optimise();
-    Augmented {
-        coefficients,
-        accelerations: unknowns.accelerations,
-        states: equations.x.len(),
-        terms,
-        pattern,
-    }
+    let order = unknowns.order(coordinates);
+    let accelerations = unknowns.accelerations;
+    Augmented::new(terms, (accelerations, equations.x.len()), &order, |_| sections)
 }
 
 /// What stands for the symbols of accelerations of bodies, outwards, and forces in joints, inwards.
@@ -132,20 +86,4 @@ fn known(
     }
     let outward = Section::new("Accelerations of G of the bodies", outward);
     (pairs, vec![outward, Section::new("Forces in the joints", inward)])
-}
-
-/// Equal coefficients are computed once.
-pub(crate) fn placed(terms: BTreeMap<(usize, usize, Part), Expr>) -> (Vec<Expr>, Vec<Term>) {
-    let (mut different, mut places, mut placed) = (Vec::new(), BTreeMap::new(), Vec::new());
-    for ((row, column, part), value) in terms {
-        if value.is_zero() {
-            continue;
-        }
-        let coefficient = *places.entry(value).or_insert_with(|| {
-            different.push(value);
-            different.len() - 1
-        });
-        placed.push(Term { coefficient, row, column, part });
-    }
-    (different, placed)
 }

@@ -1,11 +1,9 @@
 //! The equations, linearised term by term.
 
-use std::collections::BTreeMap;
-
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::Part;
 use super::unknowns::{Kind, Unknowns};
+use crate::formulate::linearised::{Part, Terms};
 use crate::formulate::reduced::joints::coordinates::{Coordinates, TreeEdge};
 use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
@@ -18,9 +16,6 @@ pub(crate) struct Way {
     speed: Vec2,
     pub(crate) acceleration: Vec2,
 }
-
-/// Coefficients by row, column and part.
-type Terms = BTreeMap<(usize, usize, Part), Expr>;
 
 /// The derivatives of all equations, and the way to each body in the order of [`Coordinates::order`].
 pub(crate) fn terms(model: &Model, motion: &Motion, unknowns: &Unknowns) -> (Vec<Way>, Terms) {

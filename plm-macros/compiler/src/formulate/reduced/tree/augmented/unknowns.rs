@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use plm_cas::{Expr, Vec2, algebra};
 
-use super::Part;
 use crate::derive::Equations;
+use crate::formulate::linearised::Part;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::formulate::reduced::motion::Motion;
 use crate::model::Model;
