@@ -70,6 +70,7 @@ macro_rules! one_by_one {
 impl Scalar for F64x8 {
     /// All bits of a lane are set, or none.
     type Mask = f64x8;
+    type Turns = Self;
 
     const HEALTHY: f64 = f64::HEALTHY;
     const AGREEMENT: f64 = f64::AGREEMENT;
@@ -78,6 +79,14 @@ impl Scalar for F64x8 {
     #[inline]
     fn lit(x: f64) -> Self {
         Self(f64x8::splat(x))
+    }
+    #[inline]
+    fn of_turns(turns: Self) -> Self {
+        turns
+    }
+    #[inline]
+    fn to_turns(self) -> Self {
+        self
     }
     #[inline]
     fn to_f64(self) -> f64 {

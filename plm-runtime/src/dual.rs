@@ -116,6 +116,7 @@ impl<S: Real, const K: usize> PartialOrd for Dual<S, K> {
 
 impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     type Mask = bool;
+    type Turns = i32;
 
     const HEALTHY: f64 = S::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
@@ -124,6 +125,14 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     #[inline]
     fn lit(x: f64) -> Self {
         Self::constant(S::lit(x))
+    }
+    #[inline]
+    fn of_turns(turns: i32) -> Self {
+        Self::constant(S::of_turns(turns))
+    }
+    #[inline]
+    fn to_turns(self) -> i32 {
+        self.value.to_turns()
     }
     #[inline]
     fn to_f64(self) -> f64 {

@@ -4,11 +4,13 @@ use crate::scalar::Scalar;
 
 /// What is held over a step; the rate is smooth in time and state as long as this stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Held<I, W, L> {
+pub struct Held<I, W, T, L> {
     /// The inputs.
     pub input: I,
     /// Of each switch the side that is held: -1 where its condition holds, else 1.
     pub switches: W,
+    /// Whole turns of the angles that are counted ([`turns`](crate::turns)).
+    pub turns: T,
     /// What is held of the loops: [`OfLoops`](crate::charts::OfLoops) where they are solved in charts, else nothing.
     pub of_loops: L,
 }

@@ -58,6 +58,7 @@ pub mod statics;
 pub mod step;
 pub mod system;
 pub mod tube;
+pub mod turns;
 pub mod twofold;
 pub mod vector;
 pub mod workspace;

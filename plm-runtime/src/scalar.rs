@@ -24,6 +24,8 @@ pub trait Scalar:
 {
     /// The outcome of a comparison, lane by lane.
     type Mask: Copy;
+    /// Whole turns of an angle, lane by lane.
+    type Turns: Copy + Debug + PartialEq;
 
     /// Smallest pivot ratio ([`Health`](crate::Health)) at which a solution without pivoting is kept.
     ///
@@ -40,6 +42,10 @@ pub trait Scalar:
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;
+    /// A number of whole turns.
+    fn of_turns(turns: Self::Turns) -> Self;
+    /// A whole number as a number of turns.
+    fn to_turns(self) -> Self::Turns;
     /// The value as `f64`; of the first lane where there are several (times are equal in all lanes).
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN, in every lane.
@@ -138,7 +144,7 @@ pub trait Scalar:
 
 /// One real number: `f32` or `f64`, two of them in one ([`Twofold`](crate::Twofold)), or one with its derivatives
 /// ([`Dual`](crate::Dual)).
-pub trait Real: Scalar<Mask = bool> + PartialOrd + Split {
+pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     /// 0.
     const ZERO: Self;
     /// Distance from 1 to the next larger number; of [`Twofold`](crate::Twofold) the unit of its errors.
@@ -171,6 +177,7 @@ macro_rules! real {
     ($real:ident, $healthy:literal, $agreement:literal, $rank_tolerance:literal) => {
         impl Scalar for $real {
             type Mask = bool;
+            type Turns = i32;
 
             const HEALTHY: f64 = $healthy;
             const AGREEMENT: f64 = $agreement;
@@ -179,6 +186,14 @@ macro_rules! real {
             #[inline]
             fn lit(x: f64) -> Self {
                 x as $real
+            }
+            #[inline]
+            fn of_turns(turns: i32) -> Self {
+                turns as $real
+            }
+            #[inline]
+            fn to_turns(self) -> i32 {
+                self as i32
             }
             #[inline]
             fn to_f64(self) -> f64 {

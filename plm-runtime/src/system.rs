@@ -172,6 +172,8 @@ pub trait System {
 pub struct Accepted {
     /// The state was mapped to another chart: rates that were kept belong to the old one.
     pub moved: bool,
+    /// Angles were brought back by whole turns: what was kept of the state belongs to the old ones.
+    pub turned: bool,
     /// A singular pose was passed, where the mechanism could have gone on in another way: the part that closes its loop.
     pub passed: Option<&'static str>,
 }

@@ -87,7 +87,7 @@ mod plm_arm_on_jack_ {
         }
 
         /// What is held over a step.
-        type Held<S> = rt::Held<Input<S>, [S; 8], ()>;
+        type Held<S> = rt::Held<Input<S>, [S; 8], [<S as Scalar>::Turns; 1], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,6 +99,7 @@ mod plm_arm_on_jack_ {
             time: S,
             x: [S; 10],
             switches: [S; 8],
+            turns: [i32; 1],
             of_loops: (),
         }
 
@@ -122,7 +123,7 @@ mod plm_arm_on_jack_ {
             /// Pose and velocity of G of body `arm`: m, m, rad; m/s, m/s, rad/s.
             pub fn arm(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Output `press.chamber1.pressure`, Pa.
@@ -350,6 +351,12 @@ mod plm_arm_on_jack_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            #[inline]
+            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Accepted, Fault> {
+                let turned = rt::turns::unwind(&mut u.turns, x, &[&[0]]);
+                Ok(rt::Accepted { turned, ..Default::default() })
+            }
+
             const KINKS: usize = 13;
             fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 4]) {
                 let mut all = [S::lit(0.0); 17];
@@ -497,6 +504,13 @@ mod plm_arm_on_jack_ {
                 self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 3], [S; 3]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[2]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -516,8 +530,8 @@ mod plm_arm_on_jack_ {
             type M = ArmOnJack<S>;
 
             fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &ArmOnJack<S> {
@@ -525,7 +539,8 @@ mod plm_arm_on_jack_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -540,6 +555,7 @@ mod plm_arm_on_jack_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -580,7 +596,7 @@ mod plm_arm_on_jack_ {
                 x[7] = self.start.line2_inlet_pressure.value;
                 x[8] = self.start.valve_servo_value.value;
                 x[9] = self.start.valve_servo_swing.value;
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 8], of_loops: () };
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 8], turns: [0; 1], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 rt::System::pass(self, t, &mut held);
                 rt::events::switch_where_due(self, t, &mut held, &x);
@@ -755,12 +771,15 @@ mod plm_arm_on_jack_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
             fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                true
+                !rt::turns::are_due(x, &[&[0]])
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {
@@ -1071,7 +1090,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1137,7 +1156,9 @@ mod plm_arm_on_jack_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[2]]);
+                self.mechanism.placed(&x)
             }
         }
 

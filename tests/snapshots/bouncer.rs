@@ -67,7 +67,7 @@ mod plm_bouncer_ {
         }
 
         /// What is held over a step.
-        type Held<S> = rt::Held<Input<S>, [S; 4], ()>;
+        type Held<S> = rt::Held<Input<S>, [S; 4], [<S as Scalar>::Turns; 0], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +79,7 @@ mod plm_bouncer_ {
             time: S,
             x: [S; 4],
             switches: [S; 4],
+            turns: [i32; 0],
             of_loops: (),
         }
 
@@ -424,8 +425,8 @@ mod plm_bouncer_ {
             type M = Bouncer<S>;
 
             fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &Bouncer<S> {
@@ -433,7 +434,8 @@ mod plm_bouncer_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -448,6 +450,7 @@ mod plm_bouncer_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -489,7 +492,7 @@ mod plm_bouncer_ {
                 rt::Mechanism::check(self, t)?;
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 4], of_loops: () };
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 4], turns: [0; 0], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 rt::System::pass(self, t, &mut held);
                 rt::events::switch_where_due(self, t, &mut held, &x);
@@ -643,7 +646,10 @@ mod plm_bouncer_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]

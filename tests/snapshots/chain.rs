@@ -75,7 +75,7 @@ mod plm_chain_ {
         }
 
         /// What is held over a step.
-        type Held<S> = rt::Held<Input<S>, [S; 0], ()>;
+        type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 5], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,6 +87,7 @@ mod plm_chain_ {
             time: S,
             x: [S; 10],
             switches: [S; 0],
+            turns: [i32; 5],
             of_loops: (),
         }
 
@@ -110,31 +111,31 @@ mod plm_chain_ {
             /// Pose and velocity of G of body `bar[0]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_0(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `bar[1]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_1(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], q[5]], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `bar[2]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_2(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[6], q[7], q[8]], [v[6], v[7], v[8]])
+                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.turns[2])], [v[6], v[7], v[8]])
             }
 
             /// Pose and velocity of G of body `bar[3]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_3(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[9], q[10], q[11]], [v[9], v[10], v[11]])
+                BodyState::of([q[9], q[10], rt::turns::whole(q[11], self.turns[3])], [v[9], v[10], v[11]])
             }
 
             /// Pose and velocity of G of body `bar[4]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_4(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[12], q[13], q[14]], [v[12], v[13], v[14]])
+                BodyState::of([q[12], q[13], rt::turns::whole(q[14], self.turns[4])], [v[12], v[13], v[14]])
             }
 
             /// Output `bar[4].b.y`, m.
@@ -222,7 +223,7 @@ mod plm_chain_ {
                     4 => 4,
                     _ => return None,
                 };
-                let (q, v): ([S; 15], [S; 15]) = self.pose_();
+                let (q, v): ([S; 15], [S; 15]) = self.whole_();
                 BodyState::among(&q, &v, body)
             }
 
@@ -447,6 +448,12 @@ mod plm_chain_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            #[inline]
+            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Accepted, Fault> {
+                let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1], &[2], &[3], &[4]]);
+                Ok(rt::Accepted { turned, ..Default::default() })
+            }
+
             fn energy(&self, t: S, u: &Self::U, x: &[S; 10]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
@@ -496,6 +503,13 @@ mod plm_chain_ {
                 self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 15], [S; 15]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[2], &[5], &[8], &[11], &[14]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -512,8 +526,8 @@ mod plm_chain_ {
             type M = Chain<S>;
 
             fn new(mechanism: Chain<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &Chain<S> {
@@ -521,7 +535,8 @@ mod plm_chain_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -536,6 +551,7 @@ mod plm_chain_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -559,7 +575,7 @@ mod plm_chain_ {
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 10];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], of_loops: () };
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 5], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
@@ -1122,12 +1138,15 @@ mod plm_chain_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
             fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                true
+                !rt::turns::are_due(x, &[&[0], &[1], &[2], &[3], &[4]])
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {
@@ -1348,7 +1367,7 @@ mod plm_chain_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1427,7 +1446,9 @@ mod plm_chain_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[2], &[5], &[8], &[11], &[14]]);
+                self.mechanism.placed(&x)
             }
         }
 

@@ -63,7 +63,7 @@ mod plm_double_pendulum_ {
         }
 
         /// What is held over a step.
-        type Held<S> = rt::Held<Input<S>, [S; 0], ()>;
+        type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +75,7 @@ mod plm_double_pendulum_ {
             time: S,
             x: [S; 4],
             switches: [S; 0],
+            turns: [i32; 2],
             of_loops: (),
         }
 
@@ -98,25 +99,31 @@ mod plm_double_pendulum_ {
             /// Pose and velocity of G of body `arm`: m, m, rad; m/s, m/s, rad/s.
             pub fn arm(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `forearm`: m, m, rad; m/s, m/s, rad/s.
             pub fn forearm(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], q[5]], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Output `arm.angle`, rad.
             pub fn arm_angle(&self) -> S {
                 let (q, _) = self.pose_();
-                q[2]
+                let [_, _, arm_angle, ..] = q;
+                let lit = S::lit;
+                let arm_turns = S::of_turns(self.turns[0]);
+                lit(6.283185307179586).mul_add(arm_turns, arm_angle)
             }
 
             /// Output `forearm.angle`, rad.
             pub fn forearm_angle(&self) -> S {
                 let (q, _) = self.pose_();
-                q[5]
+                let forearm_angle = q[5];
+                let lit = S::lit;
+                let forearm_turns = S::of_turns(self.turns[1]);
+                lit(6.283185307179586).mul_add(forearm_turns, forearm_angle)
             }
 
             /// Output `shoulder.force`, N.
@@ -346,6 +353,12 @@ mod plm_double_pendulum_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            #[inline]
+            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 4]) -> Result<rt::Accepted, Fault> {
+                let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1]]);
+                Ok(rt::Accepted { turned, ..Default::default() })
+            }
+
             fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
@@ -381,6 +394,13 @@ mod plm_double_pendulum_ {
                 self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
                 (q, v)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 6], [S; 6]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[2], &[5]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -397,8 +417,8 @@ mod plm_double_pendulum_ {
             type M = DoublePendulum<S>;
 
             fn new(mechanism: DoublePendulum<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &DoublePendulum<S> {
@@ -406,7 +426,8 @@ mod plm_double_pendulum_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -421,6 +442,7 @@ mod plm_double_pendulum_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -444,7 +466,7 @@ mod plm_double_pendulum_ {
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 4]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], of_loops: () };
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 2], of_loops: () };
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
@@ -704,12 +726,15 @@ mod plm_double_pendulum_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
             fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                true
+                !rt::turns::are_due(x, &[&[0], &[1]])
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {
@@ -887,7 +912,7 @@ mod plm_double_pendulum_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -936,7 +961,9 @@ mod plm_double_pendulum_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[2], &[5]]);
+                self.mechanism.placed(&x)
             }
         }
 

@@ -71,8 +71,12 @@ mod plm_driven_crank_ {
         }
 
         /// What is held over a step.
-        type Held<S> =
-            rt::Held<Input<S>, [S; 0], rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>>;
+        type Held<S> = rt::Held<
+            Input<S>,
+            [S; 0],
+            [<S as Scalar>::Turns; 1],
+            rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
+        >;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +88,7 @@ mod plm_driven_crank_ {
             time: S,
             x: [S; 0],
             switches: [S; 0],
+            turns: [i32; 1],
             of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
         }
 
@@ -113,7 +118,7 @@ mod plm_driven_crank_ {
             /// Pose and velocity of G of body `rod`: m, m, rad; m/s, m/s, rad/s.
             pub fn rod(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], q[5]], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[0])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `slider`: m, m, rad; m/s, m/s, rad/s.
@@ -326,10 +331,15 @@ mod plm_driven_crank_ {
         impl<S: Real> rt::charts::Charted for DrivenCrank<S> {
             type Input = Input<S>;
             type Switches = [S; 0];
+            type Turns = [i32; 1];
+            const COUNTED: &'static [rt::charts::Counted] =
+                &[rt::charts::Counted { coordinates: &[&[]], remembered: &[1], followed: &[] }];
+            const LOOSE: bool = false;
             type Memory = rt::charts::Memory<S, 0, 2, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 1;
             const TURNING: &'static [&'static str] = &["crank", "rod"];
+            const FOUND: &'static [&'static [usize]] = &[&[1]];
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
@@ -486,6 +496,13 @@ mod plm_driven_crank_ {
             fn pose_(&self) -> ([S; 9], [S; 9]) {
                 rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 9], [S; 9]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[5]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -502,8 +519,8 @@ mod plm_driven_crank_ {
             type M = DrivenCrank<S>;
 
             fn new(mechanism: DrivenCrank<S>, held: Held<S>, time: S, x: [S; 0]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &DrivenCrank<S> {
@@ -511,7 +528,8 @@ mod plm_driven_crank_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -526,6 +544,7 @@ mod plm_driven_crank_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -577,6 +596,7 @@ mod plm_driven_crank_ {
                 let mut held = rt::Held {
                     input,
                     switches: [S::lit(1.0); 0],
+                    turns: [0; 1],
                     of_loops: rt::charts::OfLoops::InChart {
                         chart: 0,
                         memory: rt::charts::Remembered::nothing(),
@@ -1040,7 +1060,10 @@ mod plm_driven_crank_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
@@ -1263,7 +1286,7 @@ mod plm_driven_crank_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1321,7 +1344,9 @@ mod plm_driven_crank_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[5]]);
+                self.mechanism.placed(&x)
             }
         }
 

@@ -71,8 +71,12 @@ mod plm_four_bar_ {
         }
 
         /// What is held over a step.
-        type Held<S> =
-            rt::Held<Input<S>, [S; 0], rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>>;
+        type Held<S> = rt::Held<
+            Input<S>,
+            [S; 0],
+            [<S as Scalar>::Turns; 3],
+            rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+        >;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +88,7 @@ mod plm_four_bar_ {
             time: S,
             x: [S; 2],
             switches: [S; 0],
+            turns: [i32; 3],
             of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
         }
 
@@ -107,19 +112,19 @@ mod plm_four_bar_ {
             /// Pose and velocity of G of body `crank`: m, m, rad; m/s, m/s, rad/s.
             pub fn crank(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], q[2]], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `coupler`: m, m, rad; m/s, m/s, rad/s.
             pub fn coupler(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], q[5]], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `rocker`: m, m, rad; m/s, m/s, rad/s.
             pub fn rocker(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[6], q[7], q[8]], [v[6], v[7], v[8]])
+                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.turns[2])], [v[6], v[7], v[8]])
             }
 
             /// Output `drive.force`, N.
@@ -335,10 +340,18 @@ mod plm_four_bar_ {
         impl<S: Real> rt::charts::Charted for FourBar<S> {
             type Input = Input<S>;
             type Switches = [S; 0];
+            type Turns = [i32; 3];
+            const COUNTED: &'static [rt::charts::Counted] = &[
+                rt::charts::Counted { coordinates: &[&[0], &[], &[]], remembered: &[0], followed: &[] },
+                rt::charts::Counted { coordinates: &[&[], &[], &[0]], remembered: &[2], followed: &[] },
+                rt::charts::Counted { coordinates: &[&[], &[0], &[]], remembered: &[1], followed: &[] },
+            ];
+            const LOOSE: bool = false;
             type Memory = rt::charts::Memory<S, 1, 3, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 3;
             const TURNING: &'static [&'static str] = &["crank", "rocker", "coupler"];
+            const FOUND: &'static [&'static [usize]] = &[&[1, 2], &[0, 2], &[0, 1]];
             const FOLLOWED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] =
                 &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
@@ -537,6 +550,13 @@ mod plm_four_bar_ {
             fn pose_(&self) -> ([S; 9], [S; 9]) {
                 rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 9], [S; 9]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[2], &[5], &[8]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -553,8 +573,8 @@ mod plm_four_bar_ {
             type M = FourBar<S>;
 
             fn new(mechanism: FourBar<S>, held: Held<S>, time: S, x: [S; 2]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &FourBar<S> {
@@ -562,7 +582,8 @@ mod plm_four_bar_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -577,6 +598,7 @@ mod plm_four_bar_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -610,6 +632,7 @@ mod plm_four_bar_ {
                 let mut held = rt::Held {
                     input,
                     switches: [S::lit(1.0); 0],
+                    turns: [0; 3],
                     of_loops: rt::charts::OfLoops::InChart {
                         chart: 0,
                         memory: rt::charts::Remembered::nothing(),
@@ -1092,7 +1115,10 @@ mod plm_four_bar_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
@@ -1289,7 +1315,7 @@ mod plm_four_bar_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1350,7 +1376,9 @@ mod plm_four_bar_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[2], &[5], &[8]]);
+                self.mechanism.placed(&x)
             }
         }
 

@@ -74,8 +74,12 @@ mod plm_plate_on_three_pins_ {
         }
 
         /// What is held over a step.
-        type Held<S> =
-            rt::Held<Input<S>, [S; 0], rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>>;
+        type Held<S> = rt::Held<
+            Input<S>,
+            [S; 0],
+            [<S as Scalar>::Turns; 1],
+            rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
+        >;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,6 +91,7 @@ mod plm_plate_on_three_pins_ {
             time: S,
             x: [S; 0],
             switches: [S; 0],
+            turns: [i32; 1],
             of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
         }
 
@@ -128,7 +133,7 @@ mod plm_plate_on_three_pins_ {
             /// Pose and velocity of G of body `plate`: m, m, rad; m/s, m/s, rad/s.
             pub fn plate(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[9], q[10], q[11]], [v[9], v[10], v[11]])
+                BodyState::of([q[9], q[10], rt::turns::whole(q[11], self.turns[0])], [v[9], v[10], v[11]])
             }
 
             /// Output `slot[2].force`, N.
@@ -269,7 +274,7 @@ mod plm_plate_on_three_pins_ {
                     2 => 2,
                     _ => return None,
                 };
-                let (q, v): ([S; 12], [S; 12]) = self.pose_();
+                let (q, v): ([S; 12], [S; 12]) = self.whole_();
                 BodyState::among(&q, &v, body)
             }
 
@@ -419,10 +424,15 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::charts::Charted for PlateOnThreePins<S> {
             type Input = Input<S>;
             type Switches = [S; 0];
+            type Turns = [i32; 1];
+            const COUNTED: &'static [rt::charts::Counted] =
+                &[rt::charts::Counted { coordinates: &[&[]], remembered: &[3], followed: &[0] }];
+            const LOOSE: bool = false;
             type Memory = rt::charts::Memory<S, 0, 4, 1, 4>;
             type Q = [S; 12];
             const CHARTS: usize = 1;
             const TURNING: &'static [&'static str] = &["crank[0]", "crank[1]", "crank[2]", "plate"];
+            const FOUND: &'static [&'static [usize]] = &[&[3]];
             const FOLLOWED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
             const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
@@ -579,6 +589,13 @@ mod plm_plate_on_three_pins_ {
             fn pose_(&self) -> ([S; 12], [S; 12]) {
                 rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 12], [S; 12]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[11]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -595,8 +612,8 @@ mod plm_plate_on_three_pins_ {
             type M = PlateOnThreePins<S>;
 
             fn new(mechanism: PlateOnThreePins<S>, held: Held<S>, time: S, x: [S; 0]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &PlateOnThreePins<S> {
@@ -604,7 +621,8 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -619,6 +637,7 @@ mod plm_plate_on_three_pins_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -652,6 +671,7 @@ mod plm_plate_on_three_pins_ {
                 let mut held = rt::Held {
                     input,
                     switches: [S::lit(1.0); 0],
+                    turns: [0; 1],
                     of_loops: rt::charts::OfLoops::InChart {
                         chart: 0,
                         memory: rt::charts::Remembered::nothing(),
@@ -1404,7 +1424,10 @@ mod plm_plate_on_three_pins_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
@@ -1640,7 +1663,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1731,7 +1754,9 @@ mod plm_plate_on_three_pins_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[11]]);
+                self.mechanism.placed(&x)
             }
         }
 

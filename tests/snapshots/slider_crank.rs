@@ -67,7 +67,7 @@ mod plm_slider_crank_ {
         }
 
         /// What is held over a step.
-        type Held<S> = rt::Held<Input<S>, [S; 0], ()>;
+        type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +79,7 @@ mod plm_slider_crank_ {
             time: S,
             x: [S; 18],
             switches: [S; 0],
+            turns: [i32; 2],
             of_loops: (),
         }
 
@@ -101,12 +102,18 @@ mod plm_slider_crank_ {
 
             /// Pose and velocity of G of body `crank`: m, m, rad; m/s, m/s, rad/s.
             pub fn crank(&self) -> BodyState<S> {
-                BodyState::of([self.x[0], self.x[1], self.x[2]], [self.x[9], self.x[10], self.x[11]])
+                BodyState::of(
+                    [self.x[0], self.x[1], rt::turns::whole(self.x[2], self.turns[0])],
+                    [self.x[9], self.x[10], self.x[11]],
+                )
             }
 
             /// Pose and velocity of G of body `rod`: m, m, rad; m/s, m/s, rad/s.
             pub fn rod(&self) -> BodyState<S> {
-                BodyState::of([self.x[3], self.x[4], self.x[5]], [self.x[12], self.x[13], self.x[14]])
+                BodyState::of(
+                    [self.x[3], self.x[4], rt::turns::whole(self.x[5], self.turns[1])],
+                    [self.x[12], self.x[13], self.x[14]],
+                )
             }
 
             /// Pose and velocity of G of body `slider`: m, m, rad; m/s, m/s, rad/s.
@@ -335,6 +342,12 @@ mod plm_slider_crank_ {
                 Ok(())
             }
 
+            #[inline]
+            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 18]) -> Result<rt::Accepted, Fault> {
+                let turned = rt::turns::unwind(&mut u.turns, x, &[&[2], &[5]]);
+                Ok(rt::Accepted { turned, ..Default::default() })
+            }
+
             fn settle(&self, t: S, x: &mut [S; 18]) -> Result<(), Fault> {
                 absolute::settle_state::<S, Self, NQ, NC, 18>(self, t, x)
             }
@@ -447,6 +460,13 @@ mod plm_slider_crank_ {
             fn pose_(&self) -> ([S; 9], [S; 9]) {
                 absolute::split(&self.x)
             }
+
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; 9], [S; 9]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &[&[2], &[5]]);
+                (q, v)
+            }
         }
 
         impl<S: Real> State<S> {
@@ -463,8 +483,8 @@ mod plm_slider_crank_ {
             type M = SliderCrank<S>;
 
             fn new(mechanism: SliderCrank<S>, held: Held<S>, time: S, x: [S; 18]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
 
             fn mechanism(&self) -> &SliderCrank<S> {
@@ -472,7 +492,8 @@ mod plm_slider_crank_ {
             }
 
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
 
             fn time(&self) -> S {
@@ -487,6 +508,7 @@ mod plm_slider_crank_ {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }
@@ -505,7 +527,7 @@ mod plm_slider_crank_ {
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 18]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 18];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], of_loops: () };
+                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 2], of_loops: () };
                 absolute::join(&assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
@@ -918,12 +940,15 @@ mod plm_slider_crank_ {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count =
+                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]
             fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                true
+                !rt::turns::are_due(x, &[&[2], &[5]])
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {
@@ -1108,7 +1133,7 @@ mod plm_slider_crank_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = state.whole_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }
@@ -1166,7 +1191,9 @@ mod plm_slider_crank_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                let mut x = self.absolute_();
+                rt::turns::add(&self.turns, &mut x, &[&[2], &[5]]);
+                self.mechanism.placed(&x)
             }
         }
 

@@ -154,7 +154,7 @@ impl fmt::Display for Function {
 
 impl Node {
     /// Operands in order; an iterator would cost more than the loop body in an unoptimised build.
-    pub(crate) fn for_each_child(&self, mut visit: impl FnMut(Expr)) {
+    pub fn for_each_child(&self, mut visit: impl FnMut(Expr)) {
         match self {
             Self::Number(_) | Self::Symbol => {}
             Self::Defined(value) => visit(*value),

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::check;
-use crate::derive::{derive, hold_switches};
+use crate::derive::{count_turns, derive, hold_switches, with_turns};
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code, Place};
 use crate::fallback;
@@ -91,6 +91,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     sound(sink)?;
 
     let held = hold_switches(&mut model);
+    let whole = count_turns(&mut model);
     let equations = derive(&model);
     check::check_size(&model, &equations, sink);
     sound(sink)?;
@@ -101,7 +102,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let reduced = reduce(&scene, Some(&start));
     let mut program = Program::new(&model, &equations, absolute, reduced);
     if let Some((outputs, from)) = observed {
-        let outputs = fetched(outputs, &from, &held);
+        let outputs = fetched(outputs, &from, (&held, &whole));
         program.observe(&outputs, &equations);
         model.outputs.extend(outputs);
     }
@@ -128,10 +129,14 @@ fn sound(sink: &Diagnostics) -> Option<()> {
     (!sink.has_errors()).then_some(())
 }
 
-/// Outputs from a graph of their own in the present one; `held` are conditions, and what stands for them.
-fn fetched(mut outputs: Vec<Output>, from: &Graph, held: &[(Expr, Expr)]) -> Vec<Output> {
+/// Expressions, and what stands for them.
+type Pairs = [(Expr, Expr)];
+
+/// Outputs from a graph of their own in the present one; `held` are conditions, `whole` angles, and what stands for them.
+fn fetched(mut outputs: Vec<Output>, from: &Graph, (held, whole): (&Pairs, &Pairs)) -> Vec<Output> {
     let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
     let components = algebra::substitute(&algebra::import(from, &roots), held);
+    let components = with_turns(&components, whole);
     let places = outputs.iter_mut().flat_map(|output| &mut output.components);
     places.zip(components).for_each(|(place, component)| *place = component);
     outputs

@@ -21,7 +21,7 @@ use plm_cas::{Expr, Graph};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;
-pub use switch::{Jump, Steady, Switch};
+pub use switch::{Counted, Jump, Steady, Switch};
 
 use crate::diag::Use;
 use crate::span::Span;
@@ -83,6 +83,8 @@ pub struct Model {
     pub switches: Vec<Switch>,
     /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
     pub kinks: Vec<Expr>,
+    /// Angles whose whole turns are counted; derivation finds them.
+    pub turns: Vec<Counted>,
     /// Where rows jump or may jump; derivation finds them.
     pub jumps: Vec<Jump>,
     /// What stands in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly

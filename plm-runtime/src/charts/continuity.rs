@@ -92,12 +92,15 @@ impl<M: Charted> Looks<'_, M> {
         self.t - self.before.time().last
     }
 
-    /// The farthest that a body has turned since the last look, rad, and which one.
+    /// The farthest that a body of a loop has turned since the last look, rad, and which one.
     fn turned(&self) -> (M::S, &'static str) {
+        let (before, after) = (self.before.turns(), self.after.turns());
         let mut most = (M::S::lit(0.0), "");
-        for (body, (before, after)) in
-            M::TURNING.iter().zip(self.before.turns().iter().zip(self.after.turns()))
-        {
+        for &k in M::FOUND.get(self.chart).copied().unwrap_or_default() {
+            let (Some(before), Some(after), Some(body)) = (before.get(k), after.get(k), M::TURNING.get(k))
+            else {
+                continue;
+            };
             let turned = (after.angle - before.angle).abs();
             if turned > most.0 {
                 most = (turned, body);

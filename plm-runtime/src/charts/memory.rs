@@ -75,10 +75,14 @@ pub trait Remembered<S>: Copy {
     fn nothing() -> Self;
     /// The coordinates of the chart.
     fn coordinates(&self) -> &[Reach<S>];
+    /// The same, to bring them back by whole turns.
+    fn coordinates_mut(&mut self) -> &mut [Reach<S>];
     /// The time.
     fn time(&self) -> Reach<S>;
     /// The angles.
     fn turns(&self) -> &[Turn<S>];
+    /// The same, to bring them back by whole turns.
+    fn turns_mut(&mut self) -> &mut [Turn<S>];
     /// The determinants.
     fn areas(&self) -> &[S];
     /// The unknowns of iterations.
@@ -121,12 +125,20 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize> 
         &self.coordinates
     }
 
+    fn coordinates_mut(&mut self) -> &mut [Reach<S>] {
+        &mut self.coordinates
+    }
+
     fn time(&self) -> Reach<S> {
         self.time
     }
 
     fn turns(&self) -> &[Turn<S>] {
         &self.turns
+    }
+
+    fn turns_mut(&mut self) -> &mut [Turn<S>] {
+        &mut self.turns
     }
 
     fn areas(&self) -> &[S] {

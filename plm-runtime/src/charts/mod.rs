@@ -11,10 +11,13 @@
 //! state, so that these are followed as well: values, rates, and how the rates change.
 
 mod continuity;
+mod counted;
 mod memory;
 
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};
+pub use counted::Counted;
+use counted::{are_due, unwind};
 pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
 
 use crate::fault::Fault;
@@ -42,20 +45,28 @@ const TIGHT: f64 = 0.1 * FLAT;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
-    System<U = Held<Self::Input, Self::Switches, OfLoops<Self::Memory, Self::Q>>, S: Real>
+    System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Memory, Self::Q>>, S: Real>
 {
     /// The inputs.
     type Input: Copy;
     /// The sides of the switches.
     type Switches: Copy;
+    /// Whole turns, by count.
+    type Turns: Copy + AsMut<[i32]>;
     /// What is remembered, a [`Memory`].
     type Memory: Remembered<Self::S>;
     /// Pose or velocity of all bodies.
     type Q: Vector<Self::S>;
     /// Number of charts.
     const CHARTS: usize;
+    /// The angles of each count.
+    const COUNTED: &'static [Counted];
+    /// A coordinate whose turns are counted moves no loop: how far it goes is looked at in every step.
+    const LOOSE: bool;
     /// The bodies whose angles are remembered, in the order of the memory.
     const TURNING: &'static [&'static str];
+    /// By chart, by place among those angles, which of them loops give: known but for whole turns.
+    const FOUND: &'static [&'static [usize]];
     /// The bodies and joints of the unknowns of iterations, in the order of the memory.
     const FOLLOWED: &'static [&'static str];
     /// By chart, by group: the part that closes its loop.
@@ -129,11 +140,10 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     if is_calm::<M>(t, held, x) {
         return Ok(Accepted::default());
     }
-    let moved = match held.of_loops {
-        OfLoops::InChart { chart, memory } => watch(system, t, held, (chart, &memory), x)?,
-        OfLoops::Free { .. } => come_back(system, t, held, x),
-    };
-    Ok(Accepted { moved, passed: None })
+    match held.of_loops {
+        OfLoops::InChart { chart, memory } => watch(system, t, held, (chart, &memory), x),
+        OfLoops::Free { .. } => Ok(Accepted { moved: come_back(system, t, held, x), ..Accepted::default() }),
+    }
 }
 
 /// Whether [`accept`] has nothing to look at yet.
@@ -143,6 +153,7 @@ pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
     M::FOLLOWED.is_empty()
         && memory.coordinates().iter().enumerate().all(|(k, coordinate)| coordinate.holds(x.at(k)))
         && memory.time().holds(t)
+        && !(M::LOOSE && are_due::<M>(held, x))
 }
 
 /// Is a step too long for what may be a sharp turn near a flat pose, which no error control resolves? One that changes the
@@ -159,14 +170,14 @@ pub fn is_sharp<M: Charted>(system: &M, t: M::S, held: &M::U, before: &M::X, x: 
         && !is_calm::<M>(t, held, x)
 }
 
-/// Looks at a state that has come from what is remembered in a chart; whether the chart was left.
+/// Looks at a state that has come from what is remembered in a chart; the chart may be left.
 fn watch<M: Charted>(
     system: &M,
     t: M::S,
     held: &mut M::U,
     (chart, before): (usize, &M::Memory),
     x: &mut M::X,
-) -> Result<bool, Fault> {
+) -> Result<Accepted, Fault> {
     let (after, measure) = system.remember(t, held, x);
     let looks = Looks::<M> { t, chart, before, after: &after };
     if is_open(measure) || !after.is_finite() {
@@ -175,10 +186,9 @@ fn watch<M: Charted>(
     looks.check_followed(measure)?;
     looks.check_near()?;
     held.of_loops = OfLoops::InChart { chart, memory: looks.kept()? };
-    if measure < square(FLAT) {
-        return Ok(leave(system, t, held, (chart, measure), x));
-    }
-    Ok(false)
+    let turned = unwind::<M>(held, x);
+    let moved = measure < square(FLAT) && leave(system, t, held, (chart, measure), x);
+    Ok(Accepted { moved, turned, passed: None })
 }
 
 /// Can a loop not be closed at all?

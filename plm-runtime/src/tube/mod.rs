@@ -130,6 +130,7 @@ impl<S: Real> PartialEq for Tube<S> {
 
 impl<S: Real> Scalar for Tube<S> {
     type Mask = Outcome;
+    type Turns = i32;
 
     const HEALTHY: f64 = S::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
@@ -138,6 +139,14 @@ impl<S: Real> Scalar for Tube<S> {
     #[inline]
     fn lit(x: f64) -> Self {
         Self::constant(S::lit(x))
+    }
+    #[inline]
+    fn of_turns(turns: i32) -> Self {
+        Self::constant(S::of_turns(turns))
+    }
+    #[inline]
+    fn to_turns(self) -> i32 {
+        self.middle.to_turns()
     }
     #[inline]
     fn to_f64(self) -> f64 {

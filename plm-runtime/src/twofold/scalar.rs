@@ -5,6 +5,7 @@ use crate::scalar::{Real, Scalar};
 
 impl<S: Real> Scalar for Twofold<S> {
     type Mask = bool;
+    type Turns = i32;
 
     /// What repeats itself but for rounding of the lengths in `S` stays below.
     const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
@@ -17,6 +18,14 @@ impl<S: Real> Scalar for Twofold<S> {
     fn lit(x: f64) -> Self {
         let high = S::lit(x);
         if high.is_finite() { Self { high, low: S::lit(x - high.to_f64()) } } else { Self::of(high) }
+    }
+    #[inline]
+    fn of_turns(turns: i32) -> Self {
+        Self::lit(turns.into())
+    }
+    #[inline]
+    fn to_turns(self) -> i32 {
+        self.high.to_turns()
     }
     #[inline]
     fn to_f64(self) -> f64 {

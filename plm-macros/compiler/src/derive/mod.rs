@@ -18,6 +18,7 @@ mod causes;
 mod feedback;
 mod kinks;
 mod switches;
+mod turns;
 
 use plm_cas::{Expr, algebra};
 
@@ -25,6 +26,7 @@ pub(crate) use branch::Branch;
 pub(crate) use causes::causes;
 pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use switches::hold_switches;
+pub(crate) use turns::{count_turns, with_turns};
 
 use crate::model::Model;
 

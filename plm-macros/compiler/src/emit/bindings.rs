@@ -49,6 +49,9 @@ impl Emission<'_> {
         for (k, switch) in model.switches.iter().enumerate() {
             bindings.insert(switch.symbol, format!("{held}.switches[{k}]"));
         }
+        for (k, counted) in model.turns.iter().enumerate() {
+            bindings.insert(counted.symbol, format!("S::of_turns({held}.turns[{k}])"));
+        }
         bindings.insert(model.time, time.to_owned());
         bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
         bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());

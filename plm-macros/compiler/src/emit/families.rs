@@ -3,8 +3,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+use super::item::{outputs::kind, state::whole_pose};
 use super::names::{Names, token};
-use super::{Emission, docs, item::outputs::kind};
+use super::{Emission, docs};
 use crate::model::{Model, Output};
 
 /// Names of the indices; what has more of them is read by its own name alone.
@@ -115,7 +116,7 @@ impl Family {
 fn bodies(emission: &Emission, family: &Family) -> TokenStream {
     let (name, indices) = (family.accessor(), family.indices());
     let nq = &emission.sizes.nq;
-    let pose = if emission.is_reduced() { quote!(self.pose_()) } else { quote!(absolute::split(&self.x)) };
+    let pose = whole_pose(emission, &quote!(self));
     let body = family.chosen(emission, |body| body.to_string());
     let docs = docs::docs(
         emission,

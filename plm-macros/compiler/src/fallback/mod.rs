@@ -78,6 +78,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         files: Vec::new(),
         switches: Vec::new(),
         kinks: Vec::new(),
+        turns: Vec::new(),
         allowed: Vec::new(),
     })
 }

@@ -1,4 +1,4 @@
-//! Conditions whose sides are held over a step, and what jumps where they change.
+//! What is held over a step: sides of conditions, with what jumps where they change, and whole turns.
 
 use plm_cas::Expr;
 
@@ -15,6 +15,15 @@ pub struct Switch {
     pub name: String,
     /// It must not change: a requirement, positive as long as it holds.
     pub must_hold: bool,
+}
+
+/// Angles whose whole turns are counted together: their bodies turn as one.
+#[derive(Clone, Debug)]
+pub struct Counted {
+    /// Stands for the number of turns.
+    pub symbol: Expr,
+    /// Indices into [`Model::bodies`](super::Model::bodies), ascending.
+    pub bodies: Vec<usize>,
 }
 
 /// A row whose place or speed may jump where a condition changes its side.

@@ -36,6 +36,7 @@ pub(crate) fn defaults(model: &Model) -> Vec<(Expr, f64)> {
         (model.agreement, AGREEMENT),
         (model.precision, f64::EPSILON),
     ];
+    values.extend(model.turns.iter().map(|counted| (counted.symbol, 0.0)));
     for param in &model.params {
         values.push((param.symbol, value(param.default, &values)));
     }

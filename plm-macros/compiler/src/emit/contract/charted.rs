@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::super::{Emission, Sizes, memory, number, quoted};
+use super::turns;
 use crate::formulate::Reduced;
 
 /// `Charted`, if loops are solved in charts.
@@ -12,7 +13,11 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
     let Some(reduced) = emission.loops() else { return TokenStream::new() };
     let [charts, switches] = [reduced.charts.len(), emission.model.switches.len()].map(number);
     let memory = memory(reduced, &quote!(S));
-    let [turning, followed] = [&reduced.turning, &reduced.followed].map(|names| emission.text(quoted(names)));
+    let turning = reduced.turning.iter().map(|&body| &emission.model.bodies[body].name.text);
+    let turning = emission.text(quoted(turning));
+    let followed = emission.text(quoted(reduced.followed.iter().map(|(name, _)| name)));
+    let counted = turns::of_charts(emission, reduced);
+    let found = emission.list(reduced.charts.iter().map(|chart| format!("&{:?}", chart.found)));
     let closing = emission.list(reduced.charts.iter().map(|chart| format!("&[{}]", quoted(&chart.closing))));
     let of_held = |function: &str, arguments: TokenStream, free: TokenStream| {
         in_held(reduced, &quote!(held), &free, |k| {
@@ -35,10 +40,12 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
         impl<S: Real> rt::charts::Charted for #name<S> {
             type Input = Input<S>;
             type Switches = [S; #switches];
+            #counted
             type Memory = #memory;
             type Q = [S; #nq];
             const CHARTS: usize = #charts;
             const TURNING: &'static [&'static str] = &[#turning];
+            const FOUND: &'static [&'static [usize]] = &[#found];
             const FOLLOWED: &'static [&'static str] = &[#followed];
             const CLOSING: &'static [&'static [&'static str]] = &[#closing];
 

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::super::item::tables;
+use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, number, quoted};
 use crate::tables::{Figure, Figures};
@@ -15,7 +15,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let tables = tables::tables(emission, &figures);
     let (figure, parameters) = (figure(emission, &figures), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect();
-    let instant = instant_name(emission);
+    let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
     let files = emission.list(emission.model.files.iter().map(file));
@@ -43,7 +43,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.pose_();
+                let (q, v) = #whole;
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

@@ -13,3 +13,4 @@ pub(super) mod singular;
 pub(super) mod statics;
 mod switches;
 pub(super) mod system;
+pub(crate) mod turns;

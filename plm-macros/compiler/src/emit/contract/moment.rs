@@ -14,14 +14,15 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
             type M = #name<S>;
 
             fn new(mechanism: #name<S>, held: Held<S>, time: S, x: [S; #length]) -> Self {
-                let rt::Held { input, switches, of_loops } = held;
-                State { mechanism, input, time, x, switches, of_loops }
+                let rt::Held { input, switches, turns, of_loops } = held;
+                State { mechanism, input, time, x, switches, turns, of_loops }
             }
             fn mechanism(&self) -> &#name<S> {
                 &self.mechanism
             }
             fn held(&self) -> Held<S> {
-                rt::Held { input: self.input, switches: self.switches, of_loops: self.of_loops }
+                let Self { input, switches, turns, of_loops, .. } = *self;
+                rt::Held { input, switches, turns, of_loops }
             }
             fn time(&self) -> S {
                 self.time
@@ -33,6 +34,7 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
                 self.time = time;
                 self.input = held.input;
                 self.switches = held.switches;
+                self.turns = held.turns;
                 self.of_loops = held.of_loops;
                 self.x = *x;
             }

@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::super::Emission;
+use super::turns;
 
 /// `Pack`.
 pub(crate) fn pack(emission: &Emission) -> TokenStream {
@@ -19,7 +20,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let is_calm = if emission.loops().is_some() {
         quote!(rt::charts::is_calm::<Self>(t, held, x))
     } else {
-        quote!(true)
+        turns::are_near(emission)
     };
     quote! {
         impl<S: Real> rt::lanes::Pack for #name<S> {
@@ -40,7 +41,11 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
                     core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
                 let of_loops = all.map(|held| &held.of_loops);
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                rt::Held { input, switches, of_loops }
+                let of_count = |k: usize| {
+                    all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()))
+                };
+                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                rt::Held { input, switches, turns, of_loops }
             }
 
             #[inline]

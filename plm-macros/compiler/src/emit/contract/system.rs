@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted};
-use super::{rate, switches};
+use super::{rate, switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
 
@@ -20,6 +20,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
         Form::Tree(_) => TokenStream::new(),
         Form::Loops(_) => in_charts(emission),
     };
+    let accept = turns::accept(emission);
     let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
     let watched = (model.watched() > 0).then(|| switches::watched(emission));
     let switch = (model.guards() > 0).then(|| switches::switch(emission));
@@ -51,6 +52,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
             #solution
+            #accept
             #stabilisation
             #watched
             #switch
@@ -177,7 +179,7 @@ fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
 fn typical(emission: &Emission) -> String {
     let Emission { equations, model, report, .. } = emission;
     let angles: Vec<bool> = match first(emission) {
-        Some(chart) => chart.angles.clone(),
+        Some(chart) => chart.turning.iter().map(Option::is_some).collect(),
         None => (0..equations.q.len()).map(|k| k % 3 == 2).collect(),
     };
     let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });

@@ -38,10 +38,11 @@ pub(super) fn of_loops(emission: &Emission) -> TokenStream {
 
 /// `Held`.
 pub(crate) fn held(emission: &Emission) -> TokenStream {
-    let (count, of_loops) = (number(emission.model.switches.len()), of_loops(emission));
+    let of_loops = of_loops(emission);
+    let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map(number);
     quote! {
         /// What is held over a step.
-        type Held<S> = rt::Held<Input<S>, [S; #count], #of_loops>;
+        type Held<S> = rt::Held<Input<S>, [S; #switches], [<S as Scalar>::Turns; #turns], #of_loops>;
     }
 }
 

@@ -66,7 +66,13 @@ fn poses(emission: &Emission) -> TokenStream {
             if reduced { ("q", "v", 3 * k, 3 * k) } else { ("self.x", "self.x", 3 * k, nq + 3 * k) };
         let triple =
             |array: &str, k: usize| format!("[{array}[{k}], {array}[{}], {array}[{}]]", k + 1, k + 2);
-        let body = format!("BodyState::of({}, {})", triple(q, i), triple(v, j));
+        let turned = model.turns.iter().position(|counted| counted.bodies.contains(&k));
+        let mut place = triple(q, i);
+        if let Some(count) = turned {
+            let angle = format!("{q}[{}]", i + 2);
+            place = place.replace(&angle, &format!("rt::turns::whole({angle}, self.turns[{count}])"));
+        }
+        let body = format!("BodyState::of({place}, {})", triple(v, j));
         let pose = arrays(&body, ["q", "v"], "self.pose_()");
         let body = emission.text(pose + &body);
         quote! {

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::contract::limits;
+use super::super::contract::{limits, turns};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number};
 use crate::model::{Body, Start};
@@ -57,6 +57,16 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     let states = fields.states.iter().zip(2 * nq..);
     let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
     let (literals, starts) = emission.values(bodies.chain(states).collect());
+    let whole = if turns::are_counted(emission) {
+        let places = turns::in_pose(emission);
+        quote! {
+            let mut x = self.absolute_();
+            rt::turns::add(&self.turns, &mut x, &#places);
+            self.mechanism.placed(&x)
+        }
+    } else {
+        quote!(self.mechanism.placed(&self.absolute_()))
+    };
     quote! {
         impl<S: Real> #name<S> {
             fn placed(&self, x: &[S; #full]) -> Starts<S> {
@@ -69,7 +79,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                #whole
             }
         }
     }
@@ -140,10 +150,10 @@ fn begin(emission: &Emission) -> TokenStream {
         Form::Tree(_) => quote!(self.project(t, &assembly.q, &assembly.v, &mut x);),
         Form::Absolute => quote!(absolute::join(&assembly.q, &assembly.v, &mut x);),
     };
-    let count = number(model.switches.len());
+    let [count, turns] = [model.switches.len(), model.turns.len()].map(number);
     quote! {
         #repeats
-        let mut held = rt::Held { input, switches: [S::lit(1.0); #count], of_loops: #of_loops };
+        let mut held = rt::Held { input, switches: [S::lit(1.0); #count], turns: [0; #turns], of_loops: #of_loops };
         #enter
         #pass
         #switch

@@ -3,13 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::super::contract::turns;
 use super::super::{Emission, Form, Sizes, number};
 use super::input::of_loops;
 
 /// `State`.
 pub(crate) fn state(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let (count, of_loops) = (number(emission.model.switches.len()), of_loops(emission));
+    let of_loops = of_loops(emission);
+    let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map(number);
     quote! {
         /// The mechanism at one moment; its methods read poses and outputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,10 +22,16 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
             pub input: Input<S>,
             time: S,
             x: [S; #length],
-            switches: [S; #count],
+            switches: [S; #switches],
+            turns: [i32; #turns],
             of_loops: #of_loops,
         }
     }
+}
+
+/// Pose and velocity of all bodies with all turns, of a `State`.
+pub(crate) fn whole_pose(emission: &Emission, state: &TokenStream) -> TokenStream {
+    if turns::are_counted(emission) { quote!(#state.whole_()) } else { quote!(#state.pose_()) }
 }
 
 /// The state in coordinates of all bodies, which rung 5 gives the reactions of loops at, and equilibria and starts are told in.
@@ -48,6 +56,17 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
             }
         }
     });
+    let whole = turns::are_counted(emission).then(|| {
+        let places = turns::in_pose(emission);
+        quote! {
+            /// The same with all turns of the angles.
+            fn whole_(&self) -> ([S; #nq], [S; #nq]) {
+                let (mut q, v) = self.pose_();
+                rt::turns::add(&self.turns, &mut q, &#places);
+                (q, v)
+            }
+        }
+    });
     quote! {
         impl<S: Real> State<S> {
             /// Pose and velocity of every body.
@@ -55,6 +74,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
             fn pose_(&self) -> ([S; #nq], [S; #nq]) {
                 #pose
             }
+            #whole
         }
 
         impl<S: Real> State<S> {

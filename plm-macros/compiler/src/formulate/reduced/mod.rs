@@ -22,7 +22,7 @@ pub(crate) use self::charts::redundant::{Assembled, Known};
 use self::groups::Group;
 use self::inertia::Dense;
 use self::jacobian::Jacobian;
-use self::joints::coordinates::{Coordinates, Unknown};
+use self::joints::coordinates::Coordinates;
 use self::layout::{Layout, loads};
 use self::motion::Motion;
 use self::motion::memory::Memory;
@@ -45,12 +45,12 @@ pub(crate) struct Reduced {
     pub(crate) charts: Vec<Chart>,
     /// Symbols of what is remembered from the last state that was looked at, and where each stands; a tree remembers nothing.
     pub(crate) memory: Vec<(Expr, String)>,
-    /// The bodies whose angles are remembered, in that order.
-    pub(crate) turning: Vec<String>,
+    /// The bodies whose angles are remembered, in that order: indices into the model's.
+    pub(crate) turning: Vec<usize>,
     /// How many determinants are remembered.
     pub(crate) areas: usize,
-    /// Bodies and joints that the unknowns belong to which Newton's iteration starts from.
-    pub(crate) followed: Vec<String>,
+    /// Bodies and joints that the unknowns belong to which Newton's iteration starts from, and of angles the body's index.
+    pub(crate) followed: Vec<(String, Option<usize>)>,
 }
 
 impl Reduced {
@@ -90,8 +90,12 @@ impl Reduced {
 pub(crate) struct Chart {
     /// Name of each coordinate, as a path of the model.
     pub(crate) names: Vec<String>,
-    /// Is the coordinate an angle?
-    pub(crate) angles: Vec<bool>,
+    /// The body whose angle the coordinate is, if it is one.
+    pub(crate) turning: Vec<Option<usize>>,
+    /// Which coordinates move no loop.
+    pub(crate) loose: Vec<bool>,
+    /// The angles that its loops give: places in [`Reduced::turning`].
+    pub(crate) found: Vec<usize>,
     /// The part or body that each coordinate belongs to.
     pub(crate) parts: Vec<String>,
     /// Symbols of the coordinates.
@@ -143,12 +147,11 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
     let length = Expr::from(plm_cas::Number::from_f64(known.length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
-    let turning = coordinates.unknowns.iter().filter_map(|unknown| match *unknown {
-        Unknown::Angle { body, .. } => Some(model.bodies[body].name.text.clone()),
-        _ => None,
-    });
-    let turning = turning.collect();
-    let owner = |unknown: usize| owner(&coordinates.unknowns[unknown].name(model)).to_owned();
+    let turning = coordinates.unknowns.iter().filter_map(|unknown| unknown.turning_body()).collect();
+    let owner = |unknown: usize| {
+        let unknown = &coordinates.unknowns[unknown];
+        (owner(&unknown.name(model)).to_owned(), unknown.turning_body())
+    };
     Ok(Reduced {
         turning,
         charts,
@@ -215,7 +218,9 @@ impl Layout<'_> {
         let names: Vec<String> =
             motion.independent.iter().map(|&unknown| motion.names[unknown].clone()).collect();
         let parts = names.iter().map(|name| owner(name).to_owned());
-        let is_angle = |&unknown: &usize| matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
+        let turning = |&unknown: &usize| coordinates.unknowns[unknown].turning_body();
+        let in_loops: Vec<usize> = scheme.loops().flat_map(Group::unknowns).collect();
+        let is_loose = |k: usize| in_loops.iter().all(|&unknown| motion.gain[unknown][k].is_zero());
         let remember = loops.then(|| self.remember(scheme, &motion));
         // Where a pose is read nothing is held.
         let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));
@@ -242,7 +247,9 @@ impl Layout<'_> {
         Chart {
             parts: parts.collect(),
             names,
-            angles: motion.independent.iter().map(is_angle).collect(),
+            turning: motion.independent.iter().map(turning).collect(),
+            found: coordinates.places_of_angles(&in_loops),
+            loose: (0..motion.independent.len()).map(is_loose).collect(),
             y: motion.of_independent(&motion.value),
             y_dot: motion.of_independent(&motion.rate),
             method,

@@ -78,6 +78,7 @@ impl<'a> Resolver<'a> {
             files: self.files.keys().cloned().collect(),
             switches,
             kinks: Vec::new(),
+            turns: Vec::new(),
             allowed: self.draft.settings.allowed,
         })
     }

@@ -34,6 +34,14 @@ impl Unknown {
             Unknown::Slide { part } => format!("{}.displacement", model.parts[part].name.text),
         }
     }
+
+    /// The body whose angle it is, if it is one.
+    pub(crate) fn turning_body(self) -> Option<usize> {
+        match self {
+            Unknown::Angle { body, .. } => Some(body),
+            Unknown::Centre { .. } | Unknown::Slide { .. } => None,
+        }
+    }
 }
 
 /// A joint that the coordinates walk through.
@@ -89,6 +97,12 @@ pub(crate) struct TreeEdge {
 }
 
 impl Coordinates {
+    /// Of some unknowns those that are angles, by their places among all angles.
+    pub(crate) fn places_of_angles(&self, unknowns: &[usize]) -> Vec<usize> {
+        let angles = (0..self.unknowns.len()).filter(|&k| self.unknowns[k].turning_body().is_some());
+        angles.enumerate().filter(|(_, unknown)| unknowns.contains(unknown)).map(|(place, _)| place).collect()
+    }
+
     /// Does nothing tie the unknowns to each other?
     pub(crate) fn is_tree(&self) -> bool {
         self.closures.is_empty() && self.rows.is_empty()

@@ -1,0 +1,118 @@
+//! Angles that may turn without end: their whole turns are counted beside the state, so that what is in it stays small.
+//!
+//! Poses and constraints know an angle by its sine and cosine, to which whole turns are nothing. What reads the angle itself (a
+//! spring, a condition, an output) reads `theta + 2 pi n`. Bodies whose angles a constraint keeps at one difference have
+//! one count. An angle that a constraint reads in another way (a gear, a drive, a slide on the ground) has none: there whole turns
+//! are not nothing.
+
+use std::collections::HashSet;
+
+use plm_cas::{Expr, Function, Node, Number, algebra};
+
+use crate::model::{Counted, Model};
+
+/// Counts the turns of all angles that may have any. Gives the angles, and what stands for them where they are read
+/// themselves.
+pub(crate) fn count_turns(model: &mut Model) -> Vec<(Expr, Expr)> {
+    model.turns = counted(model);
+    let whole_turn = Expr::from(Number::pi()) * Expr::from(2);
+    let mut pairs = Vec::new();
+    for counted in &model.turns {
+        let turned = whole_turn * counted.symbol;
+        let angles = counted.bodies.iter().map(|&body| model.bodies[body].q[2]);
+        pairs.extend(angles.map(|angle| (angle, angle + turned)));
+    }
+    let mut places: Vec<&mut Expr> = Vec::new();
+    places.extend(model.loads.iter_mut().flat_map(|load| &mut load.force));
+    places.extend(model.states.iter_mut().map(|state| &mut state.rate));
+    places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
+    places.extend(model.switches.iter_mut().map(|switch| &mut switch.difference));
+    places.extend(&mut model.kinks);
+    let read: Vec<Expr> = places.iter().map(|place| **place).collect();
+    places.into_iter().zip(with_turns(&read, &pairs)).for_each(|(place, whole)| *place = whole);
+    pairs
+}
+
+/// Expressions that read whole angles; `pairs` as from [`count_turns`].
+pub(crate) fn with_turns(exprs: &[Expr], pairs: &[(Expr, Expr)]) -> Vec<Expr> {
+    if pairs.is_empty() {
+        return exprs.to_vec();
+    }
+    let angles: HashSet<Expr> = pairs.iter().map(|pair| pair.0).collect();
+    let periodic = algebra::reachable(exprs).into_iter().filter(|&expr| is_periodic(expr, &angles));
+    let all: Vec<(Expr, Expr)> = periodic.map(|expr| (expr, expr)).chain(pairs.iter().copied()).collect();
+    algebra::substitute(exprs, &all)
+}
+
+/// The angles that turn as one, by count.
+fn counted(model: &Model) -> Vec<Counted> {
+    let angles: HashSet<Expr> = model.bodies.iter().map(|body| body.q[2]).collect();
+    let body_of = |angle: Expr| model.bodies.iter().position(|body| body.q[2] == angle);
+    // Of each body the first one that it turns with; none if it has no count.
+    let mut leader: Vec<Option<usize>> = (0..model.bodies.len()).map(Some).collect();
+    let rows = model.rows.iter().map(|row| row.phi);
+    for phi in rows.chain(model.released.iter().map(|(_, condition)| *condition)) {
+        let read = read_itself(phi, &angles);
+        let bodies = read.iter().filter_map(|&angle| body_of(angle));
+        let joined: Vec<Option<usize>> = bodies.map(|body| leader[body]).collect();
+        // None is less than any.
+        let first = joined.iter().copied().min().flatten().filter(|_| keeps_difference(phi, &read, &angles));
+        for class in leader.iter_mut().filter(|class| class.is_some() && joined.contains(class)) {
+            *class = first;
+        }
+    }
+    let first = (0..model.bodies.len()).filter(|&body| leader[body] == Some(body));
+    let of_leader = |first: usize| Counted {
+        symbol: Expr::symbol(format!("{}.turns", model.bodies[first].name.text)),
+        bodies: (0..model.bodies.len()).filter(|&body| leader[body] == Some(first)).collect(),
+    };
+    first.map(of_leader).collect()
+}
+
+/// Is it the difference of the two angles that are read, and what reads none?
+fn keeps_difference(phi: Expr, read: &[Expr], angles: &HashSet<Expr>) -> bool {
+    let Node::Sum { terms, .. } = defined(phi).node() else { return false };
+    let (of_angles, others): (Vec<_>, Vec<_>) = terms.iter().partition(|(_, term)| read.contains(term));
+    let coefficients: Vec<Option<i64>> =
+        of_angles.iter().map(|(coefficient, _)| coefficient.as_int()).collect();
+    let is_difference = matches!(coefficients[..], [Some(1), Some(-1)] | [Some(-1), Some(1)]);
+    is_difference && others.iter().all(|(_, term)| read_itself(*term, angles).is_empty())
+}
+
+/// What a named atom stands for.
+fn defined(expr: Expr) -> Expr {
+    if let Node::Defined(value) = expr.node() { defined(value) } else { expr }
+}
+
+/// The angles that an expression reads in another way than by a function to which whole turns are nothing.
+fn read_itself(expr: Expr, angles: &HashSet<Expr>) -> Vec<Expr> {
+    let (mut open, mut seen, mut found) = (vec![expr], HashSet::new(), Vec::new());
+    while let Some(expr) = open.pop() {
+        if !seen.insert(expr) || is_periodic(expr, angles) {
+            continue;
+        }
+        if angles.contains(&expr) {
+            found.push(expr);
+        }
+        expr.node().for_each_child(|child| open.push(child));
+    }
+    found.sort_unstable();
+    found
+}
+
+/// Is it a sine or cosine of angles times whole numbers?
+fn is_periodic(expr: Expr, angles: &HashSet<Expr>) -> bool {
+    let Node::Call(Function::Sin | Function::Cos, arguments) = expr.node() else {
+        return false;
+    };
+    let is_whole = |(coefficient, term): &(Number, Expr)| {
+        let is_angle = angles.contains(term);
+        is_angle && coefficient.as_int().is_some()
+            || !is_angle && !algebra::symbols(&[*term]).iter().any(|symbol| angles.contains(symbol))
+    };
+    match (&arguments[..], arguments.first().map(|argument| argument.node())) {
+        (_, Some(Node::Sum { terms, .. })) => terms.iter().all(is_whole),
+        (&[argument], _) => angles.contains(&argument),
+        _ => false,
+    }
+}

@@ -1,0 +1,89 @@
+//! Whole turns that are counted: where their angles stand, and where they are brought back.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::super::{Emission, Form, Sizes, number};
+use crate::formulate::Reduced;
+
+/// Is anything counted?
+pub(in super::super) fn are_counted(emission: &Emission) -> bool {
+    !emission.model.turns.is_empty()
+}
+
+/// By count, the places in a list of what belongs to its `bodies`.
+fn places<'a>(emission: &'a Emission, bodies: &'a [Option<usize>]) -> impl Iterator<Item = String> + 'a {
+    emission.model.turns.iter().map(move |counted| {
+        let of_count = |body: &Option<usize>| body.is_some_and(|body| counted.bodies.contains(&body));
+        let places = bodies.iter().enumerate().filter(|(_, body)| of_count(body));
+        let places: Vec<String> = places.map(|(place, _)| place.to_string()).collect();
+        format!("&[{}]", places.join(", "))
+    })
+}
+
+/// By count, the places of its angles in the pose of all bodies.
+pub(in super::super) fn in_pose(emission: &Emission) -> TokenStream {
+    let of_pose = |k: usize| (k % 3 == 2).then_some(k / 3);
+    let bodies: Vec<Option<usize>> = (0..emission.equations.q.len()).map(of_pose).collect();
+    let places = emission.list(places(emission, &bodies));
+    quote!([#places])
+}
+
+/// By count, the places of its angles in the state; not of loops, which have other coordinates in each chart.
+fn in_state(emission: &Emission) -> Option<TokenStream> {
+    let Form::Tree(chart) = emission.form else {
+        return (!emission.is_reduced()).then(|| in_pose(emission));
+    };
+    let places = emission.list(places(emission, &chart.turning));
+    Some(quote!([#places]))
+}
+
+/// `accept` of what has no charts.
+pub(super) fn accept(emission: &Emission) -> Option<TokenStream> {
+    let Sizes { length, .. } = &emission.sizes;
+    let places = are_counted(emission).then(|| in_state(emission)).flatten()?;
+    Some(quote! {
+        #[inline]
+        fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Accepted, Fault> {
+            let turned = rt::turns::unwind(&mut u.turns, x, &#places);
+            Ok(rt::Accepted { turned, ..Default::default() })
+        }
+    })
+}
+
+/// Whether no angle is to be brought back at a state; not of loops.
+pub(super) fn are_near(emission: &Emission) -> TokenStream {
+    match in_state(emission) {
+        Some(places) if are_counted(emission) => quote!(!rt::turns::are_due(x, &#places)),
+        _ => quote!(true),
+    }
+}
+
+/// Constants of `Charted`.
+pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
+    let of_all = |bodies: &[Option<usize>]| places(emission, bodies).collect::<Vec<String>>();
+    let charts: Vec<Vec<String>> = reduced.charts.iter().map(|chart| of_all(&chart.turning)).collect();
+    let remembered: Vec<Option<usize>> = reduced.turning.iter().copied().map(Some).collect();
+    let followed: Vec<Option<usize>> = reduced.followed.iter().map(|(_, body)| *body).collect();
+    let (remembered, followed) = (of_all(&remembered), of_all(&followed));
+    let counted = (0..emission.model.turns.len()).map(|k| {
+        let coordinates: Vec<&str> = charts.iter().map(|places| places[k].as_str()).collect();
+        format!(
+            "rt::charts::Counted {{ coordinates: &[{}], remembered: {}, followed: {} }}",
+            coordinates.join(", "),
+            remembered[k],
+            followed[k]
+        )
+    });
+    let counted = emission.lines(counted);
+    let is_counted = |body: usize| emission.model.turns.iter().any(|counted| counted.bodies.contains(&body));
+    let loose = reduced.charts.iter().any(|chart| {
+        chart.turning.iter().zip(&chart.loose).any(|(body, loose)| *loose && body.is_some_and(is_counted))
+    });
+    let count = number(emission.model.turns.len());
+    quote! {
+        type Turns = [i32; #count];
+        const COUNTED: &'static [rt::charts::Counted] = &[#counted];
+        const LOOSE: bool = #loose;
+    }
+}

@@ -1,0 +1,57 @@
+//! Angles that have turned far are brought back by whole turns, in the coordinates and in what is remembered.
+
+use super::{Charted, OfLoops, Remembered};
+use crate::turns::{due, less};
+use crate::vector::Vector;
+
+/// The angles of bodies that turn as one, whose whole turns are counted together.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted {
+    /// By chart: the coordinates that are such angles.
+    pub coordinates: &'static [&'static [usize]],
+    /// Their places among the angles that are remembered.
+    pub remembered: &'static [usize],
+    /// Their places among the unknowns of iterations.
+    pub followed: &'static [usize],
+}
+
+/// Is a coordinate to be brought back?
+#[inline]
+pub(super) fn are_due<M: Charted>(held: &M::U, x: &M::X) -> bool {
+    let OfLoops::InChart { chart, .. } = held.of_loops else { return false };
+    let coordinates = M::COUNTED.iter().filter_map(|counted| counted.coordinates.get(chart));
+    coordinates.copied().flatten().any(|&k| due(x.at(k)) != 0)
+}
+
+/// Brings angles back that have turned far; whether there were some.
+#[inline]
+pub(super) fn unwind<M: Charted>(held: &mut M::U, x: &mut M::X) -> bool {
+    let OfLoops::InChart { chart, memory } = &mut held.of_loops else { return false };
+    let mut turned = false;
+    for (counted, turns) in M::COUNTED.iter().zip(held.turns.as_mut()) {
+        let coordinates = counted.coordinates.get(*chart).copied().unwrap_or_default();
+        let in_state = coordinates.iter().map(|&k| due(x.at(k)));
+        let in_memory = || counted.remembered.iter().filter_map(|&k| memory.turns().get(k));
+        let due = in_state.chain(in_memory().map(|turn| due(turn.angle))).find(|due| *due != 0);
+        let Some(due) = due else { continue };
+        for &k in coordinates {
+            x.set(k, less(x.at(k), due));
+            if let Some(coordinate) = memory.coordinates_mut().get_mut(k) {
+                coordinate.last = less(coordinate.last, due);
+            }
+        }
+        for &k in counted.remembered {
+            if let Some(turn) = memory.turns_mut().get_mut(k) {
+                turn.angle = less(turn.angle, due);
+            }
+        }
+        for &k in counted.followed {
+            if let Some(followed) = memory.followed_mut().get_mut(k) {
+                followed.value = less(followed.value, due);
+            }
+        }
+        *turns = turns.saturating_add(due);
+        turned = true;
+    }
+    turned
+}

@@ -1,0 +1,119 @@
+//! Whole turns of angles that may turn without end, counted beside the state.
+//!
+//! An angle in the state stays within [`FARTHEST`]: what sines and cosines are made of it is as exact after a day as after
+//! a minute, in `f32` as well. What reads the angle itself has the turns added.
+
+use crate::scalar::Real;
+use crate::vector::Vector;
+
+/// An angle that is farther from zero, rad, is brought back by whole turns: three quarters of one, so that one that swings
+/// about half a turn is not brought back each time.
+const FARTHEST: f64 = 0.75 * TAU;
+/// A whole turn, rad ...
+const TAU: f64 = core::f64::consts::TAU;
+/// ... and what it lacks.
+const TAU_LOW: f64 = 2.449_293_598_294_706_4e-16;
+/// More turns at once are none that a step can make.
+const MOST: f64 = 1e9;
+
+/// The angle with its whole turns, rad.
+#[inline]
+#[must_use]
+pub fn whole<S: Real>(angle: S, turns: i32) -> S {
+    S::of_turns(turns).mul_add(S::lit(TAU), angle)
+}
+
+/// Adds to angles among `numbers` the turns that are counted for them; `places` has those of each count.
+#[inline]
+pub fn add<S: Real, const K: usize>(turns: &[i32; K], numbers: &mut impl Vector<S>, places: &[&[usize]; K]) {
+    for (&turns, places) in turns.iter().zip(places) {
+        for &place in *places {
+            numbers.set(place, whole(numbers.at(place), turns));
+        }
+    }
+}
+
+/// The whole turns that an angle is to be brought back by; 0 as long as it is near.
+#[inline]
+pub(crate) fn due<S: Real>(angle: S) -> i32 {
+    let is_far = angle.abs() > S::lit(FARTHEST) && angle.abs() < S::lit(MOST);
+    if is_far { (angle * S::lit(1.0 / TAU) + S::lit(0.5)).floor().to_turns() } else { 0 }
+}
+
+/// An angle less whole turns: the difference is exact for one turn (Sterbenz), its rest is rounded once.
+#[inline]
+pub(crate) fn less<S: Real>(angle: S, turns: i32) -> S {
+    let (count, high) = (S::of_turns(turns), S::lit(TAU));
+    (angle - count * high) - count * S::lit(TAU - high.to_f64() + TAU_LOW)
+}
+
+/// Is one of the angles among `numbers` to be brought back?
+#[inline]
+pub fn are_due<S: Real, const K: usize>(numbers: &impl Vector<S>, places: &[&[usize]; K]) -> bool {
+    places.iter().copied().flatten().any(|&place| due(numbers.at(place)) != 0)
+}
+
+/// Brings angles among `numbers` back by whole turns, which are counted; those of one count together. Whether there were some.
+#[inline]
+pub fn unwind<S: Real, const K: usize>(
+    turns: &mut [i32; K],
+    numbers: &mut impl Vector<S>,
+    places: &[&[usize]; K],
+) -> bool {
+    let mut turned = false;
+    for (turns, places) in turns.iter_mut().zip(places) {
+        let due = places.iter().map(|&place| due(numbers.at(place))).find(|due| *due != 0);
+        let Some(due) = due else { continue };
+        for &place in *places {
+            numbers.set(place, less(numbers.at(place), due));
+        }
+        *turns = turns.saturating_add(due);
+        turned = true;
+    }
+    turned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FARTHEST, TAU, add, due, less, unwind, whole};
+
+    /// Counts beside a sum of equal steps, against the sum in integers: the pose is that of the first turns.
+    fn turned<S: crate::Real>(steps: u32) -> (S, i32) {
+        let (mut angle, mut turns) = ([S::ZERO], [0]);
+        for _ in 0..steps {
+            angle[0] = angle[0] + S::lit(0.125);
+            unwind(&mut turns, &mut angle, &[&[0]]);
+            assert!(angle[0].abs() <= S::lit(FARTHEST));
+        }
+        (angle[0], turns[0])
+    }
+
+    #[test]
+    fn a_shaft_is_as_exact_after_many_turns_as_after_one() {
+        let steps = 10_000_000;
+        let (angle, turns) = turned::<f32>(steps);
+        let expected = f64::from(steps) * 0.125;
+        let off = f64::from(angle) + f64::from(turns) * TAU - expected;
+        // Each turn rounds once, by 3e-8 rad at most on average; the sums of steps round at random.
+        assert!(off.abs() < 2e-2, "{off:e}");
+        // The sum by itself is stuck where a step is half a unit in the last place.
+        let sum = (0..steps).fold(0.0_f32, |sum, _| sum + 0.3);
+        assert!((f64::from(sum) / (0.3 * f64::from(steps)) - 1.0).abs() > 0.05);
+    }
+
+    #[test]
+    fn whole_angles_are_what_they_were() {
+        for angle in [5.0, -5.0, 17.3, -4e5, 1e8] {
+            let turns = due(angle);
+            let back = less(angle, turns);
+            assert!(back.abs() <= 0.5 * TAU + 1e-9, "{angle}: {back}");
+            assert!((whole(back, turns) - angle).abs() <= 2.0 * f64::EPSILON * angle.abs());
+        }
+        for near in [0.0, 3.2, -4.7, f64::NAN, f64::INFINITY, 1e30] {
+            assert_eq!(due(near), 0);
+        }
+        let mut pose = [1.0, 2.0, 3.0, 4.0];
+        add(&[2, -1], &mut pose, &[&[1, 3], &[0]]);
+        assert_eq!(pose, [1.0 - TAU, 2.0 + 2.0 * TAU, 3.0, 4.0 + 2.0 * TAU]);
+    }
+}
