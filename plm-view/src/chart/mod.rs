@@ -64,6 +64,11 @@ impl Chart {
         Self { title: String::new(), note: String::new(), x, panels: vec![Panel::new(y, PLATE)] }
     }
 
+    /// A chart of low panels over a common axis, none yet: each is added by [`below`](Self::below).
+    pub fn rows(x: Axis) -> Self {
+        Self { title: String::new(), note: String::new(), x, panels: Vec::new() }
+    }
+
     /// The recorded quantities over time, in one panel for each unit, in the order of the columns.
     pub fn over_time(recording: &Recording) -> Self {
         let mut units: Vec<&str> = Vec::new();

@@ -7,7 +7,7 @@ use super::pen::{Canvas, FINE, FRAME, GRID, Outcome, Pen, TEXT, ZERO, line, text
 use super::{Frame, MARGIN, rule};
 use crate::chart::Panel;
 use crate::chart::axis::Ruler;
-use crate::chart::series::Series;
+use crate::chart::series::{At, Series};
 use crate::chart::thin::{pieces, thin};
 
 /// Length of the ticks between the labelled ones of a logarithmic axis.
@@ -34,6 +34,14 @@ impl<'a> Plot<'a> {
 
     pub(super) fn row(&self, y: f64) -> i32 {
         self.y.place(y, self.frame.bottom, self.frame.top)
+    }
+
+    /// Whether a line of reference has a place in the frame.
+    pub(super) fn shows(&self, at: At) -> bool {
+        match at {
+            At::X(x) => self.x.holds(x),
+            At::Y(y) => self.y.holds(y),
+        }
     }
 
     /// The visible lines of a series, in units of the picture.

@@ -31,6 +31,9 @@ pub(super) fn rows(panel: &Panel, x: &Ruler, left: i32, right: i32) -> Rows {
     let mut rows = Rows::new();
     for rule in &panel.rules {
         let At::X(value) = rule.at else { continue };
+        if !x.holds(value) {
+            continue;
+        }
         let mut label = Label { text: rule.label.clone(), middle: x.place(value, left, right) };
         let half = label.half();
         label.middle = label.middle.min(right - half).max(left + half);
@@ -63,7 +66,7 @@ pub(super) fn draw_labels(rows: &Rows, plot: &Plot, canvas: &Canvas) -> Outcome 
 /// The lines, and the labels of level ones.
 pub(super) fn draw(plot: &Plot, canvas: &Canvas) -> Outcome {
     let (Frame { left, right, top, bottom }, pen) = (plot.frame, Pen::rule());
-    for rule in &plot.panel.rules {
+    for rule in plot.panel.rules.iter().filter(|rule| plot.shows(rule.at)) {
         match rule.at {
             At::X(x) => {
                 let column = plot.column(x);
