@@ -24,7 +24,14 @@ use demos::sheet::{Demo, Sheet};
 use gallery::SHOWN;
 use plm::view::Options;
 
-fn main() -> Result<ExitCode, Box<dyn Error>> {
+fn main() -> ExitCode {
+    run().unwrap_or_else(|error| {
+        eprintln!("{error}");
+        ExitCode::FAILURE
+    })
+}
+
+fn run() -> Result<ExitCode, Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     match words.as_slice() {
         [option, folder] if option == "--gallery" => {
@@ -32,7 +39,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
             Ok(ExitCode::SUCCESS)
         }
         [name, option, ..] if option.starts_with('-') => {
-            let shown = SHOWN.iter().find(|shown| shown.is_called(name)).ok_or_else(|| unknown(name))?;
+            let shown = SHOWN
+                .iter()
+                .find(|shown| shown.is_called(name))
+                .ok_or_else(|| unknown(name, SHOWN.map(|shown| shown.demo)))?;
             (shown.program)(&Options::parse(&words[1..])?)?;
             Ok(ExitCode::SUCCESS)
         }
@@ -40,15 +50,14 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     }
 }
 
-fn unknown(name: &str) -> String {
-    let names: Vec<&str> = SHOWN.iter().map(|shown| shown.demo).collect();
+fn unknown<const N: usize>(name: &str, names: [&str; N]) -> String {
     format!("no demo is called `{name}`; there are {}", names.join(", "))
 }
 
 /// Runs the demos with these names, or all where there are none.
 fn sheets(named: &[String]) -> Result<ExitCode, Box<dyn Error>> {
     if let Some(name) = named.iter().find(|name| !DEMOS.iter().any(|demo| is_called(demo, name))) {
-        return Err(unknown(name).into());
+        return Err(unknown(name, DEMOS.map(|(name, _)| name)).into());
     }
     let wanted =
         DEMOS.iter().filter(|demo| named.is_empty() || named.iter().any(|name| is_called(demo, name)));

@@ -16,6 +16,7 @@ use plm::view::{Options, Page, Recorder, Recording, Results};
 use plm::{Described, Fault};
 use serde_json::{Value, json};
 
+use crate::demos::DEMOS;
 use figure::Figure;
 
 /// A demo as the gallery shows it.
@@ -85,6 +86,9 @@ impl Shown {
 /// Writes into a folder the curves, the page of each demo, the list of pictures that are to be made of the pages, and the
 /// gallery of the book.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
+    if let Some((name, _)) = DEMOS.iter().find(|(name, _)| !SHOWN.iter().any(|shown| shown.demo == *name)) {
+        return Err(format!("the gallery does not show {name}").into());
+    }
     fs::create_dir_all(folder)?;
     let mut pictures = Vec::new();
     for shown in SHOWN {

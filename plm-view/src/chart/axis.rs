@@ -142,10 +142,10 @@ impl Ruler {
     }
 
     /// Where `value` stands between the pixels `from` (the beginning of the axis) and `to` (its end).
-    pub(super) fn place(&self, value: f64, from: i32, to: i32) -> i32 {
+    pub(super) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         let share = (self.along(value) - self.low) / (self.high - self.low);
         let share = if self.falling { 1.0 - share } else { share };
-        from + (share * f64::from(to - from)).round() as i32
+        from + share * (to - from)
     }
 
     /// The ticks in the range, in rising order.
@@ -178,7 +178,10 @@ mod tests {
                     assert!((2..=13).contains(&labels), "{low:e} to {high:e}: {ticks:?}");
                     assert!(ticks.is_sorted_by(|a, b| a.value < b.value), "{low:e} to {high:e}: {ticks:?}");
                     for value in [low, high].into_iter().filter(|&value| ruler.holds(value)) {
-                        assert!((0..=1000).contains(&ruler.place(value, 0, 1000)), "{low:e} to {high:e}");
+                        assert!(
+                            (0.0..=1000.0).contains(&ruler.place(value, 0.0, 1000.0)),
+                            "{low:e} to {high:e}"
+                        );
                     }
                 }
             }
@@ -188,26 +191,35 @@ mod tests {
     #[test]
     fn the_ends_of_a_range_stand_at_its_ends() {
         let ruler = Axis::linear("x", "m").tight().ruler([-2.0, 6.0].into_iter());
-        assert_eq!([-2.0, 0.0, 6.0].map(|value| ruler.place(value, 500, 100)), [500, 400, 100]);
+        assert_eq!(
+            [-2.0, 0.0, 6.0].map(|value| ruler.place(value, 500.0, 100.0).round()),
+            [500.0, 400.0, 100.0]
+        );
         let ruler = Axis::log("x", "m").tight().ruler([1e-8, 1.0].into_iter());
-        assert_eq!([1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0, 400)), [0, 100, 400]);
+        assert_eq!(
+            [1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0.0, 400.0).round()),
+            [0.0, 100.0, 400.0]
+        );
         let ruler = Axis::log("x", "m").tight().falling().ruler([1e-8, 1.0].into_iter());
-        assert_eq!([1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0, 400)), [400, 300, 0]);
+        assert_eq!(
+            [1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0.0, 400.0).round()),
+            [400.0, 300.0, 0.0]
+        );
     }
 
     #[test]
     fn a_range_reaches_to_what_it_has_to_include() {
         let ruler = Axis::linear("x", "m").tight().including(10.0).ruler([0.0, 5.0].into_iter());
-        assert_eq!(ruler.place(10.0, 0, 100), 100);
+        assert_eq!(ruler.place(10.0, 0.0, 100.0), 100.0);
     }
 
     #[test]
     fn a_range_that_is_given_holds_whatever_is_drawn() {
         let ruler = Axis::linear("x", "m").range(0.0, 10.0).ruler([-5.0, 3.0, 20.0].into_iter());
-        assert_eq!([0.0, 5.0, 10.0].map(|value| ruler.place(value, 0, 100)), [0, 50, 100]);
+        assert_eq!([0.0, 5.0, 10.0].map(|value| ruler.place(value, 0.0, 100.0).round()), [0.0, 50.0, 100.0]);
         assert_eq!([-0.1, 0.0, 10.0, 10.1].map(|value| ruler.holds(value)), [false, true, true, false]);
         let ruler = Axis::log("x", "m").range(1e-4, 1.0).ruler([1e-9].into_iter());
-        assert_eq!([1e-4, 1e-2, 1.0].map(|value| ruler.place(value, 0, 100)), [0, 50, 100]);
+        assert_eq!([1e-4, 1e-2, 1.0].map(|value| ruler.place(value, 0.0, 100.0).round()), [0.0, 50.0, 100.0]);
         assert_eq!([1e-9, 1e-4, 2.0].map(|value| ruler.holds(value)), [false, true, false]);
     }
 
@@ -219,7 +231,7 @@ mod tests {
             Axis::log("x", "m").range(0.0, 1.0),
         ] {
             let ruler = axis.tight().ruler([2.0, 20.0].into_iter());
-            assert_eq!([2.0, 20.0].map(|value| ruler.place(value, 0, 100)), [0, 100]);
+            assert_eq!([2.0, 20.0].map(|value| ruler.place(value, 0.0, 100.0).round()), [0.0, 100.0]);
         }
     }
 }
