@@ -21,21 +21,26 @@ plm::mechanism! {
     pub ConnectPlmHcd {
         /// Friction of the jack: 0 in Table 5.
         param friction: N/(m/s) = 0;
+        /// Pressure drop at which the valve lets 20 L/min through: not in the manual.
+        param rated_drop: bar = 1 bar;
+        /// Share of undissolved gas in the oil: not in the manual.
+        param gas: 1 = 0;
 
         gravity: 9.81 m/s^2;
         ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }
         body arm {
             mass: 100 kg;
             inertia: 0.01 kg*m^2;
+            port tip: (0.2, 0) m;
             port jack: (-0.5, 0) m;
             port o0: (-0.8, 0) m;
             start angle: 20 deg, locked;
         }
         revolute hinge(ground.o0, arm.o0);
-        jack ram(ground.foot, arm.jack) { free_length: 0.22 m; }
+        jack ram(ground.foot, arm.jack) { free_length: 0.22 m; piston_diameter: 0.05 m; rod_diameter: 0.07 m; }
 
-        chamber cap() { dead_volume: 50 cm^3; }
-        chamber ring() { dead_volume: 50 cm^3; pressure: 5 bar, locked; }
+        chamber cap() { dead_volume: 50 cm^3; oil.gas_content: gas; }
+        chamber ring() { dead_volume: 50 cm^3; oil.gas_content: gas; pressure: 5 bar, locked; }
         piston bap12(ram.slider, cap.port) { diameter: 50 mm; }
         piston bap11(ram.slider, ring.port) {
             diameter: 50 mm;
@@ -52,11 +57,11 @@ plm::mechanism! {
         }
         slider_spring drag(barrel.slider, ram.slider) { damping: friction; }
 
-        oil_line line1(cap.port);
-        oil_line line2(ring.port) { inlet.pressure: 5 bar; }
+        oil_line line1(cap.port) { inlet.oil.gas_content: gas; }
+        oil_line line2(ring.port) { inlet.oil.gas_content: gas; inlet.pressure: 5 bar; }
         servo_valve valve(pump.port, line1.port, line2.port, tank.port) {
             signal: -0.2*command.value;
-            rated_drop: 1 bar;
+            rated_drop: rated_drop;
             frequency: 20 Hz;
         }
         oil_source pump() { pressure: 30 bar; }
@@ -76,12 +81,12 @@ plm::mechanism! {
         output stored = squeezed + elastic, absorbed = squeezing + rate(elastic);
         output supplied = pump.flow*30 bar - tank.flow*5 bar;
         output lost = valve.lost + line1.lost + line2.lost + drag.lost + stops.lost;
-        output arm.alpha, ram.displacement, ram.force, cap.pressure in bar;
+        output command.value, arm.alpha, ram.displacement, ram.force, cap.pressure in bar, ring.pressure in bar;
     }
 }
 
 /// The manual's stabilising run.
-fn at_rest(arm: &ConnectPlmHcd) -> Result<ConnectPlmHcd, Fault> {
+pub fn at_rest(arm: &ConnectPlmHcd) -> Result<ConnectPlmHcd, Fault> {
     Ok(arm.stabilise()?.mechanism)
 }
 

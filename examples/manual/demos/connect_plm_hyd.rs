@@ -45,7 +45,7 @@ plm::mechanism! {
             start angle: 20 deg, locked;
         }
         revolute hinge(ground.o0, arm.o0);
-        jack ram(ground.foot, arm.jack) { free_length: 0.22 m; }
+        jack ram(ground.foot, arm.jack) { free_length: 0.22 m; piston_diameter: 0.05 m; rod_diameter: 0.07 m; }
 
         cylinder press(ram.slider) {
             piston_diameter: 50 mm;
@@ -91,7 +91,7 @@ plm::mechanism! {
         rate gained = supplied - lost;
         output supplied, lost, gained;
 
-        output arm.alpha, ram.displacement, press.force, press.pressure1 in bar, press.pressure2 in bar;
+        output command.value, arm.alpha, ram.displacement, press.force, press.pressure1 in bar, press.pressure2 in bar;
         let reach = arm.jack.position - ground.foot.position;
         output beta = atan2(reach.y, reach.x) in deg;
     }

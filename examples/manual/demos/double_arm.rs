@@ -90,7 +90,7 @@ plm::mechanism! {
         }
         revolute hinge(ground.o0, arm.o0);
         prismatic guide(arm.rail, beam.foot);
-        jack ram(ground.foot, arm.jack) { free_length: 0.22 m; }
+        jack ram(ground.foot, arm.jack) { free_length: 0.22 m; piston_diameter: 0.05 m; rod_diameter: 0.07 m; }
 
         actuator left(ram.slider) { signal: -0.2*lower.value; rated_drop: rated_drop; gas: gas; }
         actuator right(guide.slider) { signal: 0.1*extend.value; rated_drop: rated_drop; gas: gas; }
@@ -108,14 +108,16 @@ plm::mechanism! {
         }
 
         output arm.alpha, sliding = rate(guide.speed), guide.displacement, ram.displacement;
-        output left.force, left.pressure1 in bar, right.force, right.pressure1 in bar;
+        output lower.value, extend.value;
+        output left.force, left.pressure1 in bar, left.pressure2 in bar;
+        output right.force, right.pressure1 in bar, right.pressure2 in bar;
         output stored = left.stored + right.stored, absorbed = left.absorbed + right.absorbed;
         output supplied = left.supplied + right.supplied, lost = left.lost + right.lost;
     }
 }
 
 /// The manual's stabilising run: an angle, a position and both p2 are locked.
-fn at_rest(arms: &DoubleArm) -> Result<DoubleArm, Fault> {
+pub fn at_rest(arms: &DoubleArm) -> Result<DoubleArm, Fault> {
     Ok(arms.stabilise()?.mechanism)
 }
 

@@ -37,7 +37,12 @@ plm::mechanism! {
             start angle: 0 deg, locked;
         }
         revolute pivot(ground.o0, arm.pivot);
-        jack cylinder(ground.p01, arm.jack) { free_length: 0.2 m; drive: push - rating*cylinder.speed; }
+        jack cylinder(ground.p01, arm.jack) {
+            free_length: 0.2 m;
+            piston_diameter: 0.05 m;
+            rod_diameter: 0.07 m;
+            drive: push - rating*cylinder.speed;
+        }
         state push: N = 0;
         rate push = -stiffness*cylinder.speed;
 

@@ -30,7 +30,12 @@ plm::mechanism! {
         let motor = 1000 N*m;
 
         ground { port o: (0, 0) m; }
-        body wheel { mass: wheel_mass; inertia: disc(wheel_mass, radius); port o: (0.001, 0) m; }
+        body wheel {
+            mass: wheel_mass;
+            inertia: disc(wheel_mass, radius);
+            port o: (0.001, 0) m;
+            contour: "examples/manual/contours/wheel.csv";
+        }
         revolute pivot(ground.o, wheel.o) { drive: motor; damping: damping; }
 
         output inertia = disc(wheel_mass, radius);

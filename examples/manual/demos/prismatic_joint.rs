@@ -44,7 +44,7 @@ plm::mechanism! {
             free_length: free_length;
         }
 
-        output rating = 2*0.7*sqrt(1000 N/m*20 kg);
+        output block.y, rating = 2*0.7*sqrt(1000 N/m*20 kg);
         let energy = stiffness*(guide.displacement - free_length)^2/2;
         output spring_energy = energy, absorbed = rate(energy);
         output lost = damping*guide.speed^2;
@@ -81,7 +81,7 @@ plm::mechanism! {
             damping: 197.98 N/(m/s);
             preload: 5000 N;
         }
-        output sd0000.force, sd000a.force;
+        output second.y, third.y, sd0000.force, sd000a.force;
     }
 }
 

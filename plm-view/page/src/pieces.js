@@ -210,18 +210,20 @@ function linkSlab(draft) {
 }
 
 /**
- * x y and direction of the line from the first frame to the second, and its length.
+ * x y and direction of the line from one frame to another, and its length.
  * @param {PartDraft} draft
  * @param {Places} places
+ * @param {[number, number]} [ends]
  */
-function linkLine(draft, places) {
-  const [[x, y], [u, v]] = [draft.pose(places, 0), draft.pose(places, 1)];
+function linkLine(draft, places, [from, to] = [0, 1]) {
+  const [[x, y], [u, v]] = [draft.pose(places, from), draft.pose(places, to)];
   return { pose: [x, y, Math.atan2(v - y, u - x)], length: Math.hypot(u - x, v - y) };
 }
 
 /**
- * The cylinder with the piston stands at the first frame, the rod at the second. With the rod all the way in the distance is
- * the free length: so long is the cylinder, but for the eye of the rod.
+ * The piston's diameter stands at the first frame, the rod's at the second. The wider one is the cylinder, in which the other
+ * slides: in the manual's tables that is the rod's. With the rod all the way in the distance is the free length: so long is the
+ * cylinder, but for the eye of the rod.
  * @param {PartDraft} draft
  */
 function jackPieces(draft) {
@@ -230,6 +232,8 @@ function jackPieces(draft) {
   const { slab, ends } = linkSlab(draft);
   const piston = 0.5 * (sizes["piston"] || 2.2 * radius);
   const rod = 0.5 * (sizes["rod"] || 0.9 * radius);
+  const [wide, slim] = [Math.max(piston, rod), Math.min(piston, rod)];
+  const line = (/** @type {Places} */ places) => linkLine(draft, places, rod > piston ? [1, 0] : [0, 1]);
   const eye = 0.9 * radius;
   let shortest = sizes["free_length"] || Infinity;
   const cylinderEnd = (/** @type {number} */ length) => {
@@ -242,12 +246,12 @@ function jackPieces(draft) {
   ]);
   return [
     draft.moving("rod", rodSlab, (places) => {
-      const { pose, length } = linkLine(draft, places);
-      return movedOutline(boxOutline(Math.min(0.9 * cylinderEnd(length), length), length, -rod, rod), pose);
+      const { pose, length } = line(places);
+      return movedOutline(boxOutline(Math.min(0.9 * cylinderEnd(length), length), length, -slim, slim), pose);
     }),
     draft.moving("cylinder", slab, (places) => {
-      const { pose, length } = linkLine(draft, places);
-      return movedOutline(boxOutline(-0.6 * eye, cylinderEnd(length), -piston, piston), pose);
+      const { pose, length } = line(places);
+      return movedOutline(boxOutline(-0.6 * eye, cylinderEnd(length), -wide, wide), pose);
     }),
     ...draft.mounts(),
     ...ends,

@@ -63,19 +63,24 @@ test("a pin has its diameter and stands in its joint", async () => {
   }
 });
 
-test("the cylinder of a jack stands at the first frame, its rod at the second", async () => {
-  const scene = await sceneOf(workshop());
-  const places = scene.at(0.7);
-  const { frames } = scene.mechanism.parts.find(({ name }) => name === "ram");
-  const [a, b] = frames.map((frame) => framePose(scene.mechanism, frame, places));
-  const [cylinder, rod] = ["cylinder", "rod"].map((tone) =>
-    outlineAt(piecesOf(scene, "ram").find((piece) => piece.tone === tone), places),
-  );
-  const width = (outline) => Math.hypot(outline[0] - outline[6], outline[1] - outline[7]);
-  assert.ok(Math.abs(width(cylinder) - 0.09) < 1e-12 && Math.abs(width(rod) - 0.04) < 1e-12);
-  const near = (outline, [x, y]) => isInside(outline, x, y) || Math.hypot(outline[2] - x, outline[3] - y) < 0.03;
-  assert.ok(near(cylinder, a) && !isInside(cylinder, b[0], b[1]), "cylinder");
-  assert.ok(near(rod, b) && !isInside(rod, a[0], a[1]), "rod");
+test("the wider side of a jack is its cylinder, the other its rod: piston at the first frame, rod at the second", async () => {
+  for (const [sizes, cylinderAt] of [[{ piston: 0.09, rod: 0.04 }, 0], [{ piston: 0.04, rod: 0.09 }, 1]]) {
+    const made = workshop();
+    const ram = made.head.mechanism.parts.find(({ name }) => name === "ram");
+    Object.assign(ram.sizes, sizes);
+    const scene = await sceneOf(made);
+    const places = scene.at(0.7);
+    const ends = ram.frames.map((frame) => framePose(scene.mechanism, frame, places));
+    const [cylinder, rod] = ["cylinder", "rod"].map((tone) =>
+      outlineAt(piecesOf(scene, "ram").find((piece) => piece.tone === tone), places),
+    );
+    const width = (outline) => Math.hypot(outline[0] - outline[6], outline[1] - outline[7]);
+    assert.ok(Math.abs(width(cylinder) - 0.09) < 1e-12 && Math.abs(width(rod) - 0.04) < 1e-12);
+    const [a, b] = [ends[cylinderAt], ends[1 - cylinderAt]];
+    const near = (outline, [x, y]) => isInside(outline, x, y) || Math.hypot(outline[2] - x, outline[3] - y) < 0.03;
+    assert.ok(near(cylinder, a) && !isInside(cylinder, b[0], b[1]), "cylinder");
+    assert.ok(near(rod, b) && !isInside(rod, a[0], a[1]), "rod");
+  }
 });
 
 test("a rail reaches as far as its carriage goes", async () => {

@@ -3,6 +3,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { LIGHT } from "../src/palette.js";
+import { FONT } from "../src/pen.js";
 import { commonQuantity, powerOfTen, quantityText, shortNumber, timeText, typeset, withUnit } from "../src/text.js";
 import { decadeExtent, decadeTicks, linearExtent, linearTicks } from "../src/ticks.js";
 
@@ -52,6 +54,11 @@ test("units and names are written as in charts", () => {
   for (const [names, expected] of table.common) assert.equal(commonQuantity(names.split(" ")), expected);
   for (const [quantity, unit, expected] of table.axes) assert.equal(withUnit(quantity, unit), expected);
   for (const [exponent, expected] of table.powers) assert.equal(powerOfTen(exponent), expected);
+});
+
+test("charts in the book look as curves in the page", () => {
+  for (const [name, expected] of table.look) assert.equal(name === "font" ? FONT : LIGHT[name], expected, name);
+  assert.deepEqual(LIGHT.curves, table.curves);
 });
 
 test("numbers are short and readable", () => {

@@ -6,7 +6,7 @@ use super::{decades, nice};
 
 /// What is measured along an axis, and how it is divided.
 ///
-/// The range comes from what is drawn: the curves and the reference lines.
+/// The range comes from what is drawn, the curves and the reference lines, unless it is given.
 #[derive(Clone, Debug)]
 pub struct Axis {
     /// Quantity and unit.
@@ -15,6 +15,7 @@ pub struct Axis {
     falling: bool,
     tight: bool,
     extra: Vec<f64>,
+    fixed: Option<[f64; 2]>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +34,7 @@ impl Axis {
             falling: false,
             tight: false,
             extra: Vec::new(),
+            fixed: None,
         }
     }
 
@@ -60,8 +62,20 @@ impl Axis {
         self
     }
 
+    /// The same axis from `low` to `high`, whatever is drawn; what lies beyond is left out. A range that is empty, or has no
+    /// place on the axis, is not taken.
+    #[must_use]
+    pub fn range(self, low: f64, high: f64) -> Self {
+        let has_place = drawable(low) && drawable(high) && (self.scale == Scale::Linear || low > 0.0);
+        Self { fixed: (low < high && has_place).then_some([low, high]), ..self }
+    }
+
     /// The ruler for these values.
     pub(super) fn ruler(&self, values: impl Iterator<Item = f64>) -> Ruler {
+        if let Some(fixed) = self.fixed {
+            let [low, high] = if self.scale == Scale::Log { fixed.map(f64::log10) } else { fixed };
+            return Ruler { scale: self.scale, falling: self.falling, low, high, is_fixed: true };
+        }
         let values = values.chain(self.extra.iter().copied());
         let (low, high) = match self.scale {
             Scale::Linear => nice::extent(values.filter(|&value| drawable(value))),
@@ -71,7 +85,13 @@ impl Axis {
         };
         // A little room, so that no curve runs along the frame.
         let padding = if self.tight { 0.0 } else { self.scale.padding() * (high - low) };
-        Ruler { scale: self.scale, falling: self.falling, low: low - padding, high: high + padding }
+        Ruler {
+            scale: self.scale,
+            falling: self.falling,
+            low: low - padding,
+            high: high + padding,
+            is_fixed: false,
+        }
     }
 }
 
@@ -93,6 +113,8 @@ pub(super) struct Ruler {
     /// On a logarithmic scale the decimal logarithm of the range's ends.
     low: f64,
     high: f64,
+    /// Values beyond a range that was given have no place.
+    is_fixed: bool,
 }
 
 /// A mark on an axis; without a label between the labelled ones of a logarithmic scale.
@@ -105,15 +127,25 @@ pub(super) struct Tick {
 impl Ruler {
     /// Whether a value has a place.
     pub(super) fn holds(&self, value: f64) -> bool {
-        drawable(value) && (self.scale == Scale::Linear || value > 0.0)
+        drawable(value) && (self.scale == Scale::Linear || value > 0.0) && self.reaches(value)
+    }
+
+    /// Whether a value lies in the range, as far as the range was given; with a hair, so that rounding cuts off no end.
+    fn reaches(&self, value: f64) -> bool {
+        let hair = 1e-9 * (self.high - self.low);
+        let at = self.along(value);
+        !self.is_fixed || (self.low - hair <= at && at <= self.high + hair)
+    }
+
+    fn along(&self, value: f64) -> f64 {
+        if self.scale == Scale::Log { value.log10() } else { value }
     }
 
     /// Where `value` stands between the pixels `from` (the beginning of the axis) and `to` (its end).
-    pub(super) fn place(&self, value: f64, from: i32, to: i32) -> i32 {
-        let value = if self.scale == Scale::Log { value.log10() } else { value };
-        let share = (value - self.low) / (self.high - self.low);
+    pub(super) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
+        let share = (self.along(value) - self.low) / (self.high - self.low);
         let share = if self.falling { 1.0 - share } else { share };
-        from + (share * f64::from(to - from)).round() as i32
+        from + share * (to - from)
     }
 
     /// The ticks in the range, in rising order.
@@ -146,7 +178,10 @@ mod tests {
                     assert!((2..=13).contains(&labels), "{low:e} to {high:e}: {ticks:?}");
                     assert!(ticks.is_sorted_by(|a, b| a.value < b.value), "{low:e} to {high:e}: {ticks:?}");
                     for value in [low, high].into_iter().filter(|&value| ruler.holds(value)) {
-                        assert!((0..=1000).contains(&ruler.place(value, 0, 1000)), "{low:e} to {high:e}");
+                        assert!(
+                            (0.0..=1000.0).contains(&ruler.place(value, 0.0, 1000.0)),
+                            "{low:e} to {high:e}"
+                        );
                     }
                 }
             }
@@ -156,16 +191,47 @@ mod tests {
     #[test]
     fn the_ends_of_a_range_stand_at_its_ends() {
         let ruler = Axis::linear("x", "m").tight().ruler([-2.0, 6.0].into_iter());
-        assert_eq!([-2.0, 0.0, 6.0].map(|value| ruler.place(value, 500, 100)), [500, 400, 100]);
+        assert_eq!(
+            [-2.0, 0.0, 6.0].map(|value| ruler.place(value, 500.0, 100.0).round()),
+            [500.0, 400.0, 100.0]
+        );
         let ruler = Axis::log("x", "m").tight().ruler([1e-8, 1.0].into_iter());
-        assert_eq!([1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0, 400)), [0, 100, 400]);
+        assert_eq!(
+            [1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0.0, 400.0).round()),
+            [0.0, 100.0, 400.0]
+        );
         let ruler = Axis::log("x", "m").tight().falling().ruler([1e-8, 1.0].into_iter());
-        assert_eq!([1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0, 400)), [400, 300, 0]);
+        assert_eq!(
+            [1e-8, 1e-6, 1.0].map(|value| ruler.place(value, 0.0, 400.0).round()),
+            [400.0, 300.0, 0.0]
+        );
     }
 
     #[test]
     fn a_range_reaches_to_what_it_has_to_include() {
         let ruler = Axis::linear("x", "m").tight().including(10.0).ruler([0.0, 5.0].into_iter());
-        assert_eq!(ruler.place(10.0, 0, 100), 100);
+        assert_eq!(ruler.place(10.0, 0.0, 100.0), 100.0);
+    }
+
+    #[test]
+    fn a_range_that_is_given_holds_whatever_is_drawn() {
+        let ruler = Axis::linear("x", "m").range(0.0, 10.0).ruler([-5.0, 3.0, 20.0].into_iter());
+        assert_eq!([0.0, 5.0, 10.0].map(|value| ruler.place(value, 0.0, 100.0).round()), [0.0, 50.0, 100.0]);
+        assert_eq!([-0.1, 0.0, 10.0, 10.1].map(|value| ruler.holds(value)), [false, true, true, false]);
+        let ruler = Axis::log("x", "m").range(1e-4, 1.0).ruler([1e-9].into_iter());
+        assert_eq!([1e-4, 1e-2, 1.0].map(|value| ruler.place(value, 0.0, 100.0).round()), [0.0, 50.0, 100.0]);
+        assert_eq!([1e-9, 1e-4, 2.0].map(|value| ruler.holds(value)), [false, true, false]);
+    }
+
+    #[test]
+    fn a_range_without_a_place_is_not_taken() {
+        for axis in [
+            Axis::linear("x", "m").range(1.0, 1.0),
+            Axis::linear("x", "m").range(f64::NAN, 1.0),
+            Axis::log("x", "m").range(0.0, 1.0),
+        ] {
+            let ruler = axis.tight().ruler([2.0, 20.0].into_iter());
+            assert_eq!([2.0, 20.0].map(|value| ruler.place(value, 0.0, 100.0).round()), [0.0, 100.0]);
+        }
     }
 }

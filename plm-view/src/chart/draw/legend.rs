@@ -1,10 +1,9 @@
 //! The legend stands right of its frame, so that it covers nothing.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
 use super::WIDTH;
+use super::canvas::{Anchor, Canvas};
 use super::panel::Plot;
-use super::pen::{Canvas, Outcome, Pen, TEXT, text, text_width, units};
+use super::pen::{Pen, TEXT, lettering, text_width};
 use crate::chart::{Chart, Panel};
 
 const ROW: f64 = 20.0;
@@ -22,17 +21,16 @@ pub(super) fn height(panel: &Panel) -> f64 {
     ROW * panel.series.len() as f64
 }
 
-pub(super) fn draw(plot: &Plot, canvas: &Canvas) -> Outcome {
-    let style = text(TEXT, HPos::Left, VPos::Center);
+pub(super) fn draw(plot: &Plot, canvas: &mut Canvas) {
+    let right = plot.frame.right;
     for (index, series) in plot.panel.series.iter().enumerate() {
         let pen = Pen::of(series.look, index);
-        let row = plot.frame.top + units(ROW * (index as f64 + 0.5));
-        let (from, to) = (plot.frame.right + units(12.0), plot.frame.right + units(LINE - 8.0));
-        pen.curve(&[(from, row), (to, row)], canvas)?;
+        let row = plot.frame.top + ROW * (index as f64 + 0.5);
+        let (from, to) = (right + 12.0, right + LINE - 8.0);
+        pen.curve(&[(from, row), (to, row)], canvas);
         if series.marked {
-            pen.marker((i32::midpoint(from, to), row), canvas)?;
+            pen.marker((f64::midpoint(from, to), row), canvas);
         }
-        canvas.draw_text(&series.name, &style, (plot.frame.right + units(LINE), row))?;
+        canvas.text(&series.name, (right + LINE, row), lettering(TEXT, Anchor::Start));
     }
-    Ok(())
 }

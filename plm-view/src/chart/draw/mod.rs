@@ -1,17 +1,15 @@
 //! From panels to SVG: where title, notes, frames, legends and axes stand.
 
+mod canvas;
 mod legend;
+mod look;
 mod panel;
 mod pen;
 mod rule;
 
-use std::io;
-
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, VPos};
-
+use self::canvas::{Anchor, Canvas};
 use self::panel::Plot;
-use self::pen::{Canvas, Outcome, TEXT, text, units, wrap};
+use self::pen::{TEXT, lettering, wrap};
 use super::axis::Ruler;
 use super::{Chart, Panel};
 
@@ -27,13 +25,13 @@ const TITLE_TEXT: f64 = 17.0;
 const TITLE_LINE: f64 = 24.0;
 const NOTE_LINE: f64 = 18.0;
 
-/// Where a frame stands, in units.
+/// Where a frame stands.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
-    left: i32,
-    right: i32,
-    top: i32,
-    bottom: i32,
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
 }
 
 /// Title and notes, broken into lines.
@@ -43,45 +41,31 @@ struct Head {
 }
 
 /// The whole picture.
-pub(super) fn svg(chart: &Chart) -> io::Result<String> {
+pub(super) fn svg(chart: &Chart) -> String {
     let head = Head::new(chart);
     let x = horizontal(chart);
-    let right = WIDTH - MARGIN - legend::width(chart);
+    let (left, right) = (NUMBERS, WIDTH - MARGIN - legend::width(chart));
     let mut top = head.height();
     let mut plots = Vec::new();
     for panel in &chart.panels {
-        let (left, right) = (units(NUMBERS), units(right));
         let labels = rule::rows(panel, &x, left, right);
         top += rule::height(&labels);
         let bottom = top + frame_height(panel);
-        let frame = Frame { left, right, top: units(top), bottom: units(bottom) };
-        plots.push((Plot::new(panel, &x, frame), labels));
+        plots.push((Plot::new(panel, &x, Frame { left, right, top, bottom }), labels));
         top = bottom + GAP;
     }
     let height = if plots.is_empty() { top + FOOT } else { top - GAP + FOOT };
-
-    let mut text = String::new();
-    {
-        let size = (units(WIDTH) as u32, units(height) as u32);
-        let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        draw(chart, &head, &plots, &canvas).map_err(io::Error::other)?;
-        canvas.present().map_err(io::Error::other)?;
-    }
-    Ok(in_pixels(&text, height))
-}
-
-fn draw(chart: &Chart, head: &Head, plots: &[(Plot, rule::Rows)], canvas: &Canvas) -> Outcome {
-    canvas.fill(&WHITE)?;
-    head.draw(canvas)?;
-    for (plot, labels) in plots {
-        plot.draw(canvas)?;
-        rule::draw_labels(labels, plot, canvas)?;
-        legend::draw(plot, canvas)?;
+    let mut canvas = Canvas::new(WIDTH, height);
+    head.draw(&mut canvas);
+    for (plot, labels) in &plots {
+        plot.draw(&mut canvas);
+        rule::draw_labels(labels, plot, &mut canvas);
+        legend::draw(plot, &mut canvas);
     }
     if let Some((last, _)) = plots.last() {
-        last.draw_foot(&chart.x.label, canvas)?;
+        last.draw_foot(&chart.x.label, &mut canvas);
     }
-    Ok(())
+    canvas.finish()
 }
 
 impl Head {
@@ -95,16 +79,14 @@ impl Head {
         MARGIN + title + NOTE_LINE * self.note.len() as f64
     }
 
-    fn draw(&self, canvas: &Canvas) -> Outcome {
+    fn draw(&self, canvas: &mut Canvas) {
         let mut top = MARGIN;
         for (lines, size, height) in [(&self.title, TITLE_TEXT, TITLE_LINE), (&self.note, TEXT, NOTE_LINE)] {
-            let style = text(size, HPos::Left, VPos::Center);
             for line in lines {
-                canvas.draw_text(line, &style, (units(MARGIN), units(top + 0.5 * height)))?;
+                canvas.text(line, (MARGIN, top + 0.5 * height), lettering(size, Anchor::Start));
                 top += height;
             }
         }
-        Ok(())
     }
 }
 
@@ -119,11 +101,4 @@ fn horizontal(chart: &Chart) -> Ruler {
 /// Room for the frame, and for the legend where that is longer.
 fn frame_height(panel: &Panel) -> f64 {
     panel.height.max(legend::height(panel))
-}
-
-/// The picture drawn in units, shown in pixels: width and height change, the view box stays.
-fn in_pixels(svg: &str, height: f64) -> String {
-    let drawn = format!("width=\"{}\" height=\"{}\" viewBox", units(WIDTH), units(height));
-    let shown = format!("width=\"{WIDTH}\" height=\"{height}\" viewBox");
-    svg.replacen(&drawn, &shown, 1)
 }

@@ -1,17 +1,21 @@
 //! One panel: grid, ticks, lines of reference, curves, frame.
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, VPos};
-
-use super::pen::{Canvas, FINE, FRAME, GRID, Outcome, Pen, TEXT, ZERO, line, text, units};
+use super::canvas::{Anchor, Canvas, Lettering, Point, Stroke};
+use super::look::{FAINT, GRID};
+use super::pen::{Pen, TEXT, axis_lettering};
 use super::{Frame, MARGIN, rule};
 use crate::chart::Panel;
 use crate::chart::axis::Ruler;
-use crate::chart::series::Series;
+use crate::chart::series::{At, Series};
 use crate::chart::thin::{pieces, thin};
 
 /// Length of the ticks between the labelled ones of a logarithmic axis.
 const SMALL_TICK: f64 = 4.0;
+
+/// The line at a tick, at zero, at a tick without a label.
+const TICK: Stroke = Stroke::full(GRID, 1.0);
+const ZERO: Stroke = Stroke::full(FAINT, 1.2);
+const SMALL: Stroke = Stroke::full(FAINT, 1.0);
 
 /// A panel with its place and its rulers.
 pub(super) struct Plot<'a> {
@@ -28,82 +32,86 @@ impl<'a> Plot<'a> {
         Self { panel, frame, x: *x, y: panel.y.ruler(points.chain(rules)) }
     }
 
-    pub(super) fn column(&self, x: f64) -> i32 {
+    pub(super) fn column(&self, x: f64) -> f64 {
         self.x.place(x, self.frame.left, self.frame.right)
     }
 
-    pub(super) fn row(&self, y: f64) -> i32 {
+    pub(super) fn row(&self, y: f64) -> f64 {
         self.y.place(y, self.frame.bottom, self.frame.top)
     }
 
-    /// The visible lines of a series, in units of the picture.
-    pub(super) fn lines(&self, series: &Series) -> Vec<Vec<(i32, i32)>> {
-        let seen = |piece| thin(piece, |x| self.column(x) / FINE as i32);
+    /// Whether a line of reference has a place in the frame.
+    pub(super) fn shows(&self, at: At) -> bool {
+        match at {
+            At::X(x) => self.x.holds(x),
+            At::Y(y) => self.y.holds(y),
+        }
+    }
+
+    /// The visible lines of a series.
+    pub(super) fn lines(&self, series: &Series) -> Vec<Vec<Point>> {
+        let seen = |piece| thin(piece, |x| self.column(x) as i32);
         let placed = |piece| seen(piece).into_iter().map(|(x, y)| (self.column(x), self.row(y))).collect();
         pieces(&series.points, |(x, y)| self.x.holds(x) && self.y.holds(y)).map(placed).collect()
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas) -> Outcome {
-        self.draw_grid(canvas)?;
-        self.draw_rows(canvas)?;
+    pub(super) fn draw(&self, canvas: &mut Canvas) {
+        self.draw_grid(canvas);
+        self.draw_rows(canvas);
         let Frame { left, right, top, bottom } = self.frame;
-        // As a path: plotters drops the width of a rectangle's stroke.
-        line(canvas, &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], FRAME)?;
-        rule::draw(self, canvas)?;
+        canvas.polygon(&[(left, top), (right, top), (right, bottom), (left, bottom)], "none", TICK);
+        rule::draw(self, canvas);
         for (index, series) in self.panel.series.iter().enumerate() {
             let pen = Pen::of(series.look, index);
             for path in self.lines(series) {
-                pen.curve(&path, canvas)?;
+                pen.curve(&path, canvas);
                 if series.marked {
-                    path.iter().try_for_each(|&point| pen.marker(point, canvas))?;
+                    for &point in &path {
+                        pen.marker(point, canvas);
+                    }
                 }
             }
         }
-        Ok(())
     }
 
     /// Lines at the labelled ticks, short ones at the edges for the others.
-    fn draw_grid(&self, canvas: &Canvas) -> Outcome {
-        let (Frame { left, right, top, bottom }, small) = (self.frame, units(SMALL_TICK));
+    fn draw_grid(&self, canvas: &mut Canvas) {
+        let Frame { left, right, top, bottom } = self.frame;
         for tick in self.x.ticks() {
             let column = self.column(tick.value);
             if tick.label.is_empty() {
-                line(canvas, &[(column, bottom - small), (column, bottom)], FRAME)?;
+                canvas.line(&[(column, bottom - SMALL_TICK), (column, bottom)], SMALL);
             } else {
-                line(canvas, &[(column, top), (column, bottom)], GRID)?;
+                canvas.line(&[(column, top), (column, bottom)], TICK);
             }
         }
         for tick in self.y.ticks() {
             let row = self.row(tick.value);
             if tick.label.is_empty() {
-                line(canvas, &[(left, row), (left + small, row)], FRAME)?;
+                canvas.line(&[(left, row), (left + SMALL_TICK, row)], SMALL);
             } else {
                 let zero = tick.value == 0.0 && self.y.has_zero_line();
-                line(canvas, &[(left, row), (right, row)], if zero { ZERO } else { GRID })?;
+                canvas.line(&[(left, row), (right, row)], if zero { ZERO } else { TICK });
             }
         }
-        Ok(())
     }
 
     /// Numbers and label of the vertical axis.
-    fn draw_rows(&self, canvas: &Canvas) -> Outcome {
-        let number = text(TEXT, HPos::Right, VPos::Center);
+    fn draw_rows(&self, canvas: &mut Canvas) {
+        let Frame { left, top, bottom, .. } = self.frame;
         for tick in self.y.ticks() {
-            canvas.draw_text(&tick.label, &number, (self.frame.left - units(8.0), self.row(tick.value)))?;
+            canvas.text(&tick.label, (left - 8.0, self.row(tick.value)), axis_lettering(Anchor::End));
         }
-        let label = text(TEXT, HPos::Center, VPos::Center).transform(FontTransform::Rotate270);
-        let middle = i32::midpoint(self.frame.top, self.frame.bottom);
-        canvas.draw_text(&self.panel.y.label, &label, (units(MARGIN), middle))?;
-        Ok(())
+        let turned = Lettering { turned: true, ..axis_lettering(Anchor::Middle) };
+        canvas.text(&self.panel.y.label, (MARGIN, f64::midpoint(top, bottom)), turned);
     }
 
     /// Numbers and label of the horizontal axis.
-    pub(super) fn draw_foot(&self, label: &str, canvas: &Canvas) -> Outcome {
-        let (Frame { left, right, bottom, .. }, style) = (self.frame, text(TEXT, HPos::Center, VPos::Top));
+    pub(super) fn draw_foot(&self, label: &str, canvas: &mut Canvas) {
+        let (Frame { left, right, bottom, .. }, lettering) = (self.frame, axis_lettering(Anchor::Middle));
         for tick in self.x.ticks() {
-            canvas.draw_text(&tick.label, &style, (self.column(tick.value), bottom + units(8.0)))?;
+            canvas.text(&tick.label, (self.column(tick.value), bottom + 8.0 + 0.5 * TEXT), lettering);
         }
-        canvas.draw_text(label, &style, (i32::midpoint(left, right), bottom + units(30.0)))?;
-        Ok(())
+        canvas.text(label, (f64::midpoint(left, right), bottom + 30.0 + 0.5 * TEXT), lettering);
     }
 }
