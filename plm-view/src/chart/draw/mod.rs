@@ -11,7 +11,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
 use self::panel::Plot;
-use self::pen::{Canvas, Outcome, TEXT, text, units, wrap};
+use self::pen::{Canvas, Outcome, TEXT, text, units};
+pub(crate) use self::pen::{INK, PALETTE, text_width, wrap};
 use super::axis::Ruler;
 use super::{Chart, Panel};
 

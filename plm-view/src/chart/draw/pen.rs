@@ -22,7 +22,7 @@ const CHARACTER: f64 = 0.58;
 const CURVE_WIDTH: f64 = 1.6;
 const MARKER_RADIUS: f64 = 3.6;
 
-const INK: RGBColor = RGBColor(40, 44, 52);
+pub(crate) const INK: RGBColor = RGBColor(40, 44, 52);
 pub(super) const FRAME: RGBColor = RGBColor(130, 136, 146);
 pub(super) const GRID: RGBColor = RGBColor(226, 229, 234);
 pub(super) const ZERO: RGBColor = RGBColor(176, 181, 190);
@@ -31,7 +31,7 @@ const MUTED: RGBColor = RGBColor(128, 128, 128);
 
 /// Distinct for colour-blind readers too: M. Okabe, K. Ito, "Color universal design", 2008. The yellow is left
 /// out (too faint on white).
-const PALETTE: [RGBColor; 7] = [
+pub(crate) const PALETTE: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -144,12 +144,12 @@ pub(super) fn text<'a>(size: f64, horizontal: HPos, vertical: VPos) -> TextStyle
 }
 
 /// Room that a text needs, in pixels, on the safe side.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
+pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * CHARACTER * size
 }
 
 /// The lines of a text that is to be `width` pixels wide at most; `\n` begins a new one.
-pub(super) fn wrap(text: &str, size: f64, width: f64) -> Vec<String> {
+pub(crate) fn wrap(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for paragraph in text.lines() {
         let mut line = String::new();
