@@ -30,6 +30,7 @@ pub mod live;
 mod page;
 mod recording;
 mod results;
+mod sketch;
 
 pub use chart::{Axis, Chart, Rule, Series};
 pub use error::{Error, Unread};
@@ -39,3 +40,4 @@ pub use recording::{About, Column, Event, Fault, Recording, Row};
 pub use results::{
     Body, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Report, Results,
 };
+pub use sketch::{Block, Sense, Side, Sketch, Symbol};

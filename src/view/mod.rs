@@ -4,6 +4,7 @@ mod described;
 mod options;
 mod program;
 mod recorder;
+mod sketch;
 
 pub use plm_view::*;
 
@@ -11,3 +12,4 @@ pub use described::mechanism;
 pub use options::{BadOption, Options};
 pub use program::{Program, run, write};
 pub use recorder::Recorder;
+pub use sketch::sketch;

@@ -11,6 +11,7 @@ mod compliance;
 mod derivatives;
 mod described;
 mod feedback;
+mod figures;
 mod kinks;
 mod language;
 mod limits;

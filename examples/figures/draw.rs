@@ -1,0 +1,188 @@
+//! From declarations to drawings, without rustc in between.
+
+use std::error::Error;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::fs;
+use std::path::Path;
+
+use plm_compiler::token::Sources;
+use plm_compiler::{Picture, PicturePort, compile};
+use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Sketch};
+
+use super::blocks::blocks;
+
+/// A figure: its path in the repository, and what is in the file.
+pub(crate) type Drawing = (String, String);
+
+/// Pages of parts whose example is drawn as it stands.
+const PLANAR: [&str; 12] = [
+    "revolute",
+    "prismatic",
+    "pin_slot",
+    "weld",
+    "force",
+    "spring",
+    "jack",
+    "sliding_mass",
+    "frame_axes",
+    "position_sensor",
+    "velocity_sensor",
+    "acceleration_sensor",
+];
+
+/// Demos of the manual with a mechanism to be seen: the file, and the title.
+const DEMOS: [(&str, &str); 18] = [
+    ("double_pendulum", "DoublePendulum"),
+    ("prismatic_joint", "PrismaticJoint, System 1"),
+    ("connect_plm_hyd", "ConnectPlmHyd"),
+    ("connect_plm_hcd", "ConnectPlmHCD"),
+    ("double_arm", "DoubleArm"),
+    ("plmpiv00", "PLMPIV00"),
+    ("plmpiv10", "PLMPIV10"),
+    ("plmtra00", "PLMTRA00"),
+    ("plmtra10", "PLMTRA10"),
+    ("plmtrpi00", "PLMTRPI00"),
+    ("plmj00", "PLMJ00"),
+    ("quadrorhomb", "Quadrorhomb"),
+    ("plmbod02", "PLMBOD02"),
+    ("plmassembly", "PLMASSEMBLY"),
+    ("plmemb01", "PLMEMB01"),
+    ("plmt01d", "PLMT01D"),
+    ("plmt01d01", "PLMT01D01"),
+    ("plmcalcul", "PLMCALCUL"),
+];
+
+/// All figures.
+///
+/// # Errors
+/// A page or a demo that cannot be read, or that has no declaration which compiles.
+pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
+    let mut drawings = Vec::new();
+    for block in blocks() {
+        drawings.push((format!("docs/src/images/parts/{}.svg", block.name()), block.to_svg()));
+    }
+    for page in PLANAR {
+        drawings.push((format!("docs/src/images/parts/{page}.svg"), of_part(root, page)?));
+    }
+    for (file, title) in DEMOS {
+        let text = fs::read_to_string(root.join(format!("examples/manual/demos/{file}.rs")))?;
+        let declaration = declared(&text).ok_or_else(|| format!("{file}.rs declares no mechanism"))?;
+        let sketch = sketch(&picture(declaration)?).titled(title);
+        drawings.push((format!("docs/src/images/demos/{file}.svg"), with_directions(file, sketch).to_svg()));
+    }
+    Ok(drawings)
+}
+
+/// What stands in the first block with this fence.
+fn fenced<'a>(page: &'a str, fence: &str) -> Option<&'a str> {
+    let (_, block) = page.split_once(fence)?;
+    Some(block.split_once("```")?.0)
+}
+
+/// The first mechanism of a Rust file.
+fn declared(file: &str) -> Option<&str> {
+    let (_, text) = file.split_once("plm::mechanism! {\n")?;
+    Some(text.split_once("\n}\n")?.0)
+}
+
+/// The figure of a part: its own declaration where it has one, else the example of its page, in which the bars of all
+/// examples stand back.
+fn of_part(root: &Path, page: &str) -> Result<String, Box<dyn Error>> {
+    if let Ok(text) = fs::read_to_string(root.join(format!("examples/figures/parts/{page}.plm"))) {
+        let whole = picture(&text)?;
+        return Ok(explained(page, sketch(&whole), &whole).to_svg());
+    }
+    let example = fs::read_to_string(root.join("docs/src/language/declaration.md"))?;
+    let example = fenced(&example, "```plm\n").ok_or("declaration.md has no example")?;
+    let text = fs::read_to_string(root.join(format!("docs/src/parts/{page}.md")))?;
+    let items = fenced(&text, "```plm,items\n").ok_or_else(|| format!("{page}.md has no example"))?;
+    let (head, rest) = example.split_once('{').ok_or("the example has no items")?;
+    let (base, whole) = (picture(example)?, picture(&format!("{head}{{ allow(W0007);\n{items}{rest}"))?);
+    let is_new = |name: &&str| !names(&base).any(|known| known == *name);
+    let added: Vec<&str> = names(&whole).filter(is_new).collect();
+    Ok(explained(page, sketch(&whole).focused_on(added), &whole).to_svg())
+}
+
+/// Names of bodies and parts; what is inside of a part has the name of the part.
+fn names(of: &Picture) -> impl Iterator<Item = &str> {
+    let all = of.bodies.iter().map(|body| &body.name).chain(of.parts.iter().map(|part| &part.name));
+    all.map(|name| name.split('.').next().unwrap_or(name))
+}
+
+/// With the senses of the part that the page is about.
+fn explained(page: &str, sketch: Sketch, picture: &Picture) -> Sketch {
+    let about = picture.parts.iter().filter(|part| part.kind == page).map(|part| part.name.as_str());
+    let sketch = sketch.titled(page).with_signs(about);
+    if page != "force" {
+        return sketch;
+    }
+    // The manual's configurations A, B and C, as parts/force.plm has them; its bar is the only body.
+    let bar = picture.bodies.first().map_or(0.0, |body| body.pose[2]);
+    let axes = |angle: f64| [Sense::Along(angle, "x".into()), Sense::Along(angle + FRAC_PI_2, "y".into())];
+    sketch
+        .titled("force: A axes: absolute; B axes: body; C axes: body, angle: 45 deg; D torque")
+        .with_senses("A", axes(0.0))
+        .with_senses("B", axes(bar))
+        .with_senses("C", axes(bar + FRAC_PI_4))
+        .with_senses("D", [Sense::Turn("torque".into())])
+}
+
+/// What the forces of demos act along, where that is not x and y.
+fn with_directions(demo: &str, sketch: Sketch) -> Sketch {
+    match demo {
+        "plmt01d01" => sketch.with_senses("plmfor00", [Sense::Along(0.0, "x".into())]),
+        "plmtrpi00" => sketch.with_senses("motor", [Sense::Turn("torque".into())]),
+        _ => sketch,
+    }
+}
+
+/// A declaration at its start.
+///
+/// # Errors
+/// What the compiler says.
+pub(crate) fn picture(declaration: &str) -> Result<Picture, Box<dyn Error>> {
+    let mut sources = Sources::new();
+    sources.add_text("declaration", declaration);
+    let expansion = compile(&mut sources);
+    let told = expansion.diagnostics.sorted();
+    let told: Vec<String> = told.iter().map(|diagnostic| diagnostic.render(&sources)).collect();
+    expansion.oracle.map(|oracle| oracle.picture()).ok_or_else(|| told.join("\n").into())
+}
+
+/// The drawing of a mechanism at its start.
+pub(crate) fn sketch(picture: &Picture) -> Sketch {
+    let bodies = picture.bodies.iter().map(|body| Body {
+        name: body.name.clone(),
+        mass: 0.0,
+        inertia: 0.0,
+        depth: 0.0,
+        ports: body.ports.iter().map(port).collect(),
+        contour: (!body.contour.is_empty()).then(|| body.contour.clone()),
+    });
+    let ground = picture.ground.iter().map(|port| {
+        let (name, [x, y, angle]) = (port.name.clone(), port.place);
+        GroundPort { name, x, y, angle, depth: 0.0, moves: false }
+    });
+    let parts = picture.parts.iter().map(|part| {
+        let frames = part.frames.iter().map(|(argument, frame)| Frame {
+            argument: argument.clone(),
+            body: frame.body,
+            port: Some(frame.port),
+        });
+        let (name, kind, pair) = (part.name.clone(), part.kind.clone(), part.pair.map(str::to_owned));
+        Part { name, kind, pair, frames: frames.collect(), sizes: [].into() }
+    });
+    let mechanism = Mechanism {
+        name: picture.name.clone(),
+        bodies: bodies.collect(),
+        ground: ground.collect(),
+        parts: parts.collect(),
+        ..Mechanism::default()
+    };
+    Sketch::new(mechanism, picture.bodies.iter().map(|body| body.pose)).with_gravity(picture.gravity)
+}
+
+fn port(port: &PicturePort) -> Port {
+    let (name, [x, y, angle]) = (port.name.clone(), port.place);
+    Port { name, x, y, angle }
+}

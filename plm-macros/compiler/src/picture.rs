@@ -1,0 +1,97 @@
+//! A compiled mechanism at its start, in names and numbers: for drawings that need no rustc.
+
+use plm_cas::Expr;
+
+use crate::model::{Body, FrameRef, Instance, Pair, Port};
+use crate::numeric::{Scene, add_switches, assemble, value};
+use crate::oracle::Oracle;
+
+/// What there is to be drawn, with parameters as declared, at the assembled start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Name of the mechanism.
+    pub name: String,
+    /// Acceleration of gravity, absolute axes, m/s^2.
+    pub gravity: [f64; 2],
+    /// The bodies.
+    pub bodies: Vec<PictureBody>,
+    /// Ports of the ground.
+    pub ground: Vec<PicturePort>,
+    /// The parts in use; of those inside of others, what joins frames.
+    pub parts: Vec<PicturePart>,
+}
+
+/// A body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureBody {
+    /// Its name.
+    pub name: String,
+    /// Place of G and angle of the body: m, m, rad.
+    pub pose: [f64; 3],
+    /// From G, in the axes of the body.
+    pub ports: Vec<PicturePort>,
+    /// Points from G, in the axes of the body, m; none without outline.
+    pub contour: Vec<[f64; 2]>,
+}
+
+/// A port of a body or of the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PicturePort {
+    /// Its name.
+    pub name: String,
+    /// Place and angle: m, m, rad.
+    pub place: [f64; 3],
+}
+
+/// A part in use.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PicturePart {
+    /// Its full name.
+    pub name: String,
+    /// Name of its definition.
+    pub kind: String,
+    /// Its kinematic pair, if it states one.
+    pub pair: Option<&'static str>,
+    /// What the part calls each frame that it joins, and which one it is.
+    pub frames: Vec<(String, FrameRef)>,
+}
+
+impl Oracle {
+    /// The mechanism at its start. Where it cannot be assembled, this is as near as assembly comes.
+    pub fn picture(&self) -> Picture {
+        self.graph.borrow_mut().enter(|| {
+            let model = &self.model;
+            let scene = Scene::declared(model, &self.equations, &self.program.absolute);
+            let start = assemble(&scene);
+            let mut known = scene.at(&start.q);
+            add_switches(model, &mut known);
+            let number = |expr: Expr| value(expr, &known);
+            let poses = start.q.chunks_exact(3);
+            Picture {
+                name: model.name.text.clone(),
+                gravity: model.gravity.components().map(number),
+                bodies: model.bodies.iter().zip(poses).map(|(row, pose)| body(row, pose, &number)).collect(),
+                ground: model.ground.iter().map(|row| port(row, &number)).collect(),
+                parts: model.instances.iter().map(part).collect(),
+            }
+        })
+    }
+}
+
+fn body(body: &Body, pose: &[f64], number: &impl Fn(Expr) -> f64) -> PictureBody {
+    PictureBody {
+        name: body.name.text.clone(),
+        pose: [pose[0], pose[1], pose[2]],
+        ports: body.ports.iter().map(|row| port(row, number)).collect(),
+        contour: body.contour.iter().map(|point| point.components().map(number)).collect(),
+    }
+}
+
+fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
+    PicturePort { name: port.name.text.clone(), place: [port.at.x, port.at.y, port.angle].map(number) }
+}
+
+fn part(instance: &Instance) -> PicturePart {
+    let Instance { name, kind, pair, frames, .. } = instance.clone();
+    PicturePart { name, kind, pair: pair.map(Pair::name), frames }
+}

@@ -1,0 +1,134 @@
+//! Schematic drawings of mechanisms as SVG: bodies, joints, force elements and the ground in the signs that mechanics uses.
+
+mod block;
+mod body;
+mod element;
+mod joint;
+mod label;
+mod look;
+mod paper;
+mod stage;
+mod symbol;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use self::stage::Stage;
+use crate::error::{Error, write_file};
+use crate::results::Mechanism;
+
+pub use block::{Block, Side};
+pub use symbol::Symbol;
+
+/// Width of a picture, in pixels.
+const WIDTH: f64 = 600.0;
+
+/// A sense that counts as positive.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sense {
+    /// Along a direction, rad from the absolute x axis.
+    Along(f64, String),
+    /// Counter-clockwise.
+    Turn(String),
+}
+
+/// A drawing of a mechanism at one pose, 600 pixels wide.
+///
+/// ```
+/// use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sketch};
+///
+/// let (x, y, angle) = (0.0, 0.0, 0.0);
+/// let ground = GroundPort { name: "o".into(), x, y, angle, depth: 0.0, moves: false };
+/// let port = Port { name: "top".into(), x: -0.5, y, angle };
+/// let bar = Body { name: "bar".into(), mass: 1.0, inertia: 0.1, depth: 0.0, ports: vec![port], contour: None };
+/// let frame = |argument: &str, body| Frame { argument: argument.into(), body, port: Some(0) };
+/// let frames = vec![frame("a", None), frame("b", Some(0))];
+/// let [name, kind, pair] = ["pin", "revolute", "revolute"].map(String::from);
+/// let pin = Part { name, kind, pair: Some(pair), frames, sizes: [].into() };
+/// let pendulum = Mechanism { bodies: vec![bar], ground: vec![ground], parts: vec![pin], ..Mechanism::default() };
+///
+/// let svg = Sketch::new(pendulum, [[0.5, 0.0, 0.0]]).titled("Pendulum").with_gravity([0.0, -9.81]).to_svg();
+/// assert!(svg.starts_with("<svg") && svg.contains(">pin</text>"));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    mechanism: Mechanism,
+    /// Place of G and angle of each body: m, m, rad.
+    poses: Vec<[f64; 3]>,
+    title: String,
+    gravity: [f64; 2],
+    /// What is drawn in full; all if it is empty.
+    focus: BTreeSet<String>,
+    /// Parts whose senses are drawn.
+    signs: BTreeSet<String>,
+    senses: BTreeMap<String, Vec<Sense>>,
+}
+
+impl Sketch {
+    /// A drawing of a mechanism whose bodies have these poses: place of G and angle, m, m, rad, one for each body.
+    pub fn new(mechanism: Mechanism, poses: impl IntoIterator<Item = [f64; 3]>) -> Self {
+        Self {
+            title: mechanism.name.clone(),
+            mechanism,
+            poses: poses.into_iter().collect(),
+            gravity: [0.0; 2],
+            focus: BTreeSet::new(),
+            signs: BTreeSet::new(),
+            senses: BTreeMap::new(),
+        }
+    }
+
+    /// The same under a title.
+    #[must_use]
+    pub fn titled(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// The same with an arrow for gravity, m/s^2 along the absolute axes; none where it is zero.
+    #[must_use]
+    pub fn with_gravity(mut self, gravity: [f64; 2]) -> Self {
+        self.gravity = gravity;
+        self
+    }
+
+    /// The same where bodies and parts of other names stand back.
+    #[must_use]
+    pub fn focused_on<'n>(mut self, names: impl IntoIterator<Item = &'n str>) -> Self {
+        self.focus = names.into_iter().map(str::to_owned).collect();
+        self
+    }
+
+    /// The same with the positive senses of angles, displacements, forces and what is measured, of parts by name.
+    #[must_use]
+    pub fn with_signs<'n>(mut self, parts: impl IntoIterator<Item = &'n str>) -> Self {
+        self.signs = parts.into_iter().map(str::to_owned).collect();
+        self
+    }
+
+    /// The same with these senses for the part of that name: those of a `force`, which are along the absolute axes without.
+    #[must_use]
+    pub fn with_senses(mut self, part: impl Into<String>, senses: impl IntoIterator<Item = Sense>) -> Self {
+        self.senses.insert(part.into(), senses.into_iter().collect());
+        self
+    }
+
+    /// The drawing as SVG text, the same for the same mechanism and pose. What has no finite place is left out.
+    pub fn to_svg(&self) -> String {
+        let mut stage = Stage::new(self);
+        stage.draw_rails();
+        stage.draw_bodies();
+        stage.draw_elements();
+        stage.draw_joints();
+        stage.draw_names();
+        stage.finish()
+    }
+
+    /// Writes the drawing to a file, and makes the folders above it where they are missing.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        write_file(path.as_ref(), Ok(self.to_svg().into_bytes()))
+    }
+}
