@@ -26,7 +26,7 @@ plm::mechanism! {
         }
         body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port c: (0.45, 0) m; port p: (-0.45, 0) m; start angle: 120 deg; }
         revolute o(ground.o, crank.a) { drive: lagging + torque; }
-        revolute b(crank.b, coupler.b) { pin_diameter: 0.1*reach; }
+        revolute b(crank.b, coupler.b) { pin_diameter: 0.2*reach; }
         revolute c(coupler.c, rocker.c) { damping: friction; }
         revolute p(ground.p, rocker.p) { stiffness: 2 N*m/rad; }
         state lagging: N*m = 0.5 N*m;
