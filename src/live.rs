@@ -127,8 +127,9 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
     }
 
-    /// What parameters change of bodies and ground, SI: of each body mass, moment of inertia, depth, place and angle of each
-    /// port, the number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth.
+    /// What parameters change of a picture, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
+    /// number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
+    /// [`size_names`](Self::size_names), 0 where none was given.
     pub fn shape(&mut self) -> &[f64] {
         let (of, shape) = (&self.mechanism, &mut self.shape);
         let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
@@ -143,7 +144,18 @@ impl<M: Described<S = f64> + Statics> Live<M> {
             shape.extend(Place::components(of.ground(0.0, k)));
             shape.push(number(of.ground_depth(k)));
         }
+        for (k, part) in M::TABLES.parts.iter().enumerate() {
+            shape.extend((0..part.sizes.len()).map(|size| number(Described::size(of, k, size))));
+        }
         shape
+    }
+
+    /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
+    pub fn size_names() -> String {
+        let sized = M::TABLES.parts.iter().filter(|part| !part.sizes.is_empty());
+        let lines: Vec<String> =
+            sized.map(|part| format!("{} {}", part.name, part.sizes.join(" "))).collect();
+        lines.join("\n")
     }
 
     /// A parameter, SI; not a number beyond the last.

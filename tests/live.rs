@@ -15,7 +15,7 @@ plm::mechanism! {
         body coupler { mass: 2 kg; inertia: 0.2 kg*m^2; port b: (0, 0) m; port c: (reach, 0); centre: (0.4, 0.1) m; }
         body rocker { mass: 1.5 kg; inertia: 0.1 kg*m^2; port c: (0.4, 0) m; port p: (-0.4, 0) m; start angle: 100 deg; }
         revolute o(ground.o, crank.a) { drive: torque; }
-        revolute b(crank.b, coupler.b);
+        revolute b(crank.b, coupler.b) { pin_diameter: reach/8; }
         revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
         revolute p(ground.p, rocker.p);
         part plm_pull(a: body) { input x: N = 0; input y: N = 0; input turn: N*m = 0; force on a: (x, y); torque on a: turn; }
@@ -50,15 +50,22 @@ fn its_shape_has_the_parameters_of_now() {
     let declared = live.shape().to_vec();
     // Mass, inertia, depth, two ports, no contour.
     let of_body = 3 + 2 * 3 + 1;
-    assert_eq!(declared.len(), 3 * of_body + 2 * 4);
+    assert_eq!(declared.len(), 3 * of_body + 2 * 4 + 4);
     // The crank's ports are given from its centre of gravity, which is at its first one.
     assert_eq!(declared[..of_body], [1.0, 0.02, 0.0, 0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.0]);
     // The coupler's centre of gravity stands at (0.4, 0.1).
     let end = of_body + 3 + 3;
     assert_eq!([declared[end], declared[end + 1]], [0.9 - 0.4, -0.1]);
-    assert_eq!(declared[3 * of_body + 4..], [1.0, 0.0, 0.0, 0.0]);
+    assert_eq!(declared[3 * of_body + 4..][..4], [1.0, 0.0, 0.0, 0.0]);
+    // The four pins; one of them is an eighth of the parameter.
+    assert_eq!(
+        Live::<FourBar>::size_names(),
+        "o pin_diameter\nb pin_diameter\nc pin_diameter\np pin_diameter"
+    );
+    assert_eq!(declared[3 * of_body + 8..], [0.0, 0.9 / 8.0, 0.0, 0.0]);
     live.set_parameter(0, 0.95);
     assert_eq!(live.shape()[end], 0.95 - 0.4);
+    assert_eq!(live.shape()[3 * of_body + 9], 0.95 / 8.0);
 }
 
 /// The work of the pull at the end of the crank stands in the energy.

@@ -20,10 +20,13 @@ plm::mechanism! {
         input torque: N*m = 0;
         ground { port o: (0, 0) m; port p: (0.8, 0) m; }
         body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 40 deg, locked; start omega: 3 rad/s, locked; }
-        body coupler { mass: 1 kg; inertia: 0.02 kg*m^2; port b: (-reach/2, 0); port c: (reach/2, 0); }
+        body coupler {
+            mass: 1 kg; inertia: 0.02 kg*m^2; port b: (-reach/2, 0); port c: (reach/2, 0);
+            contour: (-0.6*reach, -0.03 m), (0.6*reach, -0.03 m), (0.6*reach, 0.03 m), (-0.6*reach, 0.03 m);
+        }
         body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port c: (0.45, 0) m; port p: (-0.45, 0) m; start angle: 120 deg; }
         revolute o(ground.o, crank.a) { drive: lagging + torque; }
-        revolute b(crank.b, coupler.b);
+        revolute b(crank.b, coupler.b) { pin_diameter: 0.2*reach; }
         revolute c(coupler.c, rocker.c) { damping: friction; }
         revolute p(ground.p, rocker.p) { stiffness: 2 N*m/rad; }
         state lagging: N*m = 0.5 N*m;
@@ -53,7 +56,7 @@ for (let k = 0; k < 300; k++) {
 live.plm_set_parameter(0, 9);
 if (live.plm_restart() !== 0) throw new Error("it cannot be assembled with a coupler of 9 m");
 const at = live.plm_trouble();
-const length = live.plm_trouble_length();
+const length = live.plm_text_length();
 console.log(new TextDecoder().decode(new Uint8Array(live.memory.buffer, at, length)));
 "#;
 
@@ -88,7 +91,11 @@ fn about(native: &str) -> serde_json::Value {
     let bodies = tables.bodies.iter().enumerate().map(|(k, body)| {
         let ports = body.ports.iter().enumerate().map(|(j, name)| place(name, of.port(k, j)));
         let ports: Vec<_> = ports.collect();
-        json!({ "name": body.name, "mass": of.mass(k), "inertia": of.inertia(k), "depth": of.depth(k), "ports": ports })
+        let contour: Vec<_> = (0..body.contour).filter_map(|point| of.contour(k, point)).collect();
+        let contour = if contour.is_empty() { json!(null) } else { json!(contour) };
+        json!({
+            "name": body.name, "mass": of.mass(k), "inertia": of.inertia(k), "depth": of.depth(k), "ports": ports, "contour": contour,
+        })
     });
     let ground = tables.ground.iter().enumerate().map(|(k, port)| place(port.name, of.ground(0.0, k)));
     let parts = tables.parts.iter().map(|part| {

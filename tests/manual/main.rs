@@ -11,6 +11,7 @@ mod assembly;
 mod ledger;
 mod modes;
 mod numbers;
+mod pages;
 
 use std::sync::OnceLock;
 

@@ -28,6 +28,8 @@ export function addressOf(app) {
   put("hidden", app.shown.filter((shown) => !shown.isShown).map(({ run }) => run.name).join("|"), "");
   put("select", app.selected === null ? "" : `${app.selected.kind}:${app.selected.index}`, "");
   parts.set("curves", app.curves.join("|"));
+  put("against", app.across ?? "", "");
+  put("log", app.logUnits.map((unit) => unit || "1").join("|"), "");
   put("paths", app.traces.join("|"), "");
   put("forces", Number(app.showsForces), 0);
   put("velocities", Number(app.showsVelocities), 0);
@@ -63,6 +65,8 @@ export function showAddress(app, hash) {
   if (app.isViewGiven) showView(app, numbers(parts.get("view")));
   else if (layout !== null) app.zoomToExtents();
   if (parts.has("curves")) app.curves = known(app, names(parts.get("curves")));
+  app.across = known(app, names(parts.get("against")))[0] ?? null;
+  app.logUnits = names(parts.get("log")).map((unit) => (unit === "1" ? "" : unit));
   app.traces = names(parts.get("paths"));
   const [kind, index] = (parts.get("select") ?? "").split(":");
   app.selected = app.items().find((item) => item.kind === kind && item.index === Number(index)) ?? null;

@@ -1,21 +1,19 @@
 // What is shown, as plain data, and what can be done with it. It knows nothing of elements of the page.
 
-import { forceField, velocityField } from "./arrows.js";
 import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
-import { Scene } from "./scene.js";
+import { growArrows, sceneOf, usualCurves } from "./shown.js";
 import { timeText, withShortNumbers } from "./text.js";
 import { View } from "./view.js";
 
-/** @import {ArrowField} from "./arrows.js" */
 /** @import {Run} from "./run.js" */
+/** @import {Shown} from "./shown.js" */
 /** @import {Item} from "./solid.js" */
 /** @import {Area, PresetName, Projection} from "./view.js" */
 
 /** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
-/** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} Shown */
 /**
  * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
  * pulled, wherever it is.
@@ -44,6 +42,10 @@ export class App {
     this.selected = null;
     /** Names of quantities. @type {string[]} */
     this.curves = [];
+    /** The quantity that curves are drawn against; null: the time. @type {string | null} */
+    this.across = null;
+    /** Units whose charts have a logarithmic axis. @type {string[]} */
+    this.logUnits = [];
     /** Names of points. @type {string[]} */
     this.traces = [];
     this.showsForces = false;
@@ -146,6 +148,7 @@ export class App {
     this.selected = null;
     const names = new Set(this.run?.quantities().map(({ name }) => name));
     this.curves = this.curves.filter((name) => names.has(name));
+    if (this.across !== null && !names.has(this.across)) this.across = null;
     this.traces = [];
     if (this.curves.length === 0) this.curves = usualCurves(this.run);
     this.player.stop();
@@ -338,7 +341,7 @@ export class App {
     this.change();
   }
 
-  /** @param {string[]} list curves or traces @param {string} name */
+  /** @param {string[]} list curves, traces or units @param {string} name */
   toggleName(list, name) {
     const at = list.indexOf(name);
     if (at < 0) list.push(name);
@@ -366,33 +369,5 @@ export class App {
     this.player.stop();
     if (next !== undefined) this.player.seek(next);
     this.touch();
-  }
-}
-
-/** What is drawn of a run. @param {Run} run */
-function sceneOf(run) {
-  const scene = new Scene(run);
-  return { scene, forces: forceField(scene), velocities: velocityField(scene) };
-}
-
-/**
- * Curves for a first look: the first few columns of the most common unit.
- * @param {Run | null} run
- */
-function usualCurves(run) {
-  const quantities = run?.quantities() ?? [];
-  const first = quantities[0];
-  return quantities.filter(({ unit }) => unit === first.unit).slice(0, 3).map(({ name }) => name);
-}
-
-/** Arrows keep the scale of the largest that was ever seen. @param {Shown} shown */
-function growArrows(shown) {
-  const moment = { row: Math.max(0, shown.run.rows - 1), share: 0 };
-  if (shown.run.rows === 0) return;
-  for (const field of [shown.forces, shown.velocities]) {
-    for (const { u, v } of field.arrows(shown.scene.places, moment)) {
-      const size = Math.hypot(u, v);
-      if (Number.isFinite(size)) field.largest = Math.max(field.largest, size);
-    }
   }
 }

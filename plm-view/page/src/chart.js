@@ -1,73 +1,55 @@
-// One frame with axes and curves over time.
+// One frame with axes and curves: over the time, or against another quantity.
 
+import { axisTicks, labelRoom, levelOf } from "./axes.js";
 import { lastNotAbove } from "./numbers.js";
 import { commonQuantity, withUnit } from "./text.js";
 import { thinPieces } from "./thin.js";
-import { linearExtent, linearTicks } from "./ticks.js";
+import { linearTicks } from "./ticks.js";
 
+/** @import {Chart, Series, ValueAxis} from "./axes.js" */
 /** @import {Palette} from "./palette.js" */
 /** @import {Pen} from "./pen.js" */
-/** @import {Quantity, Run} from "./run.js" */
+/** @import {Run} from "./run.js" */
 /** @import {Area} from "./view.js" */
 
-/** @typedef {{run: Run, quantity: Quantity, colour: string, dash: number[]}} Series */
-/** @typedef {{unit: string, series: Series[]}} Chart */
-/** @typedef {{frame: Area, from: number, to: number, low: number, high: number}} ChartFrame pixels, times, values */
+/** @typedef {ValueAxis & {frame: Area, from: number, to: number, hasLabels: boolean}} ChartFrame pixels; times or values across */
 
 /** Room for labels under the last frame. */
-export const TIME_AXIS = 34;
-/** Room beyond the values, as a share of their range: that of chart/axis.rs. */
-const CHART_PADDING = 0.06;
+export const ACROSS_AXIS = 34;
 const LABEL_SIZE = 11;
 
 /**
- * What a chart shows of its quantity, with a little room so that no curve runs along the frame.
- * @param {Chart} chart
- * @returns {[number, number]}
- */
-export function chartRange(chart) {
-  const [least, most] = linearExtent(...valueRange(chart));
-  const padding = CHART_PADDING * (most - least);
-  return [least - padding, most + padding];
-}
-
-/**
- * Room on the left of the frames of some charts: for the longest label of all, so that their times stand one above another.
- * @param {[number, number][]} ranges
- */
-export function leftRoom(ranges) {
-  return 12 + Math.max(...ranges.map(([low, high]) => labelRoom(low, high)));
-}
-
-/**
  * Where everything of a chart goes.
- * @param {[number, number]} range
+ * @param {ValueAxis} axis
  * @param {Area} area with the labels
- * @param {{from: number, to: number, hasTimes: boolean, left: number}} layout
+ * @param {{across: [number, number], hasLabels: boolean, left: number}} layout what is shown across, whether it is written under
+ *   the frame, and the room on its left
  * @returns {ChartFrame}
  */
-export function chartFrame([low, high], area, { from, to, hasTimes, left }) {
-  const bottom = hasTimes ? TIME_AXIS : 8;
+export function chartFrame(axis, area, { across: [from, to], hasLabels, left }) {
+  const bottom = hasLabels ? ACROSS_AXIS : 8;
   return {
+    ...axis,
     frame: { x: area.x + left, y: area.y + 8, width: area.width - left - 14, height: area.height - 8 - bottom },
     from,
     to: to > from ? to : from + 1,
-    low,
-    high,
+    hasLabels,
   };
 }
 
-/** @param {Chart} chart @returns {[number, number]} */
-function valueRange(chart) {
-  let [low, high] = [Infinity, -Infinity];
-  for (const { run, quantity } of chart.series) {
-    for (let row = 0; row < run.rows; row++) {
-      const value = quantity.read(row);
-      if (value < low && value > -1e300) low = value;
-      if (value > high && value < 1e300) high = value;
-    }
-  }
-  return [low, high];
+/** @param {ChartFrame} at @param {number} across */
+function pixelAcross({ frame, from, to }, across) {
+  return frame.x + ((across - from) / (to - from)) * frame.width;
+}
+
+/** @param {ChartFrame} at @param {number} level as `levelOf` gives it */
+function pixelUp({ frame, low, high }, level) {
+  return frame.y + ((high - level) / (high - low)) * frame.height;
+}
+
+/** What a curve has across in a row. @param {Series} series @returns {(row: number) => number} */
+function acrossOf({ run, across }) {
+  return across?.read ?? ((row) => run.time.data[row]);
 }
 
 /**
@@ -75,25 +57,19 @@ function valueRange(chart) {
  * @param {Chart} chart
  * @param {ChartFrame} at
  * @param {Palette} palette
- * @param {boolean} hasTimes whether times are written under the frame
  */
-export function drawChart(pen, chart, at, palette, hasTimes) {
-  drawGrid(pen, chart, at, palette, hasTimes);
-  const { frame, from, to, low, high } = at;
-  const xOf = frame.width / (to - from);
-  const yOf = frame.height / (high - low);
-  pen.within(frame, () => {
-    for (const { run, quantity, colour, dash } of chart.series) {
-      const times = run.time.data;
-      const column = (/** @type {number} */ row) => Math.round((times[row] - from) * xOf);
-      for (const piece of thinPieces(run.rows, column, quantity.read)) {
-        const points = [];
-        for (const row of piece) {
-          points.push(frame.x + (times[row] - from) * xOf, frame.y + (high - quantity.read(row)) * yOf);
-        }
+export function drawChart(pen, chart, at, palette) {
+  drawGrid(pen, chart, at, palette);
+  pen.within(at.frame, () => {
+    for (const series of chart.series) {
+      const across = acrossOf(series);
+      const column = (/** @type {number} */ row) => Math.round(pixelAcross(at, across(row)));
+      const level = (/** @type {number} */ row) => levelOf(at, series.quantity.read(row));
+      for (const piece of thinPieces(series.run.rows, column, level)) {
+        const points = piece.flatMap((row) => [pixelAcross(at, across(row)), pixelUp(at, level(row))]);
         // A single row between gaps is a dot.
         if (points.length === 2) points.push(points[0] + 0.01, points[1]);
-        pen.line(points, { stroke: colour, width: 1.5, dash });
+        pen.line(points, { stroke: series.colour, width: 1.5, dash: series.dash });
       }
     }
   });
@@ -104,75 +80,100 @@ export function drawChart(pen, chart, at, palette, hasTimes) {
  * @param {Chart} chart
  * @param {ChartFrame} at
  * @param {Palette} palette
- * @param {boolean} hasTimes
  */
-function drawGrid(pen, chart, { frame, from, to, low, high }, palette, hasTimes) {
+function drawGrid(pen, chart, at, palette) {
+  const { frame, from, to, hasLabels } = at;
   const { x, y, width, height } = frame;
   const lettering = { colour: palette.faint, size: LABEL_SIZE };
-  for (const { value, label } of linearTicks(low, high, height < 90 ? 3 : 6)) {
-    const place = y + ((high - value) / (high - low)) * height;
-    pen.line([x, place, x + width, place], { stroke: value === 0 ? palette.faint : palette.grid, width: value === 0 ? 1.2 : 1 });
+  for (const { value, label } of axisTicks(at, height < 90 ? 3 : 6)) {
+    const place = pixelUp(at, levelOf(at, value));
+    const isZero = value === 0;
+    // Marks without a label stand between decades, too near for lines.
+    const end = label === "" ? x + 4 : x + width;
+    pen.line([x, place, end, place], { stroke: isZero ? palette.faint : palette.grid, width: isZero ? 1.2 : 1 });
     pen.text(x - 6, place, label, { ...lettering, align: "end" });
   }
   const steps = Math.max(2, Math.min(6, Math.floor(width / 60)));
   for (const { value, label } of linearTicks(from, to, steps)) {
-    const place = x + ((value - from) / (to - from)) * width;
+    const place = pixelAcross(at, value);
     pen.line([place, y, place, y + height], { stroke: palette.grid, width: 1 });
-    if (hasTimes) pen.text(place, y + height + 11, label, { ...lettering, align: "middle" });
+    if (hasLabels) pen.text(place, y + height + 11, label, { ...lettering, align: "middle" });
   }
-  if (hasTimes) pen.text(x + 0.5 * width, y + height + 26, "time (s)", { ...lettering, align: "middle" });
+  if (hasLabels) pen.text(x + 0.5 * width, y + height + 26, acrossTitle(chart), { ...lettering, align: "middle" });
   const names = [...new Set(chart.series.map(({ quantity }) => quantity.name))];
   const title = withUnit(commonQuantity(names), chart.unit);
-  pen.text(frame.x - labelRoom(low, high), y + 0.5 * height, title, { ...lettering, align: "middle", turned: true });
+  pen.text(x - labelRoom(at), y + 0.5 * height, title, { ...lettering, align: "middle", turned: true });
   const corners = [x, y, x + width, y, x + width, y + height, x, y + height];
   pen.polygon(corners, { stroke: palette.grid, width: 1 });
 }
 
-/** From the frame to the middle of the axis' name. @param {number} low @param {number} high */
-function labelRoom(low, high) {
-  return 20 + 6.4 * Math.max(...linearTicks(low, high).map(({ label }) => label.length));
+/** What stands across, with its unit. @param {Chart} chart */
+export function acrossTitle({ series }) {
+  const across = series[0]?.across ?? null;
+  return across === null ? "time (s)" : withUnit(across.name, across.unit);
 }
 
 /**
- * The time under a pixel.
+ * The time under a place of a chart; against another quantity, that of the nearest row.
+ * @param {Chart} chart
  * @param {ChartFrame} at
- * @param {number} x
+ * @param {number} x pixels
+ * @param {number} y
  */
-export function timeAt({ frame, from, to }, x) {
-  return from + ((x - frame.x) / frame.width) * (to - from);
+export function timeAt(chart, at, x, y) {
+  const { frame, from, to } = at;
+  let time = from + ((x - frame.x) / frame.width) * (to - from);
+  let nearest = Infinity;
+  for (const series of chart.series) {
+    if (series.across === null) return time;
+    const across = acrossOf(series);
+    for (let row = 0; row < series.run.rows; row++) {
+      const [dx, dy] = [pixelAcross(at, across(row)) - x, pixelUp(at, levelOf(at, series.quantity.read(row))) - y];
+      const distance = dx * dx + dy * dy;
+      if (distance < nearest) [nearest, time] = [distance, series.run.time.data[row]];
+    }
+  }
+  return time;
 }
 
 /**
- * A line at a time, and dots where it cuts the curves.
+ * Where the curves are at a time: a line with dots over the time, points against another quantity.
  * @param {Pen} pen
  * @param {Chart} chart
  * @param {ChartFrame} at
  * @param {Palette} palette
  * @param {number} time
  */
-export function drawCursor(pen, chart, { frame, from, to, low, high }, palette, time) {
-  const x = frame.x + ((time - from) / (to - from)) * frame.width;
-  pen.line([x, frame.y, x, frame.y + frame.height], { stroke: palette.ink, width: 1 });
-  for (const { run, quantity, colour } of chart.series) {
+export function drawCursor(pen, chart, at, palette, time) {
+  const { frame } = at;
+  if (chart.series.every(({ across }) => across === null)) {
+    const x = pixelAcross(at, time);
+    pen.line([x, frame.y, x, frame.y + frame.height], { stroke: palette.ink, width: 1 });
+  }
+  for (const { run, quantity, across, colour } of chart.series) {
     if (run.rows === 0 || time > run.end) continue;
-    const value = run.valueAt(quantity, run.momentAt(time));
-    if (!Number.isFinite(value)) continue;
-    const y = frame.y + ((high - value) / (high - low)) * frame.height;
-    pen.polygon([x - 3, y, x, y - 3, x + 3, y, x, y + 3], { fill: colour });
+    const moment = run.momentAt(time);
+    const x = pixelAcross(at, across === null ? time : run.valueAt(across, moment));
+    const y = pixelUp(at, levelOf(at, run.valueAt(quantity, moment)));
+    if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
+    const size = across === null ? 3 : 5;
+    pen.polygon([x - size, y, x, y - size, x + size, y, x, y + size], { fill: colour, stroke: across === null ? null : palette.ink });
   }
 }
 
 /**
- * Vertical lines at events, and at the fault.
+ * Vertical lines at events, and at the fault; over the time alone.
  * @param {Pen} pen
  * @param {ChartFrame} at
  * @param {Run} run
  * @param {Palette} palette
  */
-export function drawEvents(pen, { frame, from, to }, run, palette) {
-  const place = (/** @type {number} */ time) => frame.x + ((time - from) / (to - from)) * frame.width;
-  const line = (/** @type {number} */ time, /** @type {string} */ stroke, /** @type {number} */ width) =>
-    pen.line([place(time), frame.y, place(time), frame.y + frame.height], { stroke, width, dash: [3, 3] });
+export function drawEvents(pen, at, run, palette) {
+  const { frame, from } = at;
+  const line = (/** @type {number} */ time, /** @type {string} */ stroke, /** @type {number} */ width) => {
+    const x = pixelAcross(at, time);
+    pen.line([x, frame.y, x, frame.y + frame.height], { stroke, width, dash: [3, 3] });
+  };
   const first = lastNotAbove(run.events.map(({ time }) => time), run.events.length, from);
   // So many that they would be a grey face tell nothing.
   if (run.events.length - first < 0.25 * frame.width) {

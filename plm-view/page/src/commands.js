@@ -131,6 +131,8 @@ export const COMMANDS = [
   panelCommand("objects tab", "Objects", "J", (app) => openTab(app, "objects")),
   panelCommand("runs tab", "Runs and events", "Shift+R", (app) => openTab(app, "runs")),
   panelCommand("model tab", "Model", "Shift+M", (app) => openTab(app, "model")),
+  panelCommand("log axes", "Logarithmic axes of curves, or linear ones", "Shift+G", switchLogAxes),
+  panelCommand("phase plot", "Curves against the first of them, or over the time", "Shift+X", switchAcross),
   panelCommand("run after", "Next run", "PageDown", (app) => app.activate(app.active + 1)),
   panelCommand("run before", "Run before", "PageUp", (app) => app.activate(app.active - 1)),
 ];
@@ -244,6 +246,20 @@ function openTab(app, tab) {
   app.hasPanel = true;
   app.tab = tab;
   app.change();
+}
+
+/** All charts become logarithmic; if they are, linear. @param {App} app */
+function switchLogAxes(app) {
+  const quantities = app.run?.quantities() ?? [];
+  const units = [...new Set(quantities.filter(({ name }) => app.curves.includes(name)).map(({ unit }) => unit))];
+  app.logUnits = units.every((unit) => app.logUnits.includes(unit)) ? [] : units;
+  openTab(app, "curves");
+}
+
+/** @param {App} app */
+function switchAcross(app) {
+  app.across = app.across === null ? (app.curves[0] ?? null) : null;
+  openTab(app, "curves");
 }
 
 /**

@@ -1,26 +1,29 @@
-// The panel of curves: what to draw, charts of one unit each over a common time, legends with the values now.
+// The panel of curves: what to draw, charts of one unit each over a common axis, legends with the values now.
 
-import { chartFrame, chartRange, drawChart, drawCursor, drawEvents, leftRoom, timeAt, TIME_AXIS } from "./chart.js";
+import { acrossRange, leftRoom, valueAxis } from "./axes.js";
+import { ACROSS_AXIS, chartFrame, drawChart, drawCursor, drawEvents, timeAt } from "./chart.js";
+import { chartLabel, chartsOf, curvesSvg, missingText } from "./charts.js";
 import { element, fitCanvas, saveBlob, setText } from "./dom.js";
-import { CanvasPen, SvgPen } from "./pen.js";
+import { CanvasPen } from "./pen.js";
 import { fileStem } from "./picture.js";
-import { quantityText, withUnit, commonQuantity } from "./text.js";
+import { quantityText, withUnit } from "./text.js";
 
 /** @import {App} from "./app.js" */
-/** @import {Chart, ChartFrame, Series} from "./chart.js" */
+/** @import {Chart, Series} from "./axes.js" */
+/** @import {ChartFrame} from "./chart.js" */
+/** @import {Run} from "./run.js" */
 
 /**
  * A chart on the page. `still` holds all but the cursor, and is painted when something of it has changed.
  * @typedef {{chart: Chart, canvas: HTMLCanvasElement, still: HTMLCanvasElement, painted: string, frame: ChartFrame | null,
- *   values: HTMLElement[], hasTimes: boolean}} Plot
+ *   values: HTMLElement[], missing: HTMLElement, hasLabels: boolean}} Plot
  */
 
-/** Height of a chart without the labels of times. */
+/** Height of a chart over the time, without the labels across, and against another quantity. */
 const CHART_HEIGHT = 150;
+const PHASE_HEIGHT = 240;
 /** So many quantities are offered; the filter finds the others. */
 const MOST_OFFERED = 150;
-/** Dashes tell runs apart; the active one is solid. */
-const DASHES = [[6, 4], [2, 3], [9, 3, 2, 3], [12, 4]];
 /** Curves of a run that grows are painted anew so often, ms. */
 const REPAINT_EVERY = 120;
 
@@ -44,9 +47,13 @@ export class Curves {
     });
     this.offers = element("div", { class: "offers", role: "group", "aria-label": "Quantities to draw" });
     this.summary = element("summary", {}, "Quantities");
+    this.across = element("select", { id: "across", onchange: () => this.drawAgainst(this.across.value) });
+    /** The run whose quantities `across` offers. @type {Run | null} */
+    this.offered = null;
     this.charts = element("div", { class: "charts" });
     root.append(
       element("details", { class: "picker" }, this.summary, this.filter, this.offers),
+      element("label", { class: "across" }, "Against", this.across),
       this.charts,
       element("div", { class: "row" }, element("button", { type: "button", onclick: () => saveCurves(this.app) }, "Save curves (SVG)")),
     );
@@ -57,6 +64,7 @@ export class Curves {
     if (this.revision !== app.revision) {
       this.revision = app.revision;
       this.listOffers();
+      this.offerAcross();
       this.build();
     }
     this.watchGrowth();
@@ -92,10 +100,11 @@ export class Curves {
   paint() {
     const { app } = this;
     const { palette, player } = app;
-    const ranges = this.plots.map(({ chart }) => chartRange(chart));
-    const left = leftRoom(ranges);
+    const axes = this.plots.map(({ chart }) => valueAxis(chart));
+    const left = leftRoom(axes);
+    const across = acrossRange(this.plots.map(({ chart }) => chart), [player.start, player.end]);
     this.plots.forEach((plot, at) => {
-      const { chart, canvas, still, hasTimes } = plot;
+      const { chart, canvas, still, hasLabels } = plot;
       const [width, height] = [canvas.clientWidth, chartHeight(plot)];
       plot.painted = this.wanted(plot);
       if (width === 0) return;
@@ -103,9 +112,10 @@ export class Curves {
       context.clearRect(0, 0, width, height);
       const pen = new CanvasPen(context);
       const area = { x: 0, y: 0, width, height };
-      plot.frame = chartFrame(ranges[at], area, { from: player.start, to: player.end, hasTimes, left });
-      drawChart(pen, chart, plot.frame, palette, hasTimes);
-      if (app.run !== null) drawEvents(pen, plot.frame, app.run, palette);
+      plot.frame = chartFrame(axes[at], area, { across, hasLabels, left });
+      drawChart(pen, chart, plot.frame, palette);
+      if (app.run !== null && app.across === null) drawEvents(pen, plot.frame, app.run, palette);
+      setText(plot.missing, missingText(chart));
     });
   }
 
@@ -132,6 +142,24 @@ export class Curves {
     setText(this.summary, `Quantities (${app.curves.length} of ${all.length} drawn)`);
   }
 
+  /** What curves can be drawn against. */
+  offerAcross() {
+    const { app, across } = this;
+    if (this.offered !== app.run) {
+      this.offered = app.run;
+      const names = app.run?.quantities().map(({ name, unit }) => element("option", { value: name }, withUnit(name, unit))) ?? [];
+      across.replaceChildren(element("option", { value: "" }, "time (s)"), ...names);
+    }
+    across.value = app.across ?? "";
+    across.disabled = app.run === null;
+  }
+
+  /** @param {string} name of a quantity; empty for the time */
+  drawAgainst(name) {
+    this.app.across = name === "" ? null : name;
+    this.app.change();
+  }
+
   /** @param {string} name */
   choose(name) {
     this.app.toggleName(this.app.curves, name);
@@ -150,12 +178,13 @@ export class Curves {
       painted: "",
       frame: null,
       values: chart.series.map(() => element("span", { class: "value" })),
-      hasTimes: at === charts.length - 1,
+      missing: element("p", { class: "hint missing" }),
+      hasLabels: at === charts.length - 1,
     }));
     const figures = this.plots.map((plot) => {
       plot.canvas.style.height = `${chartHeight(plot)}px`;
       this.listen(plot);
-      return element("figure", {}, this.legend(plot), plot.canvas);
+      return element("figure", {}, this.legend(plot), plot.canvas, plot.missing);
     });
     const hint = this.app.run === null ? "" : "No curve is chosen. Open “Quantities” above.";
     this.charts.replaceChildren(...(figures.length > 0 ? figures : [element("p", { class: "hint" }, hint)]));
@@ -174,7 +203,21 @@ export class Curves {
       );
       return element("li", {}, swatch, element("span", {}, name), values[at], remove);
     });
-    return element("ul", { class: "legend" }, ...entries);
+    return element("ul", { class: "legend" }, ...entries, element("li", { class: "scale" }, this.scaleButton(chart)));
+  }
+
+  /** Switches the axis of a chart. @param {Chart} chart */
+  scaleButton({ unit, isLog }) {
+    const name = `Logarithmic axis${unit === "" ? "" : `, ${withUnit("", unit)}`}`;
+    const act = () => {
+      this.app.toggleName(this.app.logUnits, unit);
+      // The charts have been built anew: the button that was pressed keeps the focus.
+      this.update();
+      const button = [...this.charts.querySelectorAll("button")].find((candidate) => candidate.dataset["unit"] === unit);
+      button?.focus();
+    };
+    const pressed = String(isLog);
+    return element("button", { type: "button", "data-unit": unit, title: name, "aria-label": name, "aria-pressed": pressed, onclick: act }, "log");
   }
 
   /** A press goes to its time, and dragging goes along. @param {Plot} plot */
@@ -183,7 +226,8 @@ export class Curves {
     const go = (/** @type {PointerEvent} */ event) => {
       if (plot.frame === null) return;
       this.app.player.stop();
-      this.app.player.seek(timeAt(plot.frame, event.clientX - canvas.getBoundingClientRect().left));
+      const { left, top } = canvas.getBoundingClientRect();
+      this.app.player.seek(timeAt(plot.chart, plot.frame, event.clientX - left, event.clientY - top));
       this.app.touch();
     };
     canvas.addEventListener("pointerdown", (event) => {
@@ -225,69 +269,9 @@ function valueNow({ run, quantity }, time) {
 }
 
 /** @param {Plot} plot */
-function chartHeight({ hasTimes }) {
-  return CHART_HEIGHT + (hasTimes ? TIME_AXIS - 8 : 0);
-}
-
-/**
- * One chart for each unit, in the order in which they were chosen; every visible run has its curve.
- * @param {App} app
- * @returns {Chart[]}
- */
-export function chartsOf(app) {
-  /** @type {Map<string, Series[]>} */
-  const byUnit = new Map();
-  const { curves } = app.palette;
-  const runs = app.visible().map(({ run }) => ({
-    run,
-    quantities: new Map(run.quantities().map((quantity) => [quantity.name, quantity])),
-  }));
-  let others = 0;
-  for (const { run, quantities } of runs) {
-    const dash = run === app.run ? [] : DASHES[others++ % DASHES.length];
-    app.curves.forEach((name, at) => {
-      const quantity = quantities.get(name);
-      if (quantity === undefined) return;
-      const list = byUnit.get(quantity.unit) ?? [];
-      byUnit.set(quantity.unit, list);
-      list.push({ run, quantity, colour: curves[at % curves.length], dash });
-    });
-  }
-  return [...byUnit].map(([unit, series]) => ({ unit, series }));
-}
-
-/** @param {Chart} chart */
-function chartLabel({ unit, series }) {
-  const names = [...new Set(series.map(({ quantity }) => quantity.name))];
-  return `${withUnit(commonQuantity(names), unit)} over time: ${names.join(", ")}`;
-}
-
-/**
- * All charts in one SVG file, without the cursor.
- * @param {App} app
- */
-export function curvesSvg(app) {
-  const charts = chartsOf(app);
-  const pen = new SvgPen();
-  const width = 800;
-  const ranges = charts.map(chartRange);
-  const left = leftRoom(ranges);
-  let y = 0;
-  charts.forEach((chart, at) => {
-    const hasTimes = at === charts.length - 1;
-    const legend = chart.series.map(({ run, quantity, colour, dash }, index) => ({ run, quantity, colour, dash, y: y + 18 + 18 * index }));
-    for (const entry of legend) {
-      pen.line([70, entry.y, 94, entry.y], { stroke: entry.colour, width: 2, dash: entry.dash });
-      const name = app.visible().length > 1 ? `${entry.quantity.name}, ${entry.run.name}` : entry.quantity.name;
-      pen.text(102, entry.y, name, { colour: app.palette.ink, size: 12 });
-    }
-    y += 14 + 18 * legend.length;
-    const area = { x: 0, y, width, height: 190 + (hasTimes ? TIME_AXIS : 8) };
-    const { start: from, end: to } = app.player;
-    drawChart(pen, chart, chartFrame(ranges[at], area, { from, to, hasTimes, left }), app.palette, hasTimes);
-    y += area.height;
-  });
-  return pen.finish(width, Math.max(y + 8, 40), app.palette.background, `${app.run?.mechanism.name ?? ""}: curves`);
+function chartHeight({ chart, hasLabels }) {
+  const isPhase = chart.series.some(({ across }) => across !== null);
+  return (isPhase ? PHASE_HEIGHT : CHART_HEIGHT) + (hasLabels ? ACROSS_AXIS - 8 : 0);
 }
 
 /** @param {App} app */

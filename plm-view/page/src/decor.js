@@ -31,12 +31,12 @@ export function drawAxes(pen, projection, palette) {
     const [dx, dy] = [right[axis], -up[axis]];
     if (Math.hypot(dx, dy) < 0.05) {
       pen.polygon(circleOutline(x, y, 3.5), { fill: colour });
-      pen.text(x - 13, y + 9, "xyz"[axis], { colour: palette.ink, size: 12, align: "middle" });
+      pen.text(x - 13, y + 9, "xyz"[axis], { colour: palette.ink, size: 12, align: "middle", halo: palette.background });
       continue;
     }
     drawArrow(pen, [x, y], [x + length * dx, y + length * dy], colour);
     const [tx, ty] = [x + (length + 10) * dx, y + (length + 10) * dy];
-    pen.text(tx, ty, "xyz"[axis], { colour: palette.ink, size: 12, align: "middle" });
+    pen.text(tx, ty, "xyz"[axis], { colour: palette.ink, size: 12, align: "middle", halo: palette.background });
   }
 }
 
@@ -53,7 +53,7 @@ export function drawScaleBar(pen, projection, palette) {
   const [right, y] = [area.x + area.width - 16, area.y + area.height - 16];
   pen.line([right - length, y - 4, right - length, y, right, y, right, y - 4], { stroke: palette.faint, width: 1.2 });
   const [value, unit] = metres >= 1000 ? [metres / 1000, "km"] : metres >= 1 ? [metres, "m"] : [metres * 1000, "mm"];
-  pen.text(right - 0.5 * length, y - 10, quantityText(value, unit), { colour: palette.faint, size: 11, align: "middle" });
+  pen.text(right - 0.5 * length, y - 10, quantityText(value, unit), { colour: palette.faint, size: 11, align: "middle", halo: palette.background });
 }
 
 /**

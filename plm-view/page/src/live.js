@@ -265,14 +265,14 @@ export class Live {
   }
 
   /** @param {Extract<FromWorker, {kind: "settings"}>} settings */
-  take({ parameters, inputs, shape }) {
+  take({ parameters, inputs, shape, sizeNames }) {
     const { mechanism } = this;
     // Where nothing is assembled there are no inputs.
     const known = inputs.map((value, index) => (Number.isNaN(value) ? (this.settings.input[index] ?? 0) : value));
     this.settings = { parameter: parameters, input: known };
     mechanism.parameters.forEach((parameter, index) => (parameter.value = parameters[index]));
     this.revision += 1;
-    if (readShape(mechanism, shape)) this.app.shapeChanged(this.run);
+    if (readShape(mechanism, shape, sizeNames)) this.app.shapeChanged(this.run);
     this.app.touch();
   }
 

@@ -57,15 +57,15 @@ function assemblePage(app) {
 }
 
 /**
- * Draws when something has changed, at most as often as the refresh rate allows.
+ * Draws when something has changed, at most as often as the refresh rate allows; tells how far it is.
  * @param {App} app
  * @param {() => void} draw
  */
 function runFrames(app, draw) {
-  let isAsked = false;
+  const frames = { isAsked: false, drawn: 0 };
   let drawnAt = -Infinity;
   const frame = (/** @type {number} */ now) => {
-    isAsked = false;
+    frames.isAsked = false;
     // Half a millisecond, because frames of the screen do not come exactly in time.
     if (now - drawnAt < 1000 / app.refreshRate - 2) {
       ask();
@@ -74,15 +74,18 @@ function runFrames(app, draw) {
     drawnAt = now;
     app.player.tick(now);
     draw();
+    frames.drawn += 1;
+    if (frames.drawn === 1) performance.mark("first frame");
     if (app.isPlaying) ask();
   };
   const ask = () => {
-    if (isAsked) return;
-    isAsked = true;
+    if (frames.isAsked) return;
+    frames.isAsked = true;
     requestAnimationFrame(frame);
   };
   app.onTouch = ask;
   ask();
+  return frames;
 }
 
 /** @param {App} app */
@@ -120,8 +123,7 @@ export async function startPage(wake) {
   app.zoomToExtents();
   app.live?.inView.choose();
   if (address.length > 1) showAddress(app, address);
-  runFrames(app, draw);
+  const frames = runFrames(app, draw);
   // For tests, and for who wants more.
-  Object.assign(window, { plmPage: { app, panel } });
-  performance.mark("page is ready");
+  Object.assign(window, { plmPage: { app, panel, frames } });
 }

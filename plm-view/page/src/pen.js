@@ -3,13 +3,19 @@
 /** @import {Area} from "./view.js" */
 
 /** @typedef {{fill?: string | null, stroke?: string | null, width?: number, dash?: number[], opacity?: number}} Paint */
-/** @typedef {{colour: string, size: number, align?: "start" | "middle" | "end", bold?: boolean, turned?: boolean}} Lettering */
+/**
+ * `halo` is the colour of a rim, by which letters are read over anything.
+ * @typedef {{colour: string, size: number, align?: "start" | "middle" | "end", bold?: boolean, turned?: boolean, halo?: string}} Lettering
+ */
 /**
  * @typedef {{polygon: (points: ArrayLike<number>, paint: Paint) => void,
  *   line: (points: ArrayLike<number>, paint: Paint) => void,
  *   text: (x: number, y: number, text: string, lettering: Lettering) => void,
  *   within: (area: Area, draw: () => void) => void}} Pen
  */
+
+/** Width of a rim around letters, half of it outside. */
+const HALO = 4;
 
 export const FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
 
@@ -63,7 +69,7 @@ export class CanvasPen {
   }
 
   /** @param {number} x @param {number} y @param {string} text @param {Lettering} lettering */
-  text(x, y, text, { colour, size, align = "start", bold = false, turned = false }) {
+  text(x, y, text, { colour, size, align = "start", bold = false, turned = false, halo }) {
     const { context } = this;
     context.save();
     context.translate(x, y);
@@ -71,6 +77,11 @@ export class CanvasPen {
     context.font = `${bold ? "600 " : ""}${size}px ${FONT}`;
     context.textAlign = align === "middle" ? "center" : align;
     context.fillStyle = colour;
+    if (halo !== undefined) {
+      context.strokeStyle = halo;
+      context.lineWidth = HALO;
+      context.strokeText(text, 0, 0);
+    }
     context.fillText(text, 0, 0);
     context.restore();
   }
@@ -106,11 +117,12 @@ export class SvgPen {
   }
 
   /** @param {number} x @param {number} y @param {string} text @param {Lettering} lettering */
-  text(x, y, text, { colour, size, align = "start", bold = false, turned = false }) {
+  text(x, y, text, { colour, size, align = "start", bold = false, turned = false, halo }) {
+    const rim = halo === undefined ? "" : ` stroke="${halo}" stroke-width="${HALO}" paint-order="stroke"`;
     const turn = turned ? ` transform="rotate(-90 ${svgNumber(x)} ${svgNumber(y)})"` : "";
     this.parts.push(
       `<text x="${svgNumber(x)}" y="${svgNumber(y)}" dy="0.35em" font-size="${size}" text-anchor="${align}" ` +
-        `font-weight="${bold ? 600 : 400}" fill="${colour}"${turn}>${escapeXml(text)}</text>`,
+        `font-weight="${bold ? 600 : 400}" fill="${colour}"${rim}${turn}>${escapeXml(text)}</text>`,
     );
   }
 

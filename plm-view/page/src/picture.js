@@ -8,7 +8,8 @@ import { CanvasPen, SvgPen } from "./pen.js";
 import { pickItem } from "./pick.js";
 import { drawTrace, tracePath, tracePoints } from "./traces.js";
 
-/** @import {App, Shown} from "./app.js" */
+/** @import {App} from "./app.js" */
+/** @import {Shown} from "./shown.js" */
 /** @import {Palette} from "./palette.js" */
 /** @import {Pen} from "./pen.js" */
 /** @import {Run} from "./run.js" */

@@ -9,8 +9,9 @@ const knownShapes = new WeakMap();
  * Puts the numbers of `plm_shape` (plm-view/src/live/shim.rs) into a mechanism; whether anything changed.
  * @param {Mechanism} mechanism
  * @param {Float64Array} numbers
+ * @param {string} sizeNames as `plm_size_names` gives them
  */
-export function readShape(mechanism, numbers) {
+export function readShape(mechanism, numbers, sizeNames) {
   const text = numbers.join();
   if (knownShapes.get(mechanism) === text) return false;
   knownShapes.set(mechanism, text);
@@ -27,6 +28,13 @@ export function readShape(mechanism, numbers) {
   for (const port of mechanism.ground) {
     place(port);
     port.depth = next();
+  }
+  for (const line of sizeNames === "" ? [] : sizeNames.split("\n")) {
+    const [name, ...sizes] = line.split(" ");
+    const part = mechanism.parts.find((candidate) => candidate.name === name);
+    const read = sizes.map((size) => [size.replace(/_diameter$/, ""), next()]);
+    // As in a results file: what was not given is left out.
+    if (part !== undefined) part.sizes = Object.fromEntries(read.filter(([, size]) => Number.isFinite(size) && size !== 0));
   }
   return true;
 }

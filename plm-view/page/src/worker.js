@@ -10,7 +10,7 @@
  *   plm_input: (index: number) => number, plm_set_input: (index: number, value: number) => void,
  *   plm_pull: (body: number, x: number, y: number, fx: number, fy: number) => void,
  *   plm_place: (body: number, x: number, y: number, angle: number) => number,
- *   plm_trouble: () => number, plm_trouble_length: () => number}} LiveExports
+ *   plm_trouble: () => number, plm_size_names: () => number, plm_text_length: () => number}} LiveExports
  */
 
 /**
@@ -26,7 +26,7 @@
  *   | {kind: "place", body: number, point: number[], target: number[], turn: number}} ToWorker
  * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "began", numbers: Float64Array, isAssembled: boolean}
  *   | {kind: "trouble", trouble: Trouble | null} | {kind: "placed"} | {kind: "broken", text: string}
- *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array}} FromWorker
+ *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
  */
 
 export class LiveMachine {
@@ -75,12 +75,17 @@ export class LiveMachine {
     this.post({ kind: "rows", width, numbers });
   }
 
+  /** A text that the module keeps. @param {() => number} ask gives its place */
+  text(ask) {
+    const [place, length] = [ask(), this.exports.plm_text_length()];
+    return new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, place, length));
+  }
+
   /** @returns {Trouble | null} */
   trouble() {
-    const { exports } = this;
-    const [place, length] = [exports.plm_trouble(), exports.plm_trouble_length()];
-    if (length === 0) return null;
-    const [time, part, ...text] = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, place, length)).split("\n");
+    const words = this.text(this.exports.plm_trouble);
+    if (words === "") return null;
+    const [time, part, ...text] = words.split("\n");
     return { time: Number(time), part, text: text.join("\n") };
   }
 
@@ -99,7 +104,7 @@ export class LiveMachine {
     const inputs = Array.from({ length: counts.inputs }, (_, index) => exports.plm_input(index));
     const [place, length] = [exports.plm_shape(), exports.plm_shape_length()];
     const shape = new Float64Array(exports.memory.buffer, place, length).slice();
-    this.send({ kind: "settings", parameters, inputs, shape });
+    this.send({ kind: "settings", parameters, inputs, shape, sizeNames: this.text(exports.plm_size_names) });
   }
 
   /** @param {"restart" | "reset"} how */

@@ -182,12 +182,15 @@ test("a pull holds the weight at a few sizes of a body, and shakes no light one"
 });
 
 test("what parameters change of bodies is drawn", () => {
-  const { mechanism } = oneBody();
-  const numbers = Float64Array.from([3, 0.6, 0.1, 1.5, 0, 0, 3, 0, 0, 1, 0, 0, 1, 0.2, 0.3, 0, 0.05]);
-  assert.ok(readShape(mechanism, numbers));
+  const pin = { name: "hinge", kind: "revolute", pair: "revolute", frames: [{ argument: "a", body: null, port: 0 }, { argument: "b", body: 0, port: 0 }], sizes: { pin: 0.1 } };
+  const { mechanism } = oneBody({ parts: [pin, { ...pin, name: "ram", kind: "jack", pair: null, sizes: {} }] });
+  const sizes = "hinge pin_diameter\nram free_length piston_diameter rod_diameter";
+  const numbers = Float64Array.from([3, 0.6, 0.1, 1.5, 0, 0, 3, 0, 0, 1, 0, 0, 1, 0.2, 0.3, 0, 0.05, 0.15, 0.7, 0.09, 0]);
+  assert.ok(readShape(mechanism, numbers, sizes));
+  assert.deepEqual(mechanism.parts.map((part) => part.sizes), [{ pin: 0.15 }, { free_length: 0.7, piston: 0.09 }]);
   assert.deepEqual(mechanism.bodies[0], { name: "b", mass: 3, inertia: 0.6, depth: 0.1, ports: [{ name: "p", x: 1.5, y: 0, angle: 0 }], contour: [[0, 0], [1, 0], [0, 1]] });
   assert.deepEqual(mechanism.ground[0], { name: "o", x: 0.2, y: 0.3, angle: 0, depth: 0.05 });
-  assert.ok(!readShape(mechanism, numbers.slice()), "nothing has changed");
+  assert.ok(!readShape(mechanism, numbers.slice(), sizes), "nothing has changed");
 });
 
 test("what is exported is read back to the bit, by the page's own reader", async () => {

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { addressOf, showAddress } from "../src/address.js";
 import { App } from "../src/app.js";
 import { COMMANDS, GROUPS } from "../src/commands.js";
-import { curvesSvg } from "../src/curves.js";
+import { curvesSvg } from "../src/charts.js";
 import { keyName } from "../src/keys.js";
 import { luminance, DARK, LIGHT } from "../src/palette.js";
 import { pickAt, pictureSvg } from "../src/picture.js";

@@ -60,6 +60,16 @@ export function writePage(name, bytes, title = name, module = null) {
   return pathToFileURL(html).href;
 }
 
+/** A page that `cargo test -p plm-planar --test manual pages` has written; `PLM_PAGES` names the folder. */
+const made = (name) => join(process.env["PLM_PAGES"] ?? "", `${name}.html`);
+export const madePage = (name) => pathToFileURL(made(name)).href;
+
+/** Why tests of such a page are skipped; false if they run. */
+export const withoutPage = (name) =>
+  skip || (process.env["PLM_PAGES"] !== undefined && existsSync(made(name))
+    ? false
+    : `skipped: there is no page ${name}; \`cargo test -p plm-planar --test manual pages\` writes it, and PLM_PAGES names its folder`);
+
 export const writeRuns = (name, runs, title) => writePage(name, makeNpz(runs), title);
 
 /**
@@ -81,6 +91,17 @@ export async function open(address, { width = 1200, height = 800, theme = "light
   return { page, ...heard };
 }
 
+/** From the beginning of opening to the first frame, ms: the best of a few, because other programs keep the machine busy. */
+export async function openedIn(address) {
+  let best = Infinity;
+  for (let attempt = 0; attempt < 5 && best > 1000; attempt++) {
+    const { page } = await open(address);
+    best = Math.min(best, await page.evaluate(() => performance.getEntriesByName("first frame")[0].startTime));
+  }
+  console.log(`${address.split("/").at(-1)}: first frame after ${Math.round(best)} ms`);
+  return best;
+}
+
 /** A page is used again and again: to make one takes longer than most tests. @type {any} */
 let used = null;
 /** @type {{requests: string[], errors: string[]}} */
@@ -99,9 +120,32 @@ async function newPage() {
 
 /** Until what was asked for is drawn. */
 export async function settle(page) {
-  await page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))),
-  );
+  await page.evaluate(async () => {
+    const { frames } = window.plmPage;
+    const next = () => new Promise(requestAnimationFrame);
+    // Events that are under way have been heard by then.
+    await next();
+    await next();
+    const { drawn } = frames;
+    // While it plays there is always one that is asked for.
+    while (frames.isAsked && frames.drawn < drawn + 2) await next();
+  });
+}
+
+/** So many frames of the screen, in which something might happen that must not. */
+export async function frames(page, count = 10) {
+  await page.evaluate(async (left) => {
+    while (left-- > 0) await new Promise(requestAnimationFrame);
+  }, count);
+}
+
+/** Looks again and again until something holds. */
+export async function until(page, holds, message) {
+  const end = Date.now() + 20_000;
+  while (!(await holds())) {
+    if (Date.now() > end) throw new Error(`in 20 s it does not hold that ${message}`);
+    await frames(page, 2);
+  }
 }
 
 /** What is on a canvas: a number of its pixels, how many differ from the background, and how many have each of some colours. */
@@ -148,6 +192,42 @@ export async function middleOf(page, rgb) {
     const ratio = width / box.width;
     return { x: box.left + x / count / ratio, y: box.top + y / count / ratio, count };
   }, rgb);
+}
+
+/**
+ * The connected pieces of a canvas that have a colour, in its pixels: middle, number of pixels, box. Those of a few pixels are
+ * corners that were smoothed.
+ */
+export async function pieces(page, rgb, { selector = "#picture", least = 6 } = {}) {
+  return page.evaluate(
+    ([target, wanted, fewest]) => {
+      const canvas = document.querySelector(target);
+      const { width, height } = canvas;
+      const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+      const isOf = Array.from({ length: width * height }, (_, at) => wanted.every((part, index) => Math.abs(part - data[4 * at + index]) <= 12));
+      const found = [];
+      for (let start = 0; start < isOf.length; start++) {
+        if (!isOf[start]) continue;
+        isOf[start] = false;
+        const [waiting, piece] = [[start], { x: 0, y: 0, count: 0, left: width, right: 0, top: height, bottom: 0 }];
+        while (waiting.length > 0) {
+          const at = waiting.pop();
+          const [x, y] = [at % width, Math.floor(at / width)];
+          [piece.x, piece.y, piece.count] = [piece.x + x, piece.y + y, piece.count + 1];
+          [piece.left, piece.right] = [Math.min(piece.left, x), Math.max(piece.right, x)];
+          [piece.top, piece.bottom] = [Math.min(piece.top, y), Math.max(piece.bottom, y)];
+          const beside = [x > 0 ? at - 1 : at, x + 1 < width ? at + 1 : at, at - width, at + width];
+          for (const next of beside.filter((other) => isOf[other])) {
+            isOf[next] = false;
+            waiting.push(next);
+          }
+        }
+        if (piece.count >= fewest) found.push({ ...piece, x: piece.x / piece.count, y: piece.y / piece.count });
+      }
+      return found;
+    },
+    [selector, rgb, least],
+  );
 }
 
 /** What a command does to the page. */

@@ -1,0 +1,51 @@
+// How long frames take while a run plays, for chains of bars. What is drawn in a second is printed: it is the machine's.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { chain } from "../tests/support/scenes.js";
+import { open, skip, writeRuns } from "./support/browser.js";
+
+/** Frames of which the middle one counts. */
+const FRAMES = 40;
+const LIMITS = { 40: 16, 200: 33 };
+
+/** Script of the frames of a page that plays, ms, and how many there were in a second. */
+const measure = (page) =>
+  page.evaluate(async (count) => {
+    const { app } = window.plmPage;
+    app.player.isLooping = true;
+    const scripts = [];
+    const tick = app.player.tick.bind(app.player);
+    app.player.tick = (now) => {
+      const started = performance.now();
+      // A task behind the frame: everything of it has been drawn by then.
+      queueMicrotask(() => scripts.push(performance.now() - started));
+      return tick(now);
+    };
+    app.player.play();
+    app.touch();
+    const began = performance.now();
+    while (scripts.length < count) await new Promise(requestAnimationFrame);
+    app.player.stop();
+    app.player.tick = tick;
+    const rate = (1000 * count) / (performance.now() - began);
+    return { script: scripts.sort((a, b) => a - b)[count >> 1], rate };
+  }, FRAMES);
+
+for (const [count, limit] of Object.entries(LIMITS)) {
+  test(`a frame of ${count} bodies takes less than ${limit} ms of script`, { skip }, async () => {
+    const address = writeRuns(`chain${count}`, [chain(Number(count), { end: 4, rate: 50 })]);
+    for (const view of ["front", "isometric"]) {
+      const { page } = await open(address);
+      await page.click(`#do-${view}`);
+      let best = { script: Infinity, rate: 0 };
+      // Other programs may keep the machine busy.
+      for (let attempt = 0; attempt < 4 && best.script > limit; attempt++) {
+        const found = await measure(page);
+        if (found.script < best.script) best = found;
+      }
+      console.log(`${count} bodies, ${view}: ${best.script.toFixed(1)} ms of script a frame, ${best.rate.toFixed(0)} frames a second`);
+      assert.ok(best.script < limit, `${view}: ${best.script} ms`);
+    }
+  });
+}
