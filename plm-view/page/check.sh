@@ -21,6 +21,11 @@ if [ -z "${PLM_LIVE:-}" ] && live=$(cd "$target" 2>/dev/null && cd tmp/live 2>/d
     export PLM_LIVE=$live
 fi
 
+# The served page's test takes the example of plm-planar where `cargo test` has built it; without it it says so.
+if [ -z "${PLM_SERVED:-}" ] && served=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$served/served" ]; then
+    export PLM_SERVED=$served/served
+fi
+
 printf '== types\n'
 node_modules/.bin/tsc --project tsconfig.json
 

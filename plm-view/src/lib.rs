@@ -30,6 +30,7 @@ pub mod live;
 mod page;
 mod recording;
 mod results;
+pub mod serve;
 
 pub use chart::{Axis, Chart, Rule, Series};
 pub use error::{Error, Unread};
