@@ -3,13 +3,10 @@
 //!
 //! Times are the least of several runs, on whatever machine this is: compare them with each other.
 
-#[allow(dead_code, reason = "it takes no options")]
-#[path = "arguments/mod.rs"]
-mod arguments;
-
 use std::error::Error;
 use std::time::Instant;
 
+use plm::view::Arguments;
 use plm::{Dop853, Fault, Method, RadauIia5, Sim, StartAuto};
 
 plm::mechanism! {
@@ -111,7 +108,10 @@ fn compare<M: StartAuto>(name: &str, mechanism: M, time: f64, rtol: f64) -> Resu
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    arguments::Arguments::new().end("none")?;
+    if let Some(help) = Arguments::from_args(&[])?.help() {
+        println!("{help}");
+        return Ok(());
+    }
     for rtol in [1e-5, 1e-8, 1e-11] {
         for ratio in [10.0, 30.0, 100.0, 300.0, 1e3, 1e4] {
             // Roots -10 and -10 ratio.

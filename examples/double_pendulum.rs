@@ -47,7 +47,12 @@ plm::mechanism! {
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let options = Options::from_args()?;
+    // The figures are those of one method, and the mechanism has neither parameters nor inputs.
+    let options = Options::table().without(&["serve", "method", "set", "input"]).from_args()?;
+    if let Some(help) = &options.help {
+        println!("{help}");
+        return Ok(ExitCode::SUCCESS);
+    }
     let mut figures = Figures::new();
     unlocked_assembly(&mut figures)?;
     locked_assembly(&mut figures)?;

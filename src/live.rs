@@ -1,7 +1,8 @@
 //! A mechanism that is run from outside, by number: parameters are turned, bodies are pulled while it moves, starts are set by
 //! hand. A page holds it as WebAssembly; what it computes is what every other run computes, to the bit.
 
-use plm_runtime::described::Place;
+pub(crate) mod by_number;
+
 use plm_runtime::statics::Statics;
 use std::fmt::Write;
 use std::string::{String, ToString};
@@ -51,6 +52,11 @@ pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
     text
 }
 
+/// The input through which a body is pulled: `x`, `y` or `turn`.
+pub(crate) fn pull_input(body: usize, suffix: &str) -> String {
+    format!("{PULL}{body}_{suffix}")
+}
+
 impl<M: Described<S = f64> + Statics> Live<M> {
     /// Assembles it and stands at the start.
     pub fn new(mechanism: M) -> Self {
@@ -73,7 +79,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let sim = self.keep(started);
         self.sim = sim.map(|mut sim| {
             for (index, value) in inputs.into_iter().enumerate() {
-                set_input(&mut sim, index, value);
+                by_number::set_input(&mut sim, index, value);
             }
             sim
         });
@@ -96,23 +102,11 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// and all observed quantities, in SI. Where nothing was assembled, the start values as they are set.
     pub fn read(&mut self) -> &[f64] {
         self.numbers.clear();
-        if self.sim.is_some() {
-            self.read_state();
-        } else {
-            self.read_starts();
+        match &self.sim {
+            Some(sim) => by_number::moment::<M>(sim.state(), &mut self.numbers),
+            None => self.read_starts(),
         }
         &self.numbers
-    }
-
-    fn read_state(&mut self) {
-        let (Some(sim), numbers) = (&self.sim, &mut self.numbers) else { return };
-        let state = sim.state();
-        numbers.push(state.time());
-        M::poses(state, &mut |pose| numbers.extend(pose.components()));
-        for port in 0..M::TABLES.ground.len() {
-            numbers.extend(Place::components(state.mechanism().ground(state.time(), port)));
-        }
-        numbers.extend((0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN)));
     }
 
     fn read_starts(&mut self) {
@@ -131,23 +125,9 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
     /// [`size_names`](Self::size_names), 0 where none was given.
     pub fn shape(&mut self) -> &[f64] {
-        let (of, shape) = (&self.mechanism, &mut self.shape);
-        let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
-        shape.clear();
-        for (k, body) in M::TABLES.bodies.iter().enumerate() {
-            shape.extend([of.mass(k), of.inertia(k), of.depth(k)].map(number));
-            shape.extend((0..body.ports.len()).flat_map(|port| Place::components(of.port(k, port))));
-            shape.push(body.contour as f64);
-            shape.extend((0..body.contour).flat_map(|point| of.contour(k, point).unwrap_or([f64::NAN; 2])));
-        }
-        for k in 0..M::TABLES.ground.len() {
-            shape.extend(Place::components(of.ground(0.0, k)));
-            shape.push(number(of.ground_depth(k)));
-        }
-        for (k, part) in M::TABLES.parts.iter().enumerate() {
-            shape.extend((0..part.sizes.len()).map(|size| number(Described::size(of, k, size))));
-        }
-        shape
+        self.shape.clear();
+        by_number::shape(&self.mechanism, &mut self.shape);
+        &self.shape
     }
 
     /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
@@ -163,28 +143,24 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         self.mechanism.parameter(index).unwrap_or(f64::NAN)
     }
 
-    /// Sets a parameter, SI; a run that can go on does.
+    /// Sets a parameter, SI, and the starts that are made of it; a run that can go on does.
     pub fn set_parameter(&mut self, index: usize, value: f64) {
-        self.mechanism.set_parameter(index, value);
+        by_number::set_parameter(&mut self.mechanism, index, value);
         if let Some(sim) = &mut self.sim {
-            let mut mechanism = *sim.state().mechanism();
-            mechanism.set_parameter(index, value);
-            let state = sim.state();
-            let (held, time, x) = (state.held(), state.time(), *state.x());
-            **sim = Moment::new(mechanism, held, time, x);
+            by_number::set_running_parameter(sim, index, value);
         }
     }
 
     /// An input, SI; not a number beyond the last, and where nothing was assembled.
     pub fn input(&self, index: usize) -> f64 {
-        let mut held = self.sim.as_ref().map(|sim| sim.state().held());
-        held.as_mut().and_then(|held| M::input(M::inputs(held), index).copied()).unwrap_or(f64::NAN)
+        let sim = self.sim.as_ref();
+        sim.and_then(|sim| by_number::input::<M>(sim.state(), index)).unwrap_or(f64::NAN)
     }
 
     /// Sets an input, SI.
     pub fn set_input(&mut self, index: usize, value: f64) {
         if let Some(sim) = &mut self.sim {
-            set_input(sim, index, value);
+            by_number::set_input(sim, index, value);
         }
     }
 
@@ -194,7 +170,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let Some(pose) = self.sim.as_ref().and_then(|sim| M::pose(sim.state(), body)) else { return };
         let turn = (x - pose.x) * fy - (y - pose.y) * fx;
         for (suffix, value) in [("x", fx), ("y", fy), ("turn", turn)] {
-            let name = format!("{PULL}{body}_{suffix}");
+            let name = pull_input(body, suffix);
             if let Some(index) = M::INPUTS.iter().position(|(input, _)| *input == name) {
                 self.set_input(index, value);
             }
@@ -281,13 +257,4 @@ impl BodyTurn {
     fn apply(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
-}
-
-fn set_input<M: Described<S = f64>>(sim: &mut Sim<M>, index: usize, value: f64) {
-    let state = sim.state();
-    let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
-    if let Some(input) = M::input(M::inputs(&mut held), index) {
-        *input = value;
-    }
-    **sim = Moment::new(mechanism, held, time, x);
 }

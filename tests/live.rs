@@ -143,3 +143,37 @@ fn a_declaration_gets_its_pulls() {
     assert!(text.contains("plm_pull plm_pull_0(b)") && text.trim_end().ends_with('}'));
     assert!(<FourBar>::DECLARATION.contains("body crank"), "{}", <FourBar>::DECLARATION);
 }
+
+plm::mechanism! {
+    /// A mass that starts where a parameter says.
+    Placed {
+        param place: mm = 100 mm;
+        param pressed: N = place*2 N/m;
+        ground { port o: (0, 0) m; }
+        body mass { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; start x: place, locked; }
+        prismatic rail(mass.a, ground.o) { stiffness: 200 N/m; }
+        state force: N = pressed + place*1 N/m;
+        rate force = 0 N/s;
+        output mass.x, force;
+    }
+}
+
+#[test]
+fn starts_that_are_made_of_a_parameter_follow_it() {
+    let mut live = Live::new(Placed::new());
+    let force = <Placed>::OBSERVED.iter().position(|(name, _)| *name == "force").unwrap();
+    let started = |live: &mut Live<Placed>| {
+        assert!(live.restart());
+        let numbers = live.read();
+        [numbers[1], numbers[1 + 6 + 3 + force]]
+    };
+    live.set_parameter(0, 0.12);
+    // The other parameter is a value of its own.
+    let [place, force] = started(&mut live);
+    assert!(place == 0.12 && (force - (0.2 + 0.12)).abs() < 1e-15, "{place} {force}");
+    // What was placed by hand stays there.
+    assert!(live.place(0, [0.3, 0.0, 0.0]));
+    live.set_parameter(0, 0.15);
+    let [place, force] = started(&mut live);
+    assert!((place - 0.3).abs() < 1e-12 && (force - 0.35).abs() < 1e-15, "{place} {force}");
+}

@@ -12,8 +12,6 @@
 #![allow(dead_code, reason = "the tests show more of the scenes")]
 #![allow(clippy::excessive_precision, reason = "references keep the digits that they were computed with")]
 
-#[path = "../arguments/mod.rs"]
-mod arguments;
 mod figures;
 mod scenes;
 
@@ -21,17 +19,25 @@ use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
 
-use arguments::Arguments;
 use figures::{
     Figure, Page, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting,
 };
 use plm::Fault;
+use plm::view::{Arguments, Known};
+
+const KNOWN: [Known; 2] = [
+    Known::value("out", "DIR", "where pictures and tables go; target/plm/stability if nothing is said"),
+    Known::flag("quick", "long runs a hundred times shorter"),
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = Arguments::new();
-    let folder = PathBuf::from(arguments.value("--out")?.unwrap_or("target/plm/stability".to_owned()));
-    let shorter = if arguments.flag("--quick") { 100 } else { 1 };
-    arguments.end("--quick, --out DIR")?;
+    let arguments = Arguments::from_args(&KNOWN)?;
+    if let Some(help) = arguments.help() {
+        println!("{help}");
+        return Ok(());
+    }
+    let folder = arguments.value("out").map_or(PathBuf::from("target/plm/stability"), PathBuf::from);
+    let shorter = if arguments.flag("quick") { 100 } else { 1 };
 
     let mut page = Page::default();
     for make in all(shorter) {

@@ -42,10 +42,11 @@ use options::Options;
 use table::Table;
 
 fn main() -> ExitCode {
-    let options = match Options::read(std::env::args().skip(1)) {
-        Ok(options) => options,
+    let options = match Options::from_args() {
+        Ok(Some(options)) => options,
+        Ok(None) => return ExitCode::SUCCESS,
         Err(what) => {
-            eprintln!("{what}\n{}", options::USAGE);
+            eprintln!("{what}");
             return ExitCode::from(2);
         }
     };

@@ -1,5 +1,7 @@
 //! What the command line asks for.
 
+use plm::view::{Arguments, BadOption, Known};
+
 use crate::cases::KINDS;
 
 /// The command line, read.
@@ -19,51 +21,45 @@ pub struct Options {
     pub check_reference: bool,
 }
 
-pub const USAGE: &str = "usage: sweep [CASES] [--seed N] [--case N] [--only KIND] [--threads N] [--verbose] [--double] [--check-reference]";
+const KNOWN: [Known; 8] = [
+    Known::word("CASES", "how many; 1000 if nothing is said"),
+    Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
+    Known::value("case", "N", "this one alone, with all its numbers"),
+    Known::value("only", "KIND", "kinds whose name contains this"),
+    Known::value("threads", "N", "as many as the machine has if nothing is said"),
+    Known::flag("verbose", "lists every case that is not right"),
+    Known::flag("double", "without f32"),
+    Known::flag("check-reference", "the reference itself, beside published digits"),
+];
 
 impl Options {
-    /// Reads arguments.
+    /// Those of the command line; nothing where help was asked for and printed.
     ///
     /// # Errors
     /// What is wrong with them, in a sentence.
-    pub fn read(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
-        let mut options = Self {
-            cases: 1000,
-            seed: 1,
-            case: None,
-            only: None,
-            verbose: false,
-            double: false,
-            threads: None,
-            check_reference: false,
-        };
-        let mut arguments = arguments;
-        while let Some(word) = arguments.next() {
-            let mut value = || arguments.next().ok_or(format!("{word} needs a value"));
-            match word.as_str() {
-                "--seed" => options.seed = number(&word, &value()?)?,
-                "--case" => options.case = Some(number(&word, &value()?)?),
-                "--threads" => options.threads = Some(number(&word, &value()?)? as usize),
-                "--only" => options.only = Some(kind(value()?)?),
-                "--verbose" => options.verbose = true,
-                "--double" => options.double = true,
-                "--check-reference" => options.check_reference = true,
-                _ if word.starts_with('-') => return Err(format!("unknown option {word}")),
-                _ => options.cases = number("the number of cases", &word)?,
-            }
+    pub fn from_args() -> Result<Option<Self>, BadOption> {
+        let given = Arguments::from_args(&KNOWN)?;
+        if let Some(help) = given.help() {
+            println!("{help}");
+            return Ok(None);
         }
-        Ok(options)
+        Ok(Some(Self {
+            cases: given.number("CASES")?.unwrap_or(1000),
+            seed: given.number("seed")?.unwrap_or(1),
+            case: given.number("case")?,
+            only: given.text("only")?.map(kind).transpose()?,
+            verbose: given.flag("verbose"),
+            double: given.flag("double"),
+            threads: given.number("threads")?,
+            check_reference: given.flag("check-reference"),
+        }))
     }
 }
 
-fn number(what: &str, text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("{what}: {text} is no whole number"))
-}
-
-fn kind(name: String) -> Result<String, String> {
+fn kind(name: String) -> Result<String, BadOption> {
     if KINDS.iter().any(|kind| kind.name.contains(&name)) {
         return Ok(name);
     }
     let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
-    Err(format!("--only: no kind is called {name}; there are {}", names.join("; ")))
+    Err(BadOption::new(format!("--only: no kind is called {name}; there are {}", names.join("; "))))
 }

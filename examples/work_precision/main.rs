@@ -16,8 +16,6 @@
 #![allow(missing_docs, reason = "the macros of the scenes declare public modules")]
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 
-#[path = "../arguments/mod.rs"]
-mod arguments;
 mod arms;
 mod list;
 mod measure;
@@ -31,9 +29,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
 
+use plm::view::{Arguments, Known};
 use plm_peers::peers;
 
-use arguments::Arguments;
 use list::SCENES;
 use measure::{Bench, Effort, Scene};
 use report::{Result as Measured, outcome};
@@ -42,11 +40,23 @@ const FULL: Effort =
     Effort { per_decade: 4, fewest_runs: 7, most_runs: 1000, spent: 0.01, longest_run: 0.03 };
 const QUICK: Effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spent: 0.0, longest_run: 0.02 };
 
+const KNOWN: [Known; 2] = [
+    Known::value(
+        "out",
+        "DIR",
+        "where runs, tables and pictures go; target/plm/work-precision if nothing is said",
+    ),
+    Known::flag("quick", "few settings, each run once"),
+];
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = Arguments::new();
-    let effort = if arguments.flag("--quick") { &QUICK } else { &FULL };
-    let folder = PathBuf::from(arguments.value("--out")?.as_deref().unwrap_or("target/plm/work-precision"));
-    arguments.end("--quick, --out DIR")?;
+    let arguments = Arguments::from_args(&KNOWN)?;
+    if let Some(help) = arguments.help() {
+        println!("{help}");
+        return Ok(());
+    }
+    let effort = if arguments.flag("quick") { &QUICK } else { &FULL };
+    let folder = arguments.value("out").map_or(PathBuf::from("target/plm/work-precision"), PathBuf::from);
     fs::create_dir_all(&folder)?;
 
     let mut csv = "scene,rung,method,setting,error,seconds,evaluations,fault\n".to_owned();

@@ -46,6 +46,13 @@ pub trait Statics: Mechanism {
     /// The start values as they are set: those of each body (x, y, angle, vx, vy, omega), then first-order states.
     fn starts_mut(&mut self) -> &mut Self::Starts;
 
+    /// The start values as declared, those that read parameters with the parameters as they are; where none does, as they are
+    /// set.
+    fn declared_starts(&self) -> Self::Starts {
+        let mut own = *self;
+        *own.starts_mut()
+    }
+
     /// Start values that lead to a state; locks stay as they are set.
     fn starts_at(&self, x: &Self::Full) -> Self::Starts;
 

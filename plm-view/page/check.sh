@@ -23,6 +23,11 @@ if [ -d "$target/tmp" ]; then
     export PLM_LIVE=${PLM_LIVE:-$made/live} PLM_PAGES=${PLM_PAGES:-$made/pages}
 fi
 
+# The served page's test takes the example of plm-planar where `cargo test` has built it; without it it says so.
+if [ -z "${PLM_SERVED:-}" ] && served=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$served/served" ]; then
+    export PLM_SERVED=$served/served
+fi
+
 printf '== types\n'
 node_modules/.bin/tsc --project tsconfig.json
 

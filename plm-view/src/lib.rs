@@ -30,6 +30,7 @@ pub mod live;
 mod page;
 mod recording;
 mod results;
+pub mod serve;
 mod sketch;
 
 pub use chart::{Axis, Chart, Rule, Series};

@@ -11,6 +11,7 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 
 use crate::error::{Error, write_file};
+use bundle::Kind;
 
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
@@ -56,13 +57,21 @@ impl Page {
 
     /// The text of the file.
     pub fn to_html(&self) -> String {
+        if self.module.is_empty() {
+            return self.filled(&bundle::script(Kind::Results), "");
+        }
+        let script = element("packed", bundle::script(Kind::Alive).as_bytes());
+        self.filled(&bundle::without_noise(UNPACK), &(script + &element("module", &self.module)))
+    }
+
+    /// The text of the page as a running program serves it.
+    pub(crate) fn to_served_html(&self) -> String {
+        self.filled(&bundle::script(Kind::Served), "")
+    }
+
+    /// The template with everything in its places.
+    fn filled(&self, script: &str, packed: &str) -> String {
         let results = STANDARD.encode(&self.results);
-        let (script, packed) = if self.module.is_empty() {
-            (bundle::script(false), String::new())
-        } else {
-            let script = element("packed", bundle::script(true).as_bytes());
-            (bundle::without_noise(UNPACK), script + &element("module", &self.module))
-        };
         let mut html =
             String::with_capacity(TEMPLATE.len() + STYLE.len() + script.len() + packed.len() + results.len());
         let mut rest = TEMPLATE;
@@ -72,9 +81,9 @@ impl Page {
             match name {
                 "title" => html.push_str(&escape(&self.title)),
                 "style" => html.push_str(STYLE),
-                "script" => html.push_str(&script),
+                "script" => html.push_str(script),
                 "results" => html.push_str(&results),
-                "packed" => html.push_str(&packed),
+                "packed" => html.push_str(packed),
                 other => html.push_str(other),
             }
             rest = after;
@@ -179,8 +188,8 @@ mod tests {
     #[test]
     fn nothing_is_asked_of_a_network() {
         // The script of a live page stands packed in it.
-        let html =
-            Page::new(&[], "x").with_module(&[0]).to_html() + &bundle::script(true) + &bundle::script(false);
+        let html = Page::new(&[], "x").with_module(&[0]).to_html()
+            + &[Kind::Results, Kind::Alive].map(bundle::script).concat();
         let addresses: Vec<&str> = html.split("http").skip(1).collect();
         // The name of a vocabulary, which nobody fetches.
         assert!(addresses.iter().all(|text| text.starts_with("://www.w3.org/2000/svg")), "{addresses:?}");
@@ -188,6 +197,14 @@ mod tests {
             ["src=", "@import url", "url(//", "fetch(", "XMLHttpRequest", "WebSocket", "importScripts"]
         {
             assert!(!html.contains(word), "{word}");
+        }
+        // A served page asks the program that serves it, by names without a host.
+        let served = Page::new(&[], "x").to_served_html();
+        for (word, ours) in [("fetch(", "fetch(\"message\""), ("EventSource(", "EventSource(\"events\"")] {
+            assert!(
+                served.contains(ours) && served.matches(word).count() == served.matches(ours).count(),
+                "{word}"
+            );
         }
     }
 }

@@ -1,15 +1,21 @@
 //! Results: recordings of runs, files, charts; what `plm_view` has, and what records a mechanism.
 
+mod arguments;
 mod described;
+mod integrator;
 mod options;
 mod program;
 mod recorder;
+mod server;
 mod sketch;
 
 pub use plm_view::*;
 
+pub use arguments::{Arguments, BadOption, Known};
 pub use described::mechanism;
-pub use options::{BadOption, Options};
+pub use integrator::Integrator;
+pub use options::{Options, Table};
 pub use program::{Program, run, write};
 pub use recorder::Recorder;
+pub use server::Server;
 pub use sketch::sketch;

@@ -2,24 +2,31 @@
 
 use std::borrow::ToOwned;
 use std::ffi::OsString;
-use std::fmt;
 use std::format;
 use std::path::PathBuf;
-use std::string::{String, ToString};
+use std::str::FromStr;
+use std::string::String;
 use std::vec::Vec;
 
-use lexopt::{Arg, Parser, ValueExt};
-use plm_runtime::{AsMoment, Described, Moment};
+use plm_runtime::described::Quantity;
+use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
+use super::arguments::{Arguments, BadOption, Known, nearest};
+use super::integrator::{Integrator, METHODS};
 use super::recorder::Recorder;
+use crate::live::by_number;
 
 /// What is asked for on the command line.
 ///
 /// ```
-/// use plm::view::Options;
+/// use plm::view::{Known, Options};
 ///
 /// let options = Options::parse(["--until", "5", "--set", "mass=3", "--csv=run.csv"])?;
 /// assert_eq!((options.until, options.csv.as_deref()), (Some(5.0), Some("run.csv".as_ref())));
+/// // What is one program's own stands in the same table; what it has no use for does not.
+/// let table = Options::table().without(&["csv"]).with(&[Known::value("gain", "NUMBER", "of the controller")]);
+/// assert_eq!(table.parse(["--gain", "2.5"])?.own.number("gain")?, Some(2.5));
+/// assert!(table.parse(["--csv", "run.csv"]).is_err());
 /// assert!(Options::parse(["--untl", "5"]).unwrap_err().to_string().contains("--until"));
 /// # Ok::<(), plm::view::BadOption>(())
 /// ```
@@ -29,6 +36,8 @@ pub struct Options {
     pub view: Option<PathBuf>,
     /// `--live`: the page holds the mechanism itself, to be run in it.
     pub live: bool,
+    /// `--serve[=PORT]`: the program serves the page while it runs; the port is chosen by the system where it is 0.
+    pub serve: Option<u16>,
     /// `--csv FILE`: the table.
     pub csv: Option<PathBuf>,
     /// `--svg FILE`: the curves.
@@ -41,47 +50,70 @@ pub struct Options {
     pub every: Option<f64>,
     /// `--set NAME=VALUE`, as often as wanted: parameters in their declared units.
     pub set: Vec<(String, f64)>,
-    /// `--help`.
-    pub help: bool,
+    /// `--input NAME=VALUE`, as often as wanted: inputs in their declared units, held over the run.
+    pub input: Vec<(String, f64)>,
+    /// `--method NAME[:NUMBER]`.
+    pub method: Option<Integrator>,
+    /// `--help`: what is to be printed.
+    pub help: Option<String>,
+    /// All that was given, the program's own options among it.
+    pub own: Arguments,
 }
 
-/// The options in words.
-pub(super) const HELP: &str = "\
---view FILE       the page that moves, one HTML file (written to target/plm where nothing else is asked for)
---live            the page holds the mechanism itself: parameters are turned, bodies pulled
---out FILE        the results file, .npz (NumPy reads it)
---csv FILE        the table
---svg FILE        the curves
---until TIME      when the run ends, s
---every TIME      between samples, s
---set NAME=VALUE  a parameter in its declared unit; as often as wanted
---help            these lines";
+/// The usual options.
+const USUAL: [Known; 11] = [
+    Known::value(
+        "view",
+        "FILE",
+        "the page that moves, one HTML file (to target/plm where nothing else is asked for)",
+    ),
+    Known::flag("live", "the page holds the mechanism itself: parameters are turned, bodies pulled"),
+    Known::flag_or_value("serve", "PORT", "serves the page while it runs by the clock; writes no file"),
+    Known::value("out", "FILE", "the results file, .npz (NumPy reads it)"),
+    Known::value("csv", "FILE", "the table"),
+    Known::value("svg", "FILE", "the curves"),
+    Known::value("until", "TIME", "when the run ends, s"),
+    Known::value("every", "TIME", "between samples, s"),
+    Known::value(
+        "set",
+        "NAME=VALUE",
+        "a parameter in its declared unit, and the starts made of it; as often as wanted",
+    ),
+    Known::value("input", "NAME=VALUE", "an input in its declared unit; as often as wanted"),
+    Known::value("method", "NAME[:NUMBER]", METHODS),
+];
 
-/// A mistake on the command line.
-///
-/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
-pub struct BadOption(pub(super) String);
+/// The options that a program knows.
+#[derive(Clone, Debug)]
+pub struct Table(Vec<Known>);
 
-impl fmt::Debug for BadOption {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
+impl Table {
+    /// These too, before the others.
+    #[must_use]
+    pub fn with(self, own: &[Known]) -> Self {
+        Self(own.iter().copied().chain(self.0).collect())
     }
-}
 
-impl fmt::Display for BadOption {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+    /// Not those of these names: an option that does nothing would be a promise.
+    #[must_use]
+    pub fn without(self, names: &[&str]) -> Self {
+        Self(self.0.into_iter().filter(|known| !names.contains(&known.name())).collect())
     }
-}
 
-impl std::error::Error for BadOption {}
+    /// Those of this program.
+    ///
+    /// # Errors
+    /// As [`Options::from_args`].
+    pub fn from_args(&self) -> Result<Options, BadOption> {
+        self.parse(std::env::args_os().skip(1))
+    }
 
-impl From<lexopt::Error> for BadOption {
-    fn from(error: lexopt::Error) -> Self {
-        let message = error.to_string();
-        let unknown =
-            matches!(error, lexopt::Error::UnexpectedOption(_) | lexopt::Error::UnexpectedArgument(_));
-        Self(if unknown { format!("{message}; there are\n{HELP}") } else { message })
+    /// Those of a list of words.
+    ///
+    /// # Errors
+    /// As [`Options::from_args`].
+    pub fn parse<W: Into<OsString>>(&self, words: impl IntoIterator<Item = W>) -> Result<Options, BadOption> {
+        Options::of(Arguments::parse(&self.0, words)?)
     }
 }
 
@@ -89,9 +121,9 @@ impl Options {
     /// Those of this program.
     ///
     /// # Errors
-    /// A word that is no option, or a value that is missing or no number.
+    /// A word that is no option, with the nearest; a value that is missing or not what it has to be.
     pub fn from_args() -> Result<Self, BadOption> {
-        Self::parse(std::env::args_os().skip(1))
+        Self::table().from_args()
     }
 
     /// Those of a list of words.
@@ -99,24 +131,42 @@ impl Options {
     /// # Errors
     /// As [`from_args`](Self::from_args).
     pub fn parse<W: Into<OsString>>(words: impl IntoIterator<Item = W>) -> Result<Self, BadOption> {
-        let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
-        let mut parser = Parser::from_args(words);
-        let mut options = Self::default();
-        while let Some(word) = parser.next()? {
-            match word {
-                Arg::Long("view") => options.view = Some(parser.value()?.into()),
-                Arg::Long("live") => options.live = true,
-                Arg::Long("csv") => options.csv = Some(parser.value()?.into()),
-                Arg::Long("svg") => options.svg = Some(parser.value()?.into()),
-                Arg::Long("out") => options.out = Some(parser.value()?.into()),
-                Arg::Long("until") => options.until = Some(time("--until", &mut parser)?),
-                Arg::Long("every") => options.every = Some(time("--every", &mut parser)?),
-                Arg::Long("set") => options.set.push(setting(&parser.value()?.string()?)?),
-                Arg::Long("help") | Arg::Short('h') => options.help = true,
-                other => return Err(other.unexpected().into()),
-            }
+        Self::table().parse(words)
+    }
+
+    /// The table of the usual options, for a program that has others too, or has no use for some.
+    pub fn table() -> Table {
+        Table(USUAL.to_vec())
+    }
+
+    /// What was given of them.
+    fn of(given: Arguments) -> Result<Self, BadOption> {
+        let path = |name| given.value(name).map(PathBuf::from);
+        let options = Self {
+            view: path("view"),
+            live: given.flag("live"),
+            serve: given.text("serve")?.map(|port| port_of(&port)).transpose()?,
+            csv: path("csv"),
+            svg: path("svg"),
+            out: path("out"),
+            until: time("until", &given)?,
+            every: time("every", &given)?,
+            set: settings("set", &given)?,
+            input: settings("input", &given)?,
+            method: given.text("method")?.map(|text| Integrator::from_str(&text)).transpose()?,
+            help: given.help(),
+            own: given,
+        };
+        let writes =
+            [("view", options.view.is_some()), ("live", options.live), ("csv", options.csv.is_some())];
+        let further = [("svg", options.svg.is_some()), ("out", options.out.is_some())];
+        let other = writes.into_iter().chain(further).find(|(_, is_given)| *is_given);
+        match other {
+            Some((name, _)) if options.serve.is_some() => Err(BadOption(format!(
+                "--serve shows a run that has no end and writes no file: without --{name}; the page saves results itself"
+            ))),
+            _ => Ok(options),
         }
-        Ok(options)
     }
 
     /// A recorder of what they need: the declared outputs in their units, or all that a live page shows.
@@ -124,47 +174,88 @@ impl Options {
         if self.live { Recorder::observing_all(of) } else { Recorder::new(of) }
     }
 
-    /// Sets the parameters of a mechanism.
+    /// Sets the parameters of a mechanism, and the starts that are made of them; starts that were set by hand stay.
     ///
     /// # Errors
     /// A name that is no parameter, with those that there are.
-    pub fn apply<M: Described<S = f64>>(&self, mechanism: &mut M) -> Result<(), BadOption> {
+    pub fn apply<M: Described<S = f64> + Statics>(&self, mechanism: &mut M) -> Result<(), BadOption> {
         for (name, value) in &self.set {
-            let parameters = M::TABLES.parameters;
-            let Some(index) = parameters.iter().position(|parameter| parameter.name == name) else {
-                return Err(BadOption(format!("there is no parameter `{name}`; {}", known::<M>())));
-            };
-            mechanism.set_parameter(index, value * parameters[index].factor);
+            let (index, factor) = find("parameter", name, M::TABLES.parameters)?;
+            by_number::set_parameter(mechanism, index, value * factor);
+        }
+        Ok(())
+    }
+
+    /// Sets the inputs of a run.
+    ///
+    /// # Errors
+    /// A name that is no input, with those that there are.
+    pub fn apply_inputs<M, I>(&self, sim: &mut Sim<M, I>) -> Result<(), BadOption>
+    where
+        M: Described<S = f64>,
+        I: Method<M>,
+    {
+        for (name, value) in &self.input {
+            let (index, factor) = find("input", name, M::TABLES.inputs)?;
+            by_number::set_input(sim, index, value * factor);
         }
         Ok(())
     }
 }
 
-/// The parameters of a mechanism in words.
-fn known<M: Described>() -> String {
-    let parameters = M::TABLES.parameters.iter();
-    let named: Vec<String> = parameters
-        .map(|parameter| match parameter.unit {
-            "" => parameter.name.to_owned(),
-            unit => format!("{} ({unit})", parameter.name),
-        })
-        .collect();
+/// The number of a quantity by its name, and its factor to SI.
+fn find(what: &str, name: &str, quantities: &[Quantity]) -> Result<(usize, f64), BadOption> {
+    let found = quantities.iter().enumerate().find(|(_, quantity)| quantity.name == name);
+    found.map(|(index, quantity)| (index, quantity.factor)).ok_or_else(|| {
+        let near = nearest(name, quantities.iter().map(|quantity| quantity.name));
+        let hint = near.map_or(String::new(), |near| format!(" is `{near}` meant?"));
+        BadOption(format!("there is no {what} `{name}`;{hint} {}", known(quantities)))
+    })
+}
+
+/// Quantities of a mechanism in words.
+fn known(quantities: &[Quantity]) -> String {
+    let named = quantities.iter().map(|quantity| match quantity.unit {
+        "" => quantity.name.to_owned(),
+        unit => format!("{} ({unit})", quantity.name),
+    });
+    let named: Vec<String> = named.collect();
     if named.is_empty() { "it has none".to_owned() } else { format!("there are {}", named.join(", ")) }
 }
 
-/// A positive time, s.
-fn time(option: &str, parser: &mut Parser) -> Result<f64, BadOption> {
-    let word = parser.value()?.string()?;
-    let time: Option<f64> = word.parse().ok();
-    let positive = time.filter(|time| *time > 0.0 && time.is_finite());
-    positive.ok_or_else(|| BadOption(format!("{option} wants a positive time in seconds, not `{word}`")))
+/// Parameters and inputs of a mechanism as lines of help; nothing where there are none.
+pub(super) fn quantities_of<M: Described>() -> String {
+    let tables = [("parameters", M::TABLES.parameters), ("inputs", M::TABLES.inputs)];
+    let some = tables.into_iter().filter(|(_, quantities)| !quantities.is_empty());
+    let lines: Vec<String> =
+        some.map(|(what, quantities)| format!("\n{what}: {}", known(quantities))).collect();
+    lines.concat()
 }
 
-/// `mass=3`.
-fn setting(word: &str) -> Result<(String, f64), BadOption> {
-    let split = word.split_once('=');
-    let read = split.and_then(|(name, value)| Some((name.trim().to_owned(), value.trim().parse().ok()?)));
-    read.ok_or_else(|| BadOption(format!("--set wants NAME=NUMBER, not `{word}`")))
+/// A positive time, s.
+fn time(name: &str, given: &Arguments) -> Result<Option<f64>, BadOption> {
+    let Some(word) = given.text(name)? else { return Ok(None) };
+    let time = word.parse().ok().filter(|time| *time > 0.0 && f64::is_finite(*time));
+    let wrong = || BadOption(format!("--{name} wants a positive time in seconds, not `{word}`"));
+    time.map(Some).ok_or_else(wrong)
+}
+
+/// `mass=3`, as often as it stands there.
+fn settings(name: &str, given: &Arguments) -> Result<Vec<(String, f64)>, BadOption> {
+    let setting = |word: String| {
+        let (what, value) = word.split_once('=')?;
+        Some((what.trim().to_owned(), value.trim().parse().ok()?))
+    };
+    let wrong = |word: &str| BadOption(format!("--{name} wants NAME=NUMBER, not `{word}`"));
+    given.texts(name)?.into_iter().map(|word| setting(word.clone()).ok_or_else(|| wrong(&word))).collect()
+}
+
+/// A port; 0 where none was said.
+fn port_of(word: &str) -> Result<u16, BadOption> {
+    if word.is_empty() {
+        return Ok(0);
+    }
+    word.parse().map_err(|_| BadOption(format!("--serve wants a port from 1 to 65535, not `{word}`")))
 }
 
 #[cfg(test)]
@@ -174,28 +265,36 @@ mod tests {
     use std::string::ToString;
     use std::vec;
 
-    use super::Options;
+    use super::{Integrator, Options};
 
     #[test]
     fn every_option_is_read() {
         let words = vec![
             "--view", "a.html", "--live", "--csv", "b", "--svg", "c", "--out", "d", "--every", "1e-2",
-            "--set", "k = -3",
+            "--set", "k = -3", "--input", "force=2", "--input", "turn=1", "--method", "rk4:1e-3",
         ];
         let options = Options::parse(words).unwrap();
-        assert!(options.live && !options.help && options.until.is_none());
+        assert!(options.live && options.help.is_none() && options.until.is_none());
         assert_eq!(options.set, [("k".to_string(), -3.0)]);
-        assert_eq!(options.every, Some(0.01));
+        assert_eq!(options.input, [("force".to_string(), 2.0), ("turn".to_string(), 1.0)]);
+        assert_eq!((options.every, options.method), (Some(0.01), Some(Integrator::Rk4(1e-3))));
+        assert_eq!(Options::parse(["--serve"]).unwrap().serve, Some(0));
+        assert_eq!(Options::parse(["--serve=8080"]).unwrap().serve, Some(8080));
     }
 
     #[test]
     fn mistakes_say_what_was_wanted() {
         for (words, said) in [
+            (vec!["--untill", "3"], "is `--until` meant?"),
             (vec!["--untill", "3"], "--until TIME"),
             (vec!["run"], "--view FILE"),
             (vec!["--until", "-3"], "positive time"),
-            (vec!["--until"], "missing argument"),
-            (vec!["--set", "mass"], "NAME=NUMBER"),
+            (vec!["--until"], "the value is missing"),
+            (vec!["--set", "mass"], "--set wants NAME=NUMBER"),
+            (vec!["--input", "force"], "--input wants NAME=NUMBER"),
+            (vec!["--method", "rk4"], "Rk4:1e-3"),
+            (vec!["--serve=x"], "a port from 1 to 65535"),
+            (vec!["--serve", "--csv", "a"], "without --csv"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");

@@ -5,16 +5,19 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::string::String;
+use std::time::Instant;
 use std::vec::Vec;
 use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use plm_runtime::{Described, Fault, Method, Moment, Sim};
+use plm_runtime::{Described, Fault, Linear, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
-use super::options::{HELP, Options};
+use super::integrator::WithSim;
+use super::options::{Options, quantities_of};
 use super::recorder::Recorder;
+use super::server::Server;
 use crate::live::with_pulls;
 
 /// A run of a mechanism as its command line asks for it.
@@ -46,7 +49,7 @@ const SAMPLES: f64 = 1000.0;
 /// A bar is drawn so often in a run.
 const TICKS: u64 = 1000;
 
-impl<M: Described<S = f64>> Program<M> {
+impl<M: Described<S = f64> + Statics + Linear> Program<M> {
     /// Runs this mechanism, for 10 s unless it is told otherwise.
     pub fn new(mechanism: M) -> Self {
         Self { mechanism, until: 10.0, every: 0.0 }
@@ -79,22 +82,73 @@ impl<M: Described<S = f64>> Program<M> {
     /// Does what options say. What was recorded before a fault is written all the same.
     ///
     /// # Errors
-    /// A parameter that is not there; a fault of the run; a file that cannot be written.
+    /// A parameter or an input that is not there; a fault of the run; a file that cannot be written, a port that cannot be had.
     pub fn with(mut self, options: &Options) -> Result<(), Box<dyn Error>> {
-        if options.help {
-            println!("{HELP}");
+        if let Some(help) = &options.help {
+            println!("{help}{}", quantities_of::<M>());
             return Ok(());
         }
         options.apply(&mut self.mechanism)?;
+        let method = options.method.unwrap_or_default();
+        if let Some(port) = options.serve {
+            return method.start(self.mechanism, Serve { options, port })?;
+        }
         let until = options.until.unwrap_or(self.until);
         let usual = if self.every > 0.0 { self.every } else { until / SAMPLES };
-        let mut sim = self.mechanism.start()?;
+        let every = options.every.unwrap_or(usual);
+        method.start(self.mechanism, Record { options, until, every })?
+    }
+}
+
+/// A run from start to end, and what is written of it.
+struct Record<'a> {
+    options: &'a Options,
+    until: f64,
+    every: f64,
+}
+
+impl<M: Described<S = f64>> WithSim<M> for Record<'_> {
+    type Output = Result<(), Box<dyn Error>>;
+
+    fn with<I: Method<M>>(self, mut sim: Sim<M, I>) -> Self::Output {
+        self.options.apply_inputs(&mut sim)?;
         let mut recorder = Recorder::observing_all(&sim);
-        let outcome = run(&mut sim, &mut recorder, until, options.every.unwrap_or(usual));
-        let written = write::<M>(options, recorder.recording())?;
+        let outcome = run(&mut sim, &mut recorder, self.until, self.every);
+        let written = write::<M>(self.options, recorder.recording())?;
         outcome?;
         for path in written {
             println!("written: {}", path.display());
+        }
+        Ok(())
+    }
+}
+
+/// A run by the clock, which a page shows and holds.
+struct Serve<'a> {
+    options: &'a Options,
+    port: u16,
+}
+
+/// Between rows of a served page, s; nearer where it is slow.
+const SERVED_EVERY: f64 = 0.01;
+
+impl<M: Described<S = f64> + Statics> WithSim<M> for Serve<'_> {
+    type Output = Result<(), Box<dyn Error>>;
+
+    fn with<I: Method<M>>(self, mut sim: Sim<M, I>) -> Self::Output {
+        self.options.apply_inputs(&mut sim)?;
+        let mut server = Server::start(&sim, self.port)?;
+        println!("serving {} (Ctrl+C ends it)", server.url());
+        let end = self.options.until.unwrap_or(f64::INFINITY);
+        while sim.state().time() < end {
+            server.obey(&mut sim);
+            let every = self.options.every.unwrap_or(SERVED_EVERY) * server.speed().min(1.0);
+            if server.wait_for_step(every) {
+                match sim.step(every) {
+                    Ok(()) => server.show(&sim),
+                    Err(fault) => server.stop(&fault),
+                }
+            }
         }
         Ok(())
     }
@@ -110,19 +164,25 @@ pub fn run<M: Described<S = f64>, I: Method<M>>(
     until: f64,
     every: f64,
 ) -> Result<(), Fault> {
-    let (start, bar) = (Moment::time(sim.state()), bar(until));
+    let (start, bar, clock) = (Moment::time(sim.state()), bar(), Instant::now());
+    let mut shown = 0;
     let outcome = recorder.run_seen(sim, until, every, &mut |time| {
         let share = ((time - start) / (until - start)).clamp(0.0, 1.0);
-        bar.set_position((share * TICKS as f64) as u64);
+        let tick = (share * TICKS as f64) as u64;
+        if tick != shown {
+            shown = tick;
+            let rate = (time - start) / clock.elapsed().as_secs_f64();
+            bar.set_message(format!("{time:.3} s of {until} s, {rate:.1} s in a second"));
+            bar.set_position(tick);
+        }
     });
     bar.finish_and_clear();
     outcome
 }
 
-/// A bar with what is simulated in a second.
-fn bar(until: f64) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template(&format!("{{wide_bar}} {{percent}} % of {until} s, {{eta}} left"));
+/// A bar with the time that is simulated, and how much of it in a second.
+fn bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{wide_bar} {msg}, {eta} left");
     ProgressBar::new(TICKS).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 

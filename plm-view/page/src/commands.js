@@ -152,7 +152,10 @@ export const LIVE_COMMANDS = [
 
 /** @param {App} app */
 export function commandsOf(app) {
-  return app.live === null ? COMMANDS : [...COMMANDS, ...LIVE_COMMANDS];
+  const { live } = app;
+  if (live === null) return COMMANDS;
+  const isOffered = (/** @type {Command} */ { id }) => (id !== "pull" && id !== "place") || live.modes.includes(id);
+  return [...COMMANDS, ...LIVE_COMMANDS.filter(isOffered)];
 }
 
 /**

@@ -31,6 +31,10 @@ export class Live {
     this.isRunning = false;
     this.isAssembled = false;
     this.isBroken = false;
+    /** Why nothing is heard of it, in words. */
+    this.gone = "";
+    /** What can be done with its bodies. @type {string[]} */
+    this.modes = ["pull", "place"];
     /** When the recording began, s; null while nothing is recorded. @type {number | null} */
     this.recordsFrom = null;
     /** @type {Run[]} */
@@ -76,9 +80,14 @@ export class Live {
       this.speed = player.speed;
       this.send({ kind: "speed", speed: this.speed });
     }
-    if (this.isRunning && !this.isShown) this.pause();
+    if (this.isRunning && !this.isShown) this.unseen();
     if (this.app.run === this.run) this.inView.update();
     player.pace = this.isRunning && this.app.run === this.run && this.run.fault === null ? this.speed : null;
+  }
+
+  /** Nobody looks at it. */
+  unseen() {
+    this.pause();
   }
 
   start() {

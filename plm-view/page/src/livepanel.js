@@ -43,7 +43,7 @@ export class LivePanel {
         this.record,
       ),
       this.state,
-      this.byHand(),
+      ...(live.modes.length > 0 ? [this.byHand()] : []),
       ...this.dialGroup("Parameters", "parameter", live.mechanism.parameters),
       ...this.dialGroup("Inputs", "input", live.mechanism.inputs),
       element("h2", {}, "Save what was recorded"),
@@ -59,7 +59,8 @@ export class LivePanel {
 
   /** Which mode is chosen, and how it is used. */
   byHand() {
-    const modes = /** @type {const} */ ([["pull", "Pull"], ["place", "Place"], ["pan", "Look"]]);
+    const all = /** @type {const} */ ([["pull", "Pull"], ["place", "Place"], ["pan", "Look"]]);
+    const modes = all.filter(([mode]) => mode === "pan" || this.live.modes.includes(mode));
     this.modes = modes.map(([mode, name]) =>
       element(
         "label",
@@ -175,7 +176,8 @@ function actButton(id, name, act, title) {
 }
 
 /** @param {Live} live */
-function stateText({ isBroken, isRunning, isAssembled, run, app }) {
+function stateText({ gone, isBroken, isRunning, isAssembled, run, app }) {
+  if (gone !== "") return gone;
   if (isBroken) return "The module has stopped.";
   if (run.rows === 0) return "Loading …";
   if (run.fault !== null && !isAssembled) return "Not assembled. Change a parameter, or reset.";

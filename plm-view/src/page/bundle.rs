@@ -55,10 +55,10 @@ const MODULES: &[(&str, &str)] = &[
 ];
 
 /// Behind them, in a page of results.
-const PLAIN: &[(&str, &str)] = &[("start", include_str!("../../page/src/start.js"))];
+const RESULTS: &[(&str, &str)] = &[("start", include_str!("../../page/src/start.js"))];
 
-/// Behind them, in a page that holds the mechanism itself.
-const ALIVE: &[(&str, &str)] = &[
+/// Behind them, in a page whose mechanism goes on.
+const LIVE: &[(&str, &str)] = &[
     ("shape", include_str!("../../page/src/shape.js")),
     ("write", include_str!("../../page/src/write.js")),
     ("worker", include_str!("../../page/src/worker.js")),
@@ -66,13 +66,37 @@ const ALIVE: &[(&str, &str)] = &[
     ("live", include_str!("../../page/src/live.js")),
     ("livepanel", include_str!("../../page/src/livepanel.js")),
     ("hand", include_str!("../../page/src/hand.js")),
-    ("alive", include_str!("../../page/src/alive.js")),
 ];
 
+/// Behind these, in a page that holds the mechanism itself.
+const ALIVE: &[(&str, &str)] = &[("alive", include_str!("../../page/src/alive.js"))];
+
+/// Behind these, in a page that a running program serves.
+const SERVED: &[(&str, &str)] = &[
+    ("program", include_str!("../../page/src/program.js")),
+    ("servedlive", include_str!("../../page/src/servedlive.js")),
+    ("served", include_str!("../../page/src/served.js")),
+];
+
+/// What a page shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Results alone.
+    Results,
+    /// The mechanism in it.
+    Alive,
+    /// A program that serves it.
+    Served,
+}
+
 /// The script of a page.
-pub(super) fn script(is_alive: bool) -> String {
-    let end = if is_alive { ALIVE } else { PLAIN };
-    MODULES.iter().chain(end).map(|(_, text)| without_noise(text)).collect()
+pub(super) fn script(kind: Kind) -> String {
+    let ends: [&[(&str, &str)]; 2] = match kind {
+        Kind::Results => [RESULTS, &[]],
+        Kind::Alive => [LIVE, ALIVE],
+        Kind::Served => [LIVE, SERVED],
+    };
+    MODULES.iter().chain(ends.into_iter().flatten()).map(|(_, text)| without_noise(text)).collect()
 }
 
 /// The code of a module alone, line by line.
@@ -126,7 +150,7 @@ mod tests {
     use super::*;
 
     fn all() -> Vec<(&'static str, &'static str)> {
-        [MODULES, ALIVE, PLAIN].concat()
+        [MODULES, LIVE, ALIVE, SERVED, RESULTS].concat()
     }
 
     #[test]
@@ -196,16 +220,17 @@ mod tests {
 
     #[test]
     fn the_script_is_code_alone() {
-        let [plain, alive] = [false, true].map(script);
-        for line in plain.lines().chain(alive.lines()) {
+        let [plain, alive, served] = [Kind::Results, Kind::Alive, Kind::Served].map(script);
+        for line in [&plain, &alive, &served].into_iter().flat_map(|script| script.lines()) {
             assert!(!line.starts_with("import ") && !line.starts_with("export "), "{line}");
             assert!(!line.starts_with("//") && !line.starts_with('*') && !line.contains("/**"), "{line}");
         }
         // Either would end or hide the script in the page.
-        for script in [&plain, &alive] {
+        for script in [&plain, &alive, &served] {
             assert!(!script.contains("</script") && !script.contains("<!--"));
         }
         assert!(plain.ends_with("startPage(null);\n") && alive.ends_with("startPage(wake);\n"));
+        assert!(served.ends_with("startPage(listen);\n"));
         // What a page has no use for is not in it.
         assert!(!plain.contains("WebAssembly"));
     }

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::super::bindings::Origin;
 use super::super::function::body;
+use super::super::item::start;
 use super::super::{Emission, Sizes, docs, quoted};
 use crate::formulate::coordinate_name;
 
@@ -43,6 +44,7 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
 /// `Statics`.
 pub(crate) fn statics(emission: &Emission) -> TokenStream {
     let Emission { model, name, equations, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
+    let declared = start::declared(emission);
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
     let coordinates = emission.text(quoted(coordinates));
     let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
@@ -86,6 +88,7 @@ constraints, rates of the first-order states, without accelerations.",
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }
+            #declared
             fn starts_at(&self, x: &[S; #full]) -> Starts<S> {
                 self.placed(x)
             }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, docs};
-use super::start::body_start;
+use super::start::{body_start, state_start};
 use crate::model::Param;
 
 /// The type itself; its name is the only one beside it that it must not meet.
@@ -100,10 +100,8 @@ fn declared(emission: &Emission) -> TokenStream {
     }
     let bodies = model.bodies.iter().zip(&fields.bodies);
     let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, &bindings)));
-    let states = model.states.iter().zip(&fields.states).map(|(state, field)| {
-        let kind = if state.locked { "locked" } else { "free" };
-        format!("{field}: Start::{kind}({})", inline(state.start, &bindings))
-    });
+    let states = model.states.iter().zip(&fields.states);
+    let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, &bindings)));
     let (defaults, starts) = (emission.text(defaults.concat()), emission.lines(bodies.chain(states)));
     let params = &fields.params;
     quote! {

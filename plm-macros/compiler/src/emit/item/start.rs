@@ -6,7 +6,7 @@ use quote::quote;
 use super::super::contract::{limits, turns};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number};
-use crate::model::{Body, Start};
+use crate::model::{Body, Start, State};
 
 /// `Starts`, and what assembly finds for them.
 pub(crate) fn values(emission: &Emission) -> TokenStream {
@@ -42,6 +42,33 @@ pub(super) fn body_start(body: &Body, bindings: &Bindings) -> String {
     };
     let entries: Vec<String> = names.into_iter().zip(starts).map(entry).collect();
     format!("BodyStart {{ {} }}", entries.join(", "))
+}
+
+/// Start values as declared, with the parameters as they are; nothing where none of them reads a parameter.
+pub(crate) fn declared(emission: &Emission) -> Option<TokenStream> {
+    let Emission { model, fields, .. } = emission;
+    let bindings = emission.parameters();
+    let bodies = model.bodies.iter().zip(&fields.bodies);
+    let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, &bindings)));
+    let states = model.states.iter().zip(&fields.states);
+    let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, &bindings)));
+    let entries: Vec<String> = bodies.chain(states).collect();
+    let reads_parameters = entries.iter().any(|entry| entry.contains("self."));
+    reads_parameters.then(|| {
+        let (literals, starts) = emission.values(entries);
+        quote! {
+            fn declared_starts(&self) -> Starts<S> {
+                #literals
+                Starts { #starts }
+            }
+        }
+    })
+}
+
+/// The declared start of a first-order state.
+pub(super) fn state_start(state: &State, bindings: &Bindings) -> String {
+    let kind = if state.locked { "locked" } else { "free" };
+    format!("Start::{kind}({})", inline(state.start, bindings))
 }
 
 /// Start values of a state in absolute coordinates, and of a moment.

@@ -1,6 +1,8 @@
 //! Programs over a mechanism: options in, files out.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+mod served;
+
 use std::path::Path;
 
 use plm::view::{Options, Program, Results};
@@ -10,9 +12,10 @@ plm::mechanism! {
     pub Mass {
         param load: kg = 2 kg;
         param stretch: mm = 100 mm;
+        input force: kN = 0;
         ground { port o: (0, 0) m; }
         body mass { mass: load; inertia: 0.1 kg*m^2; port a: (0, 0) m; start x: stretch, locked; }
-        prismatic rail(mass.a, ground.o) { stiffness: 200 N/m; drive: 30 N/s*t; }
+        prismatic rail(mass.a, ground.o) { stiffness: 200 N/m; drive: 30 N/s*t + force; }
         require within: abs(mass.x) < 0.3 m;
         output mass.x in mm;
     }
@@ -42,11 +45,48 @@ fn a_run_is_written_in_every_form() {
     assert_eq!((run.len(), run.times()[50]), (51, 0.5));
     let parameters = &run.about.mechanism.parameters;
     assert_eq!([parameters[0].value, parameters[1].value], [3.0, 0.12]);
-    // A start is a value of its own, which was made of the parameter as declared.
-    assert_eq!(run.poses(0)[0][0], 0.1);
+    // The start is made of the parameter.
+    assert_eq!(run.poses(0)[0][0], 0.12);
     assert!(std::fs::read_to_string(folder.join("run.csv")).unwrap().lines().count() == 52);
     for (file, begins) in [("run.svg", "<svg"), ("run.html", "<!doctype html>")] {
         assert!(std::fs::read_to_string(folder.join(file)).unwrap().contains(begins), "{file}");
+    }
+}
+
+#[test]
+fn a_start_that_was_set_by_hand_does_not_follow_a_parameter() {
+    let mut mechanism = Mass::new();
+    mechanism.start.mass.x.value = 0.05;
+    Options::parse(["--set", "stretch=120"]).unwrap().apply(&mut mechanism).unwrap();
+    assert_eq!((mechanism.stretch, mechanism.start.mass.x.value), (0.12, 0.05));
+}
+
+/// An undamped oscillator under a ramp and a constant force, in closed form: m x'' = -k x + r t + f.
+#[test]
+fn inputs_and_the_method_are_set() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-method");
+    for (method, told, allowed) in [
+        ("Dop853:1e-10", "Dop853, relative tolerance 1e-10", 1e-9),
+        ("dopri5:1e-8", "Dopri5, relative tolerance 1e-8", 1e-7),
+        ("RadauIia5:1e-8", "RadauIia5, relative tolerance 1e-8", 1e-7),
+        // Steps h of methods of the orders 4, 1, 4, 6, 3, at a frequency of 10/s over five radians.
+        ("rk4:1e-3", "Rk4", 1e-8),
+        ("semiimpliciteuler:1e-4", "SemiImplicitEuler", 1e-3),
+        ("gauss2:1e-3", "Gauss", 1e-8),
+        ("gauss3:1e-3", "Gauss", 1e-10),
+        ("ros34pw2:1e-3", "Ros34Pw2", 1e-5),
+    ] {
+        let words = ["--until", "0.5", "--every", "0.5", "--input", "force=-0.01", "--method", method];
+        Program::new(Mass::new()).with(&options(&folder, &words)).unwrap();
+        let run = &Results::read(folder.join("run.npz")).unwrap().runs[0];
+        let (m, k, r, f, t) = (2.0, 200.0, 30.0, -10.0, 0.5);
+        let w = f64::sqrt(k / m);
+        // The joint drives the ground, so that the mass feels the opposite.
+        let (r, f) = (-r, -f);
+        let exact = (0.1 - f / k) * f64::cos(w * t) - r / (k * w) * f64::sin(w * t) + (r * t + f) / k;
+        let found = run.poses(1)[0][0];
+        assert!((found - exact).abs() < allowed, "{method}: {found} {exact}");
+        assert_eq!(run.about.method, told);
     }
 }
 
@@ -68,4 +108,11 @@ fn a_parameter_that_is_not_there_is_told_with_those_that_are() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-name");
     let error = Program::new(Mass::new()).with(&options(&folder, &["--set", "mass=3"])).unwrap_err();
     assert_eq!(error.to_string(), "there is no parameter `mass`; there are load (kg), stretch (mm)");
+}
+
+#[test]
+fn an_input_that_is_not_there_is_told_with_those_that_are() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-input");
+    let error = Program::new(Mass::new()).with(&options(&folder, &["--input", "forces=3"])).unwrap_err();
+    assert_eq!(error.to_string(), "there is no input `forces`; is `force` meant? there are force (kN)");
 }

@@ -1,0 +1,93 @@
+//! What is read of a mechanism and set in it by number, whatever it is called.
+
+use std::vec::Vec;
+
+use plm_runtime::described::Place;
+use plm_runtime::{Described, Method, Moment, Sim, StartValues, Statics};
+
+/// Adds the numbers of a moment: the time (s); x, y, angle, vx, vy, omega of each body; x, y, angle of each port of the ground;
+/// all observed quantities, SI.
+pub(crate) fn moment<M: Described<S = f64>>(state: &M::State, numbers: &mut Vec<f64>) {
+    numbers.push(state.time());
+    M::poses(state, &mut |pose| numbers.extend(pose.components()));
+    for port in 0..M::TABLES.ground.len() {
+        numbers.extend(Place::components(state.mechanism().ground(state.time(), port)));
+    }
+    numbers.extend((0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN)));
+}
+
+/// Adds what parameters change of bodies and ground, as [`Live::shape`](super::Live::shape) tells it.
+pub(crate) fn shape<M: Described<S = f64>>(of: &M, shape: &mut Vec<f64>) {
+    let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
+    for (k, body) in M::TABLES.bodies.iter().enumerate() {
+        shape.extend([of.mass(k), of.inertia(k), of.depth(k)].map(number));
+        shape.extend((0..body.ports.len()).flat_map(|port| Place::components(of.port(k, port))));
+        shape.push(body.contour as f64);
+        shape.extend((0..body.contour).flat_map(|point| of.contour(k, point).unwrap_or([f64::NAN; 2])));
+    }
+    for k in 0..M::TABLES.ground.len() {
+        shape.extend(Place::components(of.ground(0.0, k)));
+        shape.push(number(of.ground_depth(k)));
+    }
+    for (k, part) in M::TABLES.parts.iter().enumerate() {
+        shape.extend((0..part.sizes.len()).map(|size| number(of.size(k, size))));
+    }
+}
+
+/// Sets a parameter, SI, and the start values that are made of it; those that were set by hand stay. False if there is none
+/// with this index.
+pub(crate) fn set_parameter<M: Described<S = f64> + Statics>(
+    mechanism: &mut M,
+    index: usize,
+    value: f64,
+) -> bool {
+    let before = values(mechanism.declared_starts());
+    let is_known = mechanism.set_parameter(index, value);
+    let after = values(mechanism.declared_starts());
+    let mut declared = before.into_iter().zip(after);
+    mechanism.starts_mut().each(&mut |_, start| {
+        if let Some((before, after)) = declared.next()
+            && start.value == before
+        {
+            start.value = after;
+        }
+    });
+    is_known
+}
+
+fn values(mut starts: impl StartValues<f64>) -> Vec<f64> {
+    let mut values = Vec::new();
+    starts.each(&mut |_, start| values.push(start.value));
+    values
+}
+
+/// Sets a parameter in a run that goes on, SI.
+pub(crate) fn set_running_parameter<M, I>(sim: &mut Sim<M, I>, index: usize, value: f64)
+where
+    M: Described<S = f64> + Statics,
+    I: Method<M>,
+{
+    let state = sim.state();
+    let (mut mechanism, held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
+    set_parameter(&mut mechanism, index, value);
+    **sim = Moment::new(mechanism, held, time, x);
+}
+
+/// An input of a run, SI.
+pub(crate) fn input<M: Described<S = f64>>(state: &M::State, index: usize) -> Option<f64> {
+    M::input(M::inputs(&mut state.held()), index).copied()
+}
+
+/// Sets an input of a run, SI; false if there is none with this index.
+pub(crate) fn set_input<M, I>(sim: &mut Sim<M, I>, index: usize, value: f64) -> bool
+where
+    M: Described<S = f64>,
+    I: Method<M>,
+{
+    let state = sim.state();
+    let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
+    let Some(input) = M::input(M::inputs(&mut held), index) else { return false };
+    *input = value;
+    **sim = Moment::new(mechanism, held, time, x);
+    true
+}

@@ -1,0 +1,345 @@
+//! The words behind a program's name: what a table of options knows is taken, everything else is a mistake.
+
+use std::borrow::ToOwned;
+use std::ffi::OsString;
+use std::fmt;
+use std::format;
+use std::str::FromStr;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use lexopt::{Arg, Parser, ValueExt};
+
+/// An option that a program knows: a line of its help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Known {
+    name: &'static str,
+    value: Value,
+    help: &'static str,
+}
+
+/// What stands behind the name of an option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Value {
+    Nothing,
+    Needed(&'static str),
+    /// Behind `=` alone.
+    Possible(&'static str),
+    /// It has no name: a word by itself.
+    Alone(&'static str),
+}
+
+impl Known {
+    /// `--name`.
+    pub const fn flag(name: &'static str, help: &'static str) -> Self {
+        Self { name, value: Value::Nothing, help }
+    }
+
+    /// `--name VALUE`, or `--name=VALUE`.
+    pub const fn value(name: &'static str, value: &'static str, help: &'static str) -> Self {
+        Self { name, value: Value::Needed(value), help }
+    }
+
+    /// `--name`, or `--name=VALUE`.
+    pub const fn flag_or_value(name: &'static str, value: &'static str, help: &'static str) -> Self {
+        Self { name, value: Value::Possible(value), help }
+    }
+
+    /// A word by itself, which is asked for by this name.
+    pub const fn word(name: &'static str, help: &'static str) -> Self {
+        Self { name, value: Value::Alone(name), help }
+    }
+
+    /// Without the dashes.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// As help shows it.
+    fn shown(&self) -> String {
+        let Self { name, value, .. } = self;
+        match value {
+            Value::Nothing => format!("--{name}"),
+            Value::Needed(value) => format!("--{name} {value}"),
+            Value::Possible(value) => format!("--{name}[={value}]"),
+            Value::Alone(name) => (*name).to_owned(),
+        }
+    }
+}
+
+/// Every program knows it.
+const HELP: Known = Known::flag("help", "these lines");
+
+/// What a command line gives of a table of options; for programs without a mechanism to be run, as `examples/stability`.
+/// [`Options`](super::Options) are the usual ones of a run, and take further ones.
+///
+/// ```
+/// use plm::view::{Arguments, Known};
+///
+/// const KNOWN: &[Known] = &[
+///     Known::word("CASES", "how many"),
+///     Known::value("seed", "N", "of the random numbers"),
+///     Known::flag("quick", "few settings"),
+/// ];
+/// let given = Arguments::parse(KNOWN, ["1000", "--seed", "31"])?;
+/// assert_eq!((given.number("CASES")?, given.number("seed")?), (Some(1000), Some(31)));
+/// assert!(!given.flag("quick"));
+/// let mistake = Arguments::parse(KNOWN, ["--sed", "31"]).unwrap_err().to_string();
+/// assert!(mistake.starts_with("there is no option `--sed`; is `--seed` meant?"));
+/// # Ok::<(), plm::view::BadOption>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Arguments {
+    known: Vec<Known>,
+    given: Vec<(&'static str, OsString)>,
+}
+
+/// A mistake on the command line.
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
+pub struct BadOption(pub(super) String);
+
+impl BadOption {
+    /// A mistake that a program finds by itself, in words.
+    pub fn new(what: impl Into<String>) -> Self {
+        Self(what.into())
+    }
+}
+
+impl fmt::Debug for BadOption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl fmt::Display for BadOption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for BadOption {}
+
+impl From<lexopt::Error> for BadOption {
+    fn from(error: lexopt::Error) -> Self {
+        Self(error.to_string())
+    }
+}
+
+impl Arguments {
+    /// Those of this program.
+    ///
+    /// # Errors
+    /// A word that the table does not know, with the nearest that it does; a value that is missing, or too much.
+    pub fn from_args(known: &[Known]) -> Result<Self, BadOption> {
+        Self::parse(known, std::env::args_os().skip(1))
+    }
+
+    /// Those of a list of words.
+    ///
+    /// # Errors
+    /// As [`from_args`](Self::from_args).
+    pub fn parse<W: Into<OsString>>(
+        known: &[Known],
+        words: impl IntoIterator<Item = W>,
+    ) -> Result<Self, BadOption> {
+        let mut arguments = Self { known: known.iter().copied().chain([HELP]).collect(), given: Vec::new() };
+        let mut parser = Parser::from_args(words.into_iter().map(Into::into).collect::<Vec<OsString>>());
+        while let Some(word) = parser.next()? {
+            let given = match word {
+                Arg::Short('h') => (HELP.name, OsString::new()),
+                Arg::Short(letter) => return Err(arguments.unknown(&format!("-{letter}"))),
+                Arg::Value(word) => (arguments.place_of(&word)?, word),
+                Arg::Long(name) => {
+                    let known = arguments.find(name)?;
+                    let value = match known.value {
+                        Value::Needed(_) => value_of(&known, &mut parser)?,
+                        Value::Possible(_) => parser.optional_value().unwrap_or_default(),
+                        Value::Nothing | Value::Alone(_) => OsString::new(),
+                    };
+                    (known.name, value)
+                }
+            };
+            arguments.given.push(given);
+        }
+        Ok(arguments)
+    }
+
+    /// Whether an option is there.
+    pub fn flag(&self, name: &str) -> bool {
+        self.given.iter().any(|(given, _)| *given == name)
+    }
+
+    /// The value of an option, the last where it stands several times; empty where it may have none.
+    pub fn value(&self, name: &str) -> Option<&OsString> {
+        self.given.iter().rev().find(|(given, _)| *given == name).map(|(_, value)| value)
+    }
+
+    /// The value of an option as a text.
+    ///
+    /// # Errors
+    /// What is no text.
+    pub fn text(&self, name: &str) -> Result<Option<String>, BadOption> {
+        self.value(name).map(text).transpose()
+    }
+
+    /// All values of an option that may stand several times, as texts.
+    ///
+    /// # Errors
+    /// What is no text.
+    pub fn texts(&self, name: &str) -> Result<Vec<String>, BadOption> {
+        self.given.iter().filter(|(given, _)| *given == name).map(|(_, value)| text(value)).collect()
+    }
+
+    /// The value of an option as a number.
+    ///
+    /// # Errors
+    /// What is no number of the type that is asked for.
+    pub fn number<T: FromStr>(&self, name: &str) -> Result<Option<T>, BadOption> {
+        let Some(text) = self.text(name)? else { return Ok(None) };
+        let shown = self.known.iter().find(|known| known.name == name).map_or(name.to_owned(), Known::shown);
+        let wrong = |_| BadOption(format!("{shown}: `{text}` is not such a number"));
+        text.parse().map(Some).map_err(wrong)
+    }
+
+    /// The table as help, if `--help` is there.
+    pub fn help(&self) -> Option<String> {
+        self.flag(HELP.name).then(|| self.table())
+    }
+
+    /// A line for each option.
+    fn table(&self) -> String {
+        let shown: Vec<String> = self.known.iter().map(Known::shown).collect();
+        let width = shown.iter().map(String::len).max().unwrap_or_default();
+        let lines =
+            shown.iter().zip(&self.known).map(|(shown, known)| format!("{shown:width$}  {}", known.help));
+        lines.collect::<Vec<String>>().join("\n")
+    }
+
+    /// The option of a name.
+    fn find(&self, name: &str) -> Result<Known, BadOption> {
+        let found = self.named().find(|known| known.name == name);
+        found.copied().ok_or_else(|| self.unknown(&format!("--{name}")))
+    }
+
+    /// The first word by itself that is not there yet.
+    fn place_of(&self, word: &OsString) -> Result<&'static str, BadOption> {
+        let mut places = self.known.iter().filter(|known| matches!(known.value, Value::Alone(_)));
+        let free = places.find(|known| !self.flag(known.name));
+        free.map(|known| known.name).ok_or_else(|| self.unknown(&word.to_string_lossy()))
+    }
+
+    fn unknown(&self, word: &str) -> BadOption {
+        let near = nearest(word.trim_start_matches('-'), self.named().map(|known| known.name));
+        let hint = near.map_or("there are".to_owned(), |name| format!("is `--{name}` meant? There are"));
+        let what = if word.starts_with('-') { "option" } else { "place for a word" };
+        BadOption(format!("there is no {what} `{word}`; {hint}\n{}", self.table()))
+    }
+
+    /// The options, without words by themselves.
+    fn named(&self) -> impl Iterator<Item = &Known> {
+        self.known.iter().filter(|known| !matches!(known.value, Value::Alone(_)))
+    }
+}
+
+/// What stands behind an option, which is no option.
+fn value_of(known: &Known, parser: &mut Parser) -> Result<OsString, BadOption> {
+    if let Some(value) = parser.optional_value() {
+        return Ok(value);
+    }
+    let behind =
+        parser.try_raw_args().and_then(|words| words.peek().map(|word| word.to_string_lossy().into_owned()));
+    match behind {
+        Some(word) if !word.starts_with("--") => Ok(parser.value()?),
+        _ => Err(BadOption(format!("{}: the value is missing", known.shown()))),
+    }
+}
+
+fn text(value: &OsString) -> Result<String, BadOption> {
+    Ok(value.clone().string()?)
+}
+
+/// The name that differs from a word in the fewest letters, if they are few.
+pub(super) fn nearest<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let near = names.map(|name| (distance(word, name), name)).min_by_key(|(distance, _)| *distance);
+    near.filter(|(distance, name)| *distance <= 1 + name.len() / 4).map(|(_, name)| name)
+}
+
+/// How many letters have to be changed, added or left out (Levenshtein's distance).
+fn distance(from: &str, to: &str) -> usize {
+    let mut row: Vec<usize> = (0..=to.chars().count()).collect();
+    for (i, a) in from.chars().enumerate() {
+        let mut before = i;
+        let mut left = i + 1;
+        for (at, b) in row.iter_mut().skip(1).zip(to.chars()) {
+            let changed = before + usize::from(!a.eq_ignore_ascii_case(&b));
+            before = *at;
+            left = changed.min(left + 1).min(before + 1);
+            *at = left;
+        }
+        if let Some(first) = row.first_mut() {
+            *first = i + 1;
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use std::string::ToString;
+
+    use super::{Arguments, Known, distance};
+
+    const KNOWN: &[Known] = &[
+        Known::word("CASES", "how many"),
+        Known::value("seed", "N", "of the random numbers"),
+        Known::value("until", "TIME", "the end"),
+        Known::flag_or_value("serve", "PORT", "a page"),
+        Known::flag("quick", "few"),
+    ];
+
+    #[test]
+    fn words_are_taken_by_the_table() {
+        let given =
+            Arguments::parse(KNOWN, ["--seed=7", "--quick", "12", "--serve", "--seed", "-8"]).unwrap();
+        assert!(given.flag("quick") && given.help().is_none());
+        assert_eq!((given.number("CASES").unwrap(), given.number("seed").unwrap()), (Some(12), Some(-8)));
+        assert_eq!(given.text("serve").unwrap().as_deref(), Some(""));
+        assert_eq!(Arguments::parse(KNOWN, ["--serve=80"]).unwrap().number("serve").unwrap(), Some(80_u16));
+        let help = Arguments::parse(KNOWN, ["-h"]).unwrap().help().unwrap();
+        assert!(
+            help.contains("--serve[=PORT]  a page\n--quick         few\n--help          these lines"),
+            "{help}"
+        );
+    }
+
+    #[test]
+    fn mistakes_say_what_there_is() {
+        for (words, said) in [
+            (["--sed", "3"], "no option `--sed`; is `--seed` meant?"),
+            (["--bananas", "3"], "no option `--bananas`; there are\nCASES"),
+            (["--CASES", "3"], "no option `--CASES`"),
+            (["-x", "3"], "no option `-x`"),
+            (["12", "13"], "no place for a word `13`"),
+            (["--seed", "--quick"], "--seed N: the value is missing"),
+            (["--quick=3", "4"], "unexpected argument"),
+        ] {
+            let found = Arguments::parse(KNOWN, words).unwrap_err().to_string();
+            assert!(found.contains(said), "{found}");
+        }
+        let given = Arguments::parse(KNOWN, ["--seed", "x"]).unwrap();
+        let found = given.number::<u64>("seed").unwrap_err().to_string();
+        assert_eq!(found, "--seed N: `x` is not such a number");
+    }
+
+    #[test]
+    fn distances_are_those_of_levenshtein() {
+        for (from, to, expected) in
+            [("kitten", "sitting", 3), ("", "abc", 3), ("until", "untill", 1), ("flaw", "lawn", 2)]
+        {
+            assert_eq!((distance(from, to), distance(to, from)), (expected, expected), "{from} {to}");
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! A method by its name: `--method Rk4:1e-3`.
+
+use std::borrow::ToOwned;
+use std::format;
+use std::str::FromStr;
+use std::vec::Vec;
+
+use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
+use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System};
+
+use super::arguments::{BadOption, nearest};
+
+/// A method of `docs/src/running/integrators.md`, with its relative tolerance or its longest step.
+///
+/// ```
+/// use plm::view::Integrator;
+///
+/// assert_eq!("Rk4:1e-3".parse::<Integrator>()?, Integrator::Rk4(1e-3));
+/// assert_eq!("dop853".parse::<Integrator>()?, Integrator::default());
+/// assert!("Rk4".parse::<Integrator>().unwrap_err().to_string().contains("Rk4:1e-3"));
+/// # Ok::<(), plm::view::BadOption>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Integrator {
+    /// [`Dop853`] with its relative tolerance.
+    Dop853(f64),
+    /// [`Dopri5`] with its relative tolerance.
+    Dopri5(f64),
+    /// [`RadauIia5`] with its relative tolerance.
+    RadauIia5(f64),
+    /// [`Rk4`] with its longest step, s.
+    Rk4(f64),
+    /// [`SemiImplicitEuler`] with its longest step, s.
+    SemiImplicitEuler(f64),
+    /// [`Gauss`] of two stages with its longest step, s.
+    Gauss2(f64),
+    /// [`Gauss`] of three stages with its longest step, s.
+    Gauss3(f64),
+    /// [`Ros34Pw2`] with its longest step, s.
+    Ros34Pw2(f64),
+}
+
+impl Default for Integrator {
+    fn default() -> Self {
+        Self::Dop853(1e-9)
+    }
+}
+
+/// A method as it is named: whether it has a tolerance, which it need not be given, or a step.
+struct Named {
+    name: &'static str,
+    make: fn(f64) -> Integrator,
+    tolerance: Option<f64>,
+}
+
+const NAMED: [Named; 8] = [
+    Named { name: "Dop853", make: Integrator::Dop853, tolerance: Some(1e-9) },
+    Named { name: "Dopri5", make: Integrator::Dopri5, tolerance: Some(1e-8) },
+    Named { name: "RadauIia5", make: Integrator::RadauIia5, tolerance: Some(1e-8) },
+    Named { name: "Rk4", make: Integrator::Rk4, tolerance: None },
+    Named { name: "SemiImplicitEuler", make: Integrator::SemiImplicitEuler, tolerance: None },
+    Named { name: "Gauss2", make: Integrator::Gauss2, tolerance: None },
+    Named { name: "Gauss3", make: Integrator::Gauss3, tolerance: None },
+    Named { name: "Ros34Pw2", make: Integrator::Ros34Pw2, tolerance: None },
+];
+
+impl FromStr for Integrator {
+    type Err = BadOption;
+
+    fn from_str(text: &str) -> Result<Self, BadOption> {
+        let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));
+        let Some(Named { name, make, tolerance }) =
+            NAMED.iter().find(|known| known.name.eq_ignore_ascii_case(name))
+        else {
+            return Err(unknown(name));
+        };
+        let what = if tolerance.is_some() { "relative tolerance" } else { "longest step in seconds" };
+        let example = format!("{name}:{:e}", tolerance.unwrap_or(1e-3));
+        let missing = || BadOption(format!("{name} wants its {what}, as in {example}"));
+        let wrong =
+            |number| BadOption(format!("{name} wants a positive {what}, as in {example}, not `{number}`"));
+        let value = match number {
+            None => tolerance.ok_or_else(missing)?,
+            Some(number) => number.parse().map_err(|_| wrong(number))?,
+        };
+        if value > 0.0 && value.is_finite() {
+            Ok(make(value))
+        } else {
+            Err(wrong(number.unwrap_or_default()))
+        }
+    }
+}
+
+fn unknown(name: &str) -> BadOption {
+    let names: Vec<&str> = NAMED.iter().map(|known| known.name).collect();
+    let near = nearest(name, names.iter().copied());
+    let hint = near.map_or("there are".to_owned(), |near| format!("is {near} meant? There are"));
+    BadOption(format!("there is no method `{name}`; {hint} {}", names.join(", ")))
+}
+
+/// What is done with a run, whatever its method.
+pub(super) trait WithSim<M: Mechanism> {
+    type Output;
+
+    fn with<I: Method<M>>(self, sim: Sim<M, I>) -> Self::Output;
+}
+
+impl Integrator {
+    /// Assembles a mechanism and gives `then` its run by this method.
+    ///
+    /// # Errors
+    /// As [`Mechanism::start`].
+    pub(super) fn start<M, W>(self, mechanism: M, then: W) -> Result<W::Output, Fault>
+    where
+        M: Mechanism + Linear + System<S = f64>,
+        W: WithSim<M>,
+    {
+        Ok(match self {
+            Self::Dop853(rtol) => then.with(mechanism.start_with(Dop853::new(rtol))?),
+            Self::Dopri5(rtol) => then.with(mechanism.start_with(Dopri5::new(rtol))?),
+            Self::RadauIia5(rtol) => then.with(mechanism.start_with(RadauIia5::new(rtol))?),
+            Self::Rk4(h) => then.with(mechanism.start_with(Rk4::new(h))?),
+            Self::SemiImplicitEuler(h) => then.with(mechanism.start_with(SemiImplicitEuler::new(h))?),
+            Self::Gauss2(h) => then.with(mechanism.start_with(Gauss::<M, 2>::new(h))?),
+            Self::Gauss3(h) => then.with(mechanism.start_with(Gauss::<M, 3>::new(h))?),
+            Self::Ros34Pw2(h) => then.with(mechanism.start_with(Ros34Pw2::new(h))?),
+        })
+    }
+}
+
+/// The names for help.
+pub(super) const METHODS: &str =
+    "Dop853[:TOLERANCE], Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
+
+#[cfg(test)]
+mod tests {
+    use std::string::{String, ToString};
+
+    use super::{Integrator, METHODS, NAMED};
+
+    #[test]
+    fn every_method_has_its_name() {
+        for known in &NAMED {
+            let text = std::format!("{}:2.5e-4", known.name.to_lowercase());
+            assert_eq!(text.parse::<Integrator>().ok(), Some((known.make)(2.5e-4)), "{text}");
+            assert!(METHODS.contains(known.name), "{}", known.name);
+        }
+    }
+
+    #[test]
+    fn mistakes_say_what_there_is() {
+        let said =
+            |text: &str| text.parse::<Integrator>().err().map_or(String::new(), |error| error.to_string());
+        assert!(
+            said("rk5:1e-3").starts_with("there is no method `rk5`; is Rk4 meant? There are Dop853, Dopri5")
+        );
+        assert_eq!(said("rk4"), "Rk4 wants its longest step in seconds, as in Rk4:1e-3");
+        assert_eq!(
+            said("Dop853:-1"),
+            "Dop853 wants a positive relative tolerance, as in Dop853:1e-9, not `-1`"
+        );
+        assert_eq!(said("Rk4:x"), "Rk4 wants a positive longest step in seconds, as in Rk4:1e-3, not `x`");
+    }
+}
