@@ -52,6 +52,7 @@ pages! {
 
 #[cfg(feature = "view")]
 pages! {
+    FromC = "running/c.md";
     ThePage = "running/page.md";
 }
 

@@ -35,6 +35,8 @@ pub struct Options {
     pub svg: Option<PathBuf>,
     /// `--out FILE`: the results file.
     pub out: Option<PathBuf>,
+    /// `--c FOLDER`: a static library of the mechanism, and its header.
+    pub c: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
     /// `--every TIME`, s: between samples.
@@ -52,6 +54,7 @@ pub(super) const HELP: &str = "\
 --out FILE        the results file, .npz (NumPy reads it)
 --csv FILE        the table
 --svg FILE        the curves
+--c FOLDER        a static library of the mechanism as declared, and its header, for C and C++
 --until TIME      when the run ends, s
 --every TIME      between samples, s
 --set NAME=VALUE  a parameter in its declared unit; as often as wanted
@@ -109,6 +112,7 @@ impl Options {
                 Arg::Long("csv") => options.csv = Some(parser.value()?.into()),
                 Arg::Long("svg") => options.svg = Some(parser.value()?.into()),
                 Arg::Long("out") => options.out = Some(parser.value()?.into()),
+                Arg::Long("c") => options.c = Some(parser.value()?.into()),
                 Arg::Long("until") => options.until = Some(time("--until", &mut parser)?),
                 Arg::Long("every") => options.every = Some(time("--every", &mut parser)?),
                 Arg::Long("set") => options.set.push(setting(&parser.value()?.string()?)?),

@@ -9,10 +9,12 @@ use std::vec::Vec;
 use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use plm_foreign::Foreign;
 use plm_runtime::{Described, Fault, Method, Moment, Sim};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
+use super::foreign::library;
 use super::options::{HELP, Options};
 use super::recorder::Recorder;
 use crate::live::with_pulls;
@@ -46,7 +48,7 @@ const SAMPLES: f64 = 1000.0;
 /// A bar is drawn so often in a run.
 const TICKS: u64 = 1000;
 
-impl<M: Described<S = f64>> Program<M> {
+impl<M: Foreign> Program<M> {
     /// Runs this mechanism, for 10 s unless it is told otherwise.
     pub fn new(mechanism: M) -> Self {
         Self { mechanism, until: 10.0, every: 0.0 }
@@ -85,6 +87,10 @@ impl<M: Described<S = f64>> Program<M> {
             println!("{HELP}");
             return Ok(());
         }
+        if let Some(folder) = &options.c {
+            told(&library(&self.mechanism, folder)?);
+            return Ok(());
+        }
         options.apply(&mut self.mechanism)?;
         let until = options.until.unwrap_or(self.until);
         let usual = if self.every > 0.0 { self.every } else { until / SAMPLES };
@@ -93,10 +99,15 @@ impl<M: Described<S = f64>> Program<M> {
         let outcome = run(&mut sim, &mut recorder, until, options.every.unwrap_or(usual));
         let written = write::<M>(options, recorder.recording())?;
         outcome?;
-        for path in written {
-            println!("written: {}", path.display());
-        }
+        told(&written);
         Ok(())
+    }
+}
+
+/// Tells what was written.
+fn told(files: &[PathBuf]) {
+    for path in files {
+        println!("written: {}", path.display());
     }
 }
 
