@@ -53,6 +53,7 @@ pages! {
 #[cfg(feature = "view")]
 pages! {
     FromC = "running/c.md";
+    AsAnFmu = "running/fmu.md";
     ThePage = "running/page.md";
 }
 

@@ -113,6 +113,36 @@ fn wrong_calls_of_c_give_a_code_and_change_nothing() {
     assert_eq!(text, std::fs::read_to_string(expected).unwrap());
 }
 
+/// FMPy validates an FMU, runs it in both modes and compares with Rust; `tests/fmu/check.py` says what it looks at.
+#[test]
+fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmu");
+    let (file, rows) = (folder.join("press.fmu"), folder.join("press.csv"));
+    plm::view::fmu(&Press::new(), &file).unwrap();
+    let (mut sim, mut text) = (Press::new().start().unwrap(), String::new());
+    for k in 0..200 {
+        if k == 100 {
+            sim.input.push = -7.5;
+        }
+        let outputs = (0..Press::<f64>::OBSERVED.len()).map(|k| Press::observed(sim.state(), k).unwrap());
+        let numbers: Vec<String> = outputs.map(|number| format!("{number:?}")).collect();
+        writeln!(text, "{}", numbers.join(",")).unwrap();
+        sim.step_to(f64::from(k) * 0.01 + 0.01).unwrap();
+    }
+    std::fs::write(&rows, text).unwrap();
+    let python = std::env::var("PLM_PYTHON").unwrap_or("python3".to_owned());
+    let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
+    if !has_fmpy.is_ok_and(|output| output.status.success()) {
+        println!("skipped: {python} has no FMPy (pip install fmpy; PLM_PYTHON names another one)");
+        return;
+    }
+    let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
+    let output = Command::new(python).arg(check).args([file, rows]).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    println!("{said}");
+}
+
 #[test]
 fn a_parameter_without_default_is_told() {
     plm::mechanism! {

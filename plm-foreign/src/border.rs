@@ -27,7 +27,7 @@ impl<M: Foreign> Block<M> {
     pub const ALIGN: usize = align_of::<Self>();
 
     /// What the first bytes of an object hold: a number that depends on the declaration and on the size (FNV-1a).
-    const MARK: u64 = {
+    pub(crate) const MARK: u64 = {
         let (mut text, mut hash) = (M::DECLARATION.as_bytes(), 0xcbf2_9ce4_8422_2325_u64);
         while let [byte, rest @ ..] = text {
             hash = (hash ^ *byte as u64).wrapping_mul(0x0100_0000_01b3);

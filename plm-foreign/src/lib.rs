@@ -8,8 +8,13 @@
 //! This is the one crate with unsafe code: what it dereferences it looks at first, as far as a pointer can be looked at.
 #![no_std]
 
+#[cfg(feature = "fmi")]
+extern crate alloc;
+
 #[allow(unsafe_code, reason = "pointers of other languages")]
 pub mod border;
+#[cfg(feature = "fmi")]
+pub mod fmi;
 pub mod header;
 mod kind;
 mod object;

@@ -146,6 +146,12 @@ impl<M: Foreign> Object<M> {
     pub fn sim(&self) -> Result<&Sim<M>, Trouble> {
         self.sim.as_ref().ok_or(Status::NotStarted.into())
     }
+
+    /// The run, to be changed.
+    #[cfg(feature = "fmi")]
+    pub(crate) fn sim_mut(&mut self) -> Result<&mut Sim<M>, Trouble> {
+        self.sim.as_mut().ok_or(Status::NotStarted.into())
+    }
 }
 
 /// Gives `each` the start value with this number; false if there is none.

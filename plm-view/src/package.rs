@@ -158,6 +158,14 @@ pub fn renew(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     write_file(path, Ok(bytes.to_vec()))
 }
 
+/// A zip of these entries, name and contents, in their order.
+///
+/// # Errors
+/// When an entry is too large for a zip.
+pub fn archive(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> std::io::Result<Vec<u8>> {
+    crate::results::zipped(entries)
+}
+
 /// What cargo said, and what to do where a target is missing.
 fn explained(said: &str, target: Option<&str>) -> String {
     let missing = said.contains("can't find crate for `core`") || said.contains("can't find crate for `std`");

@@ -3,13 +3,14 @@
 use std::boxed::Box;
 use std::error::Error;
 use std::fmt;
-use std::format;
 use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
+use std::{env, format};
 
+use plm_foreign::fmi::{self, Exchanged};
 use plm_foreign::{Foreign, Names, header, source};
-use plm_view::package::{Output, Package, renew};
+use plm_view::package::{Output, Package, archive, renew};
 
 /// A library has the mechanism as declared: this parameter has no default.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -50,6 +51,31 @@ pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>,
     Ok(files.into())
 }
 
+/// Writes an FMU of a mechanism for FMI 3.0, model exchange and co-simulation; gives the file.
+///
+/// cargo builds it in `target/plm/fmu`. It has the mechanism as declared: what was set in this one is not in it.
+///
+/// # Errors
+/// As [`library`].
+pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let (name, mut text, mut code) = (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
+    fmi::description(mechanism, &mut text)?;
+    fmi::source::<M>(&mut code)?;
+    let built = build::<M>((&name, Output::Shared), &code, "target/plm/fmu")?;
+    let binary = format!("binaries/{}-{}/{name}{}", env::consts::ARCH, system(), env::consts::DLL_SUFFIX);
+    let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
+    renew(file, &archive(entries)?)?;
+    Ok(std::vec![file.into()])
+}
+
+/// This system as FMI calls it.
+fn system() -> &'static str {
+    match env::consts::OS {
+        "macos" => "darwin",
+        other => other,
+    }
+}
+
 /// Builds a package of a mechanism.
 fn build<M: Foreign>(
     (name, output): (&str, Output),
@@ -59,7 +85,7 @@ fn build<M: Foreign>(
     if let Some(parameter) = M::TABLES.parameters.iter().find(|parameter| parameter.default.is_none()) {
         return Err(NoDefault(parameter.name).into());
     }
-    let plm = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let package = Package { name, output, source, files: M::FILES, plm, features: &["foreign"] };
+    let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
+    let package = Package { name, output, source, files: M::FILES, plm, features: &["fmi"] };
     Ok(package.build(&Path::new(folder).join(name))?)
 }

@@ -9,7 +9,7 @@ mod recorder;
 pub use plm_view::*;
 
 pub use described::mechanism;
-pub use foreign::{NoDefault, library};
+pub use foreign::{NoDefault, fmu, library};
 pub use options::{BadOption, Options};
 pub use program::{Program, run, write};
 pub use recorder::Recorder;

@@ -37,6 +37,8 @@ pub struct Options {
     pub out: Option<PathBuf>,
     /// `--c FOLDER`: a static library of the mechanism, and its header.
     pub c: Option<PathBuf>,
+    /// `--fmu FILE`: an FMU of the mechanism.
+    pub fmu: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
     /// `--every TIME`, s: between samples.
@@ -55,6 +57,7 @@ pub(super) const HELP: &str = "\
 --csv FILE        the table
 --svg FILE        the curves
 --c FOLDER        a static library of the mechanism as declared, and its header, for C and C++
+--fmu FILE        an FMU of the mechanism as declared (FMI 3.0)
 --until TIME      when the run ends, s
 --every TIME      between samples, s
 --set NAME=VALUE  a parameter in its declared unit; as often as wanted
@@ -113,6 +116,7 @@ impl Options {
                 Arg::Long("svg") => options.svg = Some(parser.value()?.into()),
                 Arg::Long("out") => options.out = Some(parser.value()?.into()),
                 Arg::Long("c") => options.c = Some(parser.value()?.into()),
+                Arg::Long("fmu") => options.fmu = Some(parser.value()?.into()),
                 Arg::Long("until") => options.until = Some(time("--until", &mut parser)?),
                 Arg::Long("every") => options.every = Some(time("--every", &mut parser)?),
                 Arg::Long("set") => options.set.push(setting(&parser.value()?.string()?)?),

@@ -9,12 +9,12 @@ use std::vec::Vec;
 use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use plm_foreign::Foreign;
+use plm_foreign::fmi::Exchanged;
 use plm_runtime::{Described, Fault, Method, Moment, Sim};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
-use super::foreign::library;
+use super::foreign::{fmu, library};
 use super::options::{HELP, Options};
 use super::recorder::Recorder;
 use crate::live::with_pulls;
@@ -48,7 +48,7 @@ const SAMPLES: f64 = 1000.0;
 /// A bar is drawn so often in a run.
 const TICKS: u64 = 1000;
 
-impl<M: Foreign> Program<M> {
+impl<M: Exchanged> Program<M> {
     /// Runs this mechanism, for 10 s unless it is told otherwise.
     pub fn new(mechanism: M) -> Self {
         Self { mechanism, until: 10.0, every: 0.0 }
@@ -89,6 +89,11 @@ impl<M: Foreign> Program<M> {
         }
         if let Some(folder) = &options.c {
             told(&library(&self.mechanism, folder)?);
+        }
+        if let Some(file) = &options.fmu {
+            told(&fmu(&self.mechanism, file)?);
+        }
+        if options.c.is_some() || options.fmu.is_some() {
             return Ok(());
         }
         options.apply(&mut self.mechanism)?;
