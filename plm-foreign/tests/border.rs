@@ -72,6 +72,7 @@ fn wrong_pointers_are_told() {
     let mut memory = memory();
     let object: *mut Block<Pendulum> = memory.as_mut_ptr().cast();
     let (size, null) = (Block::<Pendulum>::SIZE, null_mut());
+    #[allow(clippy::cast_ptr_alignment, reason = "that is what is told")]
     let askew = object.cast::<u8>().wrapping_add(4).cast::<Block<Pendulum>>();
     let code = |status: Status| status as i32;
     unsafe {

@@ -282,7 +282,8 @@ pub unsafe fn do_step<M: Exchanged>(
     let work = |instance: &mut Instance<M>| {
         let now = instance.get(Variable::Time)?;
         // The simulator adds up its own times.
-        if !((from - now).abs() <= 1e-9 * length.abs().max(now.abs()).max(1e-9)) {
+        let agrees = (from - now).abs() <= 1e-9 * length.abs().max(now.abs()).max(1e-9);
+        if !agrees {
             return Err(Status::Interval.into());
         }
         let event = instance.step_to(from + length, early)?;
@@ -342,6 +343,9 @@ pub unsafe fn forget<M: Exchanged>(copy: *mut *mut Instance<M>) -> Outcome {
 }
 
 /// Writes a value where the caller wants it.
+///
+/// # Errors
+/// [`Status::Null`]
 ///
 /// # Safety
 /// `place` is null or at such a value of the caller.

@@ -258,13 +258,11 @@ impl<M: Exchanged> Instance<M> {
                 event = event.or(Some(state.time()).filter(|time| *time > now && *time < until));
             }
         });
-        match event {
-            Some(time) => self.object.step_to(time).map(|()| true),
-            None => {
-                outcome?;
-                self.object.step_to(until).map(|()| false)
-            }
+        if let Some(time) = event {
+            return self.object.step_to(time).map(|()| true);
         }
+        outcome?;
+        self.object.step_to(until).map(|()| false)
     }
 
     /// The mechanism as it was declared.

@@ -25,9 +25,12 @@ pub enum Variable {
     Indicator(usize),
 }
 
+/// A kind of variable, and how many there are.
+type Count = (fn(usize) -> Variable, usize);
+
 impl Variable {
     /// How many there are of each, in the order of value references; the time is 0.
-    fn counts<M: Foreign>(declared: &M) -> [(fn(usize) -> Self, usize); 7] {
+    fn counts<M: Foreign>(declared: &M) -> [Count; 7] {
         let states = <M as System>::X::LEN;
         [
             (Self::Parameter, M::TABLES.parameters.len()),
@@ -42,7 +45,7 @@ impl Variable {
 
     /// All variables, in the order of their value references from 0.
     pub fn all<M: Foreign>(declared: &M) -> impl Iterator<Item = Self> {
-        let of_kind = |(make, count): (fn(usize) -> Self, usize)| (0..count).map(make);
+        let of_kind = |(make, count): Count| (0..count).map(make);
         core::iter::once(Self::Time).chain(Self::counts(declared).into_iter().flat_map(of_kind))
     }
 
