@@ -52,6 +52,8 @@ pages! {
 
 #[cfg(feature = "view")]
 pages! {
+    FromC = "running/c.md";
+    AsAnFmu = "running/fmu.md";
     ThePage = "running/page.md";
 }
 

@@ -75,3 +75,7 @@ pub use starts::{BadStarts, StartProblem, read_starts};
 
 #[cfg(feature = "view")]
 pub mod view;
+
+/// For C and other languages: objects in memory of the caller, numbers by kind and index, errors as codes with a text.
+#[cfg(feature = "foreign")]
+pub use plm_foreign as foreign;

@@ -27,6 +27,7 @@ mod chart;
 mod error;
 mod figures;
 pub mod live;
+pub mod package;
 mod page;
 mod recording;
 mod results;

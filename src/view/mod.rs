@@ -2,6 +2,7 @@
 
 mod arguments;
 mod described;
+mod foreign;
 mod integrator;
 mod options;
 mod program;
@@ -13,6 +14,7 @@ pub use plm_view::*;
 
 pub use arguments::{Arguments, BadOption, Known};
 pub use described::mechanism;
+pub use foreign::{NoDefault, fmu, library};
 pub use integrator::Integrator;
 pub use options::{Options, Table};
 pub use program::{Program, run, write};

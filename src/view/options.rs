@@ -44,6 +44,10 @@ pub struct Options {
     pub svg: Option<PathBuf>,
     /// `--out FILE`: the results file.
     pub out: Option<PathBuf>,
+    /// `--c FOLDER`: a static library of the mechanism, and its header.
+    pub c: Option<PathBuf>,
+    /// `--fmu FILE`: an FMU of the mechanism.
+    pub fmu: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
     /// `--every TIME`, s: between samples.
@@ -61,7 +65,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 11] = [
+const USUAL: [Known; 13] = [
     Known::value(
         "view",
         "FILE",
@@ -72,6 +76,12 @@ const USUAL: [Known; 11] = [
     Known::value("out", "FILE", "the results file, .npz (NumPy reads it)"),
     Known::value("csv", "FILE", "the table"),
     Known::value("svg", "FILE", "the curves"),
+    Known::value(
+        "c",
+        "FOLDER",
+        "a static library of the mechanism as declared, and its header, for C and C++",
+    ),
+    Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
     Known::value(
@@ -149,6 +159,8 @@ impl Options {
             csv: path("csv"),
             svg: path("svg"),
             out: path("out"),
+            c: path("c"),
+            fmu: path("fmu"),
             until: time("until", &given)?,
             every: time("every", &given)?,
             set: settings("set", &given)?,

@@ -10,10 +10,12 @@ use std::vec::Vec;
 use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use plm_runtime::{Described, Fault, Linear, Method, Moment, Sim, Statics};
+use plm_foreign::fmi::Exchanged;
+use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
+use super::foreign::{fmu, library};
 use super::integrator::WithSim;
 use super::options::{Options, quantities_of};
 use super::recorder::Recorder;
@@ -49,7 +51,7 @@ const SAMPLES: f64 = 1000.0;
 /// A bar is drawn so often in a run.
 const TICKS: u64 = 1000;
 
-impl<M: Described<S = f64> + Statics + Linear> Program<M> {
+impl<M: Exchanged> Program<M> {
     /// Runs this mechanism, for 10 s unless it is told otherwise.
     pub fn new(mechanism: M) -> Self {
         Self { mechanism, until: 10.0, every: 0.0 }
@@ -88,6 +90,15 @@ impl<M: Described<S = f64> + Statics + Linear> Program<M> {
             println!("{help}{}", quantities_of::<M>());
             return Ok(());
         }
+        if let Some(folder) = &options.c {
+            told(&library(&self.mechanism, folder)?);
+        }
+        if let Some(file) = &options.fmu {
+            told(&fmu(&self.mechanism, file)?);
+        }
+        if options.c.is_some() || options.fmu.is_some() {
+            return Ok(());
+        }
         options.apply(&mut self.mechanism)?;
         let method = options.method.unwrap_or_default();
         if let Some(port) = options.serve {
@@ -116,9 +127,7 @@ impl<M: Described<S = f64>> WithSim<M> for Record<'_> {
         let outcome = run(&mut sim, &mut recorder, self.until, self.every);
         let written = write::<M>(self.options, recorder.recording())?;
         outcome?;
-        for path in written {
-            println!("written: {}", path.display());
-        }
+        told(&written);
         Ok(())
     }
 }
@@ -151,6 +160,13 @@ impl<M: Described<S = f64> + Statics> WithSim<M> for Serve<'_> {
             }
         }
         Ok(())
+    }
+}
+
+/// Tells what was written.
+fn told(files: &[PathBuf]) {
+    for path in files {
+        println!("written: {}", path.display());
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) struct Entry {
 }
 
 /// An archive of these entries, name and contents, in their order.
-pub(super) fn write(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> io::Result<Vec<u8>> {
+pub(crate) fn write(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> io::Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     for (name, bytes) in entries {

@@ -11,6 +11,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+pub(crate) use archive::write as zipped;
 pub use mechanism::{
     Body, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Report,
 };

@@ -1,0 +1,359 @@
+//! The functions of FMI on an instance behind a pointer.
+//!
+//! Every function looks at what it is given, gives an error with a log message, and changes nothing then.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::ffi::{CStr, c_char, c_void};
+use core::slice;
+
+use plm_runtime::{System, Vector};
+
+use super::{Exchanged, Instance, Update, Variable, token};
+use crate::{Status, Text, Trouble};
+
+/// `fmi3Status`
+pub type Outcome = i32;
+const OK: Outcome = 0;
+const ERROR: Outcome = 3;
+
+/// `fmi3LogMessageCallback`
+pub type Log = Option<unsafe extern "C" fn(*mut c_void, Outcome, *const c_char, *const c_char)>;
+
+/// What a simulator is given as an instance.
+pub struct Handle<M: Exchanged> {
+    /// Tells instances from other memory.
+    mark: u64,
+    instance: Instance<M>,
+    /// Steps of co-simulation may return at events.
+    returns_early: bool,
+    log: Log,
+    environment: *mut c_void,
+}
+
+const MARK: u64 = 0x706c_6d5f_666d_6933;
+
+/// Makes an instance; null where the token is that of another FMU.
+///
+/// # Safety
+/// `own` is null or a text that ends with a zero; `log` may be called with `environment`.
+pub unsafe fn instantiate<M: Exchanged>(
+    declared: M,
+    own: *const c_char,
+    returns_early: bool,
+    (log, environment): (Log, *mut c_void),
+) -> *mut Handle<M> {
+    // SAFETY: the caller's part.
+    let is_own =
+        !own.is_null() && unsafe { CStr::from_ptr(own) }.to_bytes() == token::<M>().as_str().as_bytes();
+    if !is_own {
+        let text = Text::of("the instantiation token is that of another FMU");
+        if let Some(log) = log {
+            // SAFETY: the caller's part.
+            unsafe { log(environment, ERROR, c"logStatusError".as_ptr(), text.as_ptr()) };
+        }
+        return core::ptr::null_mut();
+    }
+    let instance = Instance::new(declared);
+    Box::into_raw(Box::new(Handle { mark: MARK, instance, returns_early, log, environment }))
+}
+
+/// Ends an instance.
+///
+/// # Safety
+/// `handle` is null or an instance that was not freed.
+pub unsafe fn free<M: Exchanged>(handle: *mut Handle<M>) {
+    if !handle.is_null() {
+        // SAFETY: the caller's part.
+        drop(unsafe { Box::from_raw(handle) });
+    }
+}
+
+/// Lets `work` at an instance.
+///
+/// # Safety
+/// `handle` is null or an instance that nobody else uses meanwhile.
+pub unsafe fn with<M: Exchanged>(
+    handle: *mut Handle<M>,
+    work: impl FnOnce(&mut Instance<M>) -> Result<(), Trouble>,
+) -> Outcome {
+    if handle.is_null() || !handle.is_aligned() {
+        return ERROR;
+    }
+    // SAFETY: the caller's part.
+    let handle = unsafe { &mut *handle };
+    if handle.mark != MARK {
+        return ERROR;
+    }
+    let Err(trouble) = work(&mut handle.instance) else { return OK };
+    if let Some(log) = handle.log {
+        // SAFETY: the simulator gave both.
+        unsafe { log(handle.environment, ERROR, c"logStatusError".as_ptr(), Text::of(trouble).as_ptr()) };
+    }
+    ERROR
+}
+
+/// Numbers of the caller, to be read.
+///
+/// # Safety
+/// `at` is null or at as many of the caller.
+unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Trouble> {
+    match count {
+        0 => Ok(&[]),
+        _ if at.is_null() => Err(Status::Null.into()),
+        // SAFETY: the caller's part.
+        _ => Ok(unsafe { slice::from_raw_parts(at, count) }),
+    }
+}
+
+/// Room of the caller for as many numbers as it must have.
+///
+/// # Safety
+/// `at` is null or at as many of the caller, which have values.
+unsafe fn room<'a>(at: *mut f64, count: usize, wanted: usize) -> Result<&'a mut [f64], Trouble> {
+    match count {
+        _ if count != wanted => Err(Status::NoSuch.into()),
+        0 => Ok(&mut []),
+        _ if at.is_null() => Err(Status::Null.into()),
+        // SAFETY: the caller's part.
+        _ => Ok(unsafe { slice::from_raw_parts_mut(at, count) }),
+    }
+}
+
+/// The variables of value references.
+///
+/// # Safety
+/// As of [`read`].
+unsafe fn variables<M: Exchanged>(
+    of: &Instance<M>,
+    (at, count): (*const u32, usize),
+) -> Result<Vec<Variable>, Trouble> {
+    // SAFETY: the caller's part.
+    let references = unsafe { read(at, count)? };
+    let found = references.iter().map(|reference| Variable::of(of.declared(), *reference));
+    found.map(|found| found.ok_or(Status::NoSuch.into())).collect()
+}
+
+/// `fmi3GetFloat64`
+///
+/// # Safety
+/// As of [`with`]; the arrays are null or the caller's.
+pub unsafe fn get<M: Exchanged>(
+    handle: *mut Handle<M>,
+    references: (*const u32, usize),
+    values: (*mut f64, usize),
+) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        // SAFETY: the caller's part.
+        let (wanted, values) =
+            unsafe { (variables(instance, references)?, room(values.0, values.1, references.1)?) };
+        for (value, variable) in values.iter_mut().zip(wanted) {
+            *value = instance.get(variable)?;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3SetFloat64`; where one of several is refused, none is set.
+///
+/// # Safety
+/// As of [`get`].
+pub unsafe fn set<M: Exchanged>(
+    handle: *mut Handle<M>,
+    references: (*const u32, usize),
+    values: (*const f64, usize),
+) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        // SAFETY: the caller's part.
+        let (wanted, values) = unsafe { (variables(instance, references)?, read(values.0, values.1)?) };
+        if wanted.len() != values.len() {
+            return Err(Status::NoSuch.into());
+        }
+        let mut changed = instance.clone();
+        for (value, variable) in values.iter().zip(wanted) {
+            changed.set(variable, *value)?;
+        }
+        *instance = changed;
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3GetDirectionalDerivative`
+///
+/// # Safety
+/// As of [`get`].
+pub unsafe fn tangents<M: Exchanged>(
+    handle: *mut Handle<M>,
+    (unknowns, knowns): ((*const u32, usize), (*const u32, usize)),
+    seeds: (*const f64, usize),
+    tangents: (*mut f64, usize),
+) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        // SAFETY: the caller's part.
+        let (unknowns, knowns) = unsafe { (variables(instance, unknowns)?, variables(instance, knowns)?) };
+        // SAFETY: the caller's part.
+        let (seeds, tangents) =
+            unsafe { (read(seeds.0, seeds.1)?, room(tangents.0, tangents.1, unknowns.len())?) };
+        if seeds.len() != knowns.len() {
+            return Err(Status::NoSuch.into());
+        }
+        let knowns: Vec<_> = knowns.into_iter().zip(seeds.iter().copied()).collect();
+        tangents.copy_from_slice(&instance.tangents(&knowns, &unknowns)?);
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// A vector of the mechanism into room of the caller.
+///
+/// # Safety
+/// As of [`get`].
+pub unsafe fn give<M: Exchanged, X: Vector<f64>>(
+    handle: *mut Handle<M>,
+    (at, count): (*mut f64, usize),
+    vector: impl FnOnce(&Instance<M>) -> Result<X, Trouble>,
+) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        // SAFETY: the caller's part.
+        let room = unsafe { room(at, count, X::LEN)? };
+        let vector = vector(instance)?;
+        room.iter_mut().enumerate().for_each(|(index, place)| *place = vector.at(index));
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3SetContinuousStates`
+///
+/// # Safety
+/// As of [`get`].
+pub unsafe fn set_states<M: Exchanged>(handle: *mut Handle<M>, (at, count): (*const f64, usize)) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        // SAFETY: the caller's part.
+        let states = unsafe { read(at, count)? };
+        if states.len() != <M as System>::X::LEN {
+            return Err(Status::NoSuch.into());
+        }
+        let x = <M as System>::X::from_fn(|index| states.get(index).copied().unwrap_or_default());
+        instance.place(None, Some(x))
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3UpdateDiscreteStates`; `flags`: more updates are needed, the simulation ends, nominals changed, states changed, a time
+/// is known.
+///
+/// # Safety
+/// As of [`with`]; the pointers are null or the caller's.
+pub unsafe fn update<M: Exchanged>(handle: *mut Handle<M>, flags: [*mut bool; 5], next: *mut f64) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        let Update { states_changed, next: time } = instance.update()?;
+        let values = [false, false, states_changed, states_changed, time.is_some()];
+        for (flag, value) in flags.into_iter().zip(values) {
+            // SAFETY: the caller's part.
+            unsafe { put(flag, value)? };
+        }
+        // SAFETY: the caller's part.
+        unsafe { put(next, time.unwrap_or_default()) }
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3DoStep`; `flags`: an event is to be handled, the simulation ends, it returned early.
+///
+/// # Safety
+/// As of [`update`].
+pub unsafe fn do_step<M: Exchanged>(
+    handle: *mut Handle<M>,
+    (from, length): (f64, f64),
+    flags: [*mut bool; 3],
+    last: *mut f64,
+) -> Outcome {
+    // SAFETY: the caller's part; read before the instance is.
+    let early = !handle.is_null() && unsafe { (*handle).returns_early };
+    let work = |instance: &mut Instance<M>| {
+        let now = instance.get(Variable::Time)?;
+        // The simulator adds up its own times.
+        let agrees = (from - now).abs() <= 1e-9 * length.abs().max(now.abs()).max(1e-9);
+        if !agrees {
+            return Err(Status::Interval.into());
+        }
+        let event = instance.step_to(from + length, early)?;
+        for (flag, value) in flags.into_iter().zip([event, false, event]) {
+            // SAFETY: the caller's part.
+            unsafe { put(flag, value)? };
+        }
+        // SAFETY: the caller's part.
+        unsafe { put(last, instance.get(Variable::Time)?) }
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3GetFMUState`: a copy, which is a new one or one that was made before.
+///
+/// # Safety
+/// As of [`with`]; `copy` is null or the caller's, and holds null or such a copy.
+pub unsafe fn save<M: Exchanged>(handle: *mut Handle<M>, copy: *mut *mut Instance<M>) -> Outcome {
+    let work = |instance: &mut Instance<M>| {
+        // SAFETY: the caller's part.
+        match unsafe { copy.as_mut() } {
+            None => return Err(Status::Null.into()),
+            Some(place) if place.is_null() => *place = Box::into_raw(Box::new(instance.clone())),
+            // SAFETY: the caller's part.
+            Some(place) => unsafe { **place = instance.clone() },
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, work) }
+}
+
+/// `fmi3SetFMUState`
+///
+/// # Safety
+/// As of [`with`]; `copy` is null or one of [`save`].
+pub unsafe fn restore<M: Exchanged>(handle: *mut Handle<M>, copy: *mut Instance<M>) -> Outcome {
+    // SAFETY: the caller's part.
+    let copy = unsafe { copy.as_ref() };
+    // SAFETY: the caller's part.
+    unsafe { with(handle, |instance| copy.map(|copy| *instance = copy.clone()).ok_or(Status::Null.into())) }
+}
+
+/// `fmi3FreeFMUState`
+///
+/// # Safety
+/// `copy` is null or the caller's, and holds null or one of [`save`].
+pub unsafe fn forget<M: Exchanged>(copy: *mut *mut Instance<M>) -> Outcome {
+    // SAFETY: the caller's part.
+    if let Some(place) = unsafe { copy.as_mut() }.filter(|place| !place.is_null()) {
+        // SAFETY: the caller's part.
+        drop(unsafe { Box::from_raw(*place) });
+        *place = core::ptr::null_mut();
+    }
+    OK
+}
+
+/// Writes a value where the caller wants it.
+///
+/// # Errors
+/// [`Status::Null`]
+///
+/// # Safety
+/// `place` is null or at such a value of the caller.
+pub unsafe fn put<T>(place: *mut T, value: T) -> Result<(), Trouble> {
+    if place.is_null() {
+        return Err(Status::Null.into());
+    }
+    // SAFETY: it is not null, and the caller's.
+    unsafe { place.write(value) };
+    Ok(())
+}

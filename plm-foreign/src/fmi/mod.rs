@@ -1,0 +1,39 @@
+//! A mechanism as an FMU of FMI 3.0 (Modelica Association, Functional Mock-up Interface Specification 3.0.2): model exchange and
+//! co-simulation.
+//!
+//! [`Instance`] is safe; [`border`] has the functions of FMI; [`description`] writes `modelDescription.xml`.
+
+#[allow(unsafe_code, reason = "pointers of other languages")]
+pub mod border;
+mod description;
+mod instance;
+mod sides;
+mod tangent;
+mod variable;
+
+pub use description::{description, token};
+pub use instance::{Instance, Update};
+pub use variable::Variable;
+
+use core::fmt;
+
+use plm_runtime::{Described, Linear};
+
+use crate::Foreign;
+
+/// What can be an FMU: every mechanism in `f64`.
+pub trait Exchanged: Foreign + Linear<Lifted<1>: Described> {}
+
+impl<M: Foreign + Linear<Lifted<1>: Described>> Exchanged for M {}
+
+/// The functions of FMI, for a mechanism called `NAME`.
+const FMI: &str = include_str!("fmi.rs.txt");
+
+/// Source of a shared library: the mechanism of a declaration, and the functions of FMI.
+///
+/// # Errors
+/// Those of the writer.
+pub fn source<M: Exchanged>(to: &mut impl fmt::Write) -> fmt::Result {
+    write!(to, "plm::mechanism! {{\n{}\n}}\n", M::DECLARATION)?;
+    crate::source::fill(FMI, M::TABLES.name, to)
+}

@@ -1,0 +1,52 @@
+//! Directional derivatives by dual numbers.
+
+use alloc::vec::Vec;
+
+use plm_runtime::{Cause, Described, Dual, Fault, Linear, Moment, Ports, System, Vector};
+
+use super::{Exchanged, Variable};
+use crate::{Status, Trouble};
+
+/// Derivatives of `unknowns` (rates and outputs) along `seeds` of `knowns` (states, inputs, parameters), exact but for rounding.
+///
+/// # Errors
+/// [`Status::NoSuch`] for other variables; a fault where the rate needs a solution by rank.
+pub(super) fn along<M: Exchanged>(
+    state: &M::State,
+    knowns: &[(Variable, f64)],
+    unknowns: &[Variable],
+) -> Result<Vec<f64>, Trouble> {
+    type Lifted<M> = <M as Linear>::Lifted<1>;
+    let (mut lifted, mut held) = state.mechanism().lift::<1>(&state.held());
+    let mut x =
+        <<Lifted<M> as System>::X as Vector<Dual<f64, 1>>>::from_fn(|i| Dual::constant(state.x().at(i)));
+    for (known, seed) in knowns {
+        let moved = |number: Dual<f64, 1>| Dual { value: number.value, tangents: [*seed] };
+        match *known {
+            Variable::State(i) => x.set(i, moved(x.at(i))),
+            Variable::Input(i) => {
+                let input = <Lifted<M>>::input(<Lifted<M>>::inputs(&mut held), i).ok_or(Status::NoSuch)?;
+                *input = moved(*input);
+            }
+            Variable::Parameter(i) => {
+                let parameter = lifted.parameter_mut(i).ok_or(Status::NoSuch)?;
+                *parameter = moved(*parameter);
+            }
+            _ => return Err(Status::NoSuch.into()),
+        }
+    }
+    let (time, mut rate) = (Dual::constant(state.time()), x);
+    let health = lifted.rate(time, &held, &x, &mut rate);
+    if !health.is_good() {
+        let rows = <M as System>::X::LEN;
+        return Err(Fault::new(state.time(), Cause::Singular { rows }).into());
+    }
+    let moment = <Lifted<M> as plm_runtime::Mechanism>::State::new(lifted, held, time, x);
+    let tangent = |unknown: &Variable| match *unknown {
+        Variable::Rate(i) => Some(rate.at(i)),
+        Variable::Output(i) => <Lifted<M>>::observed(&moment, i),
+        _ => None,
+    };
+    let tangents = unknowns.iter().map(|unknown| tangent(unknown).map(|number| number.tangents[0]));
+    tangents.map(|tangent| tangent.ok_or(Status::NoSuch.into())).collect()
+}

@@ -1,0 +1,89 @@
+//! What an object has by number.
+
+use plm_runtime::StartValues;
+
+use crate::{Foreign, Status, Trouble};
+
+/// What a number belongs to. The numbers of each kind count from 0 in the order of the declaration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Kind {
+    /// A parameter, SI; can be set at any time.
+    Parameter = 0,
+    /// An input, SI; can be set once the mechanism has started, and is held until it is set again.
+    Input = 1,
+    /// A first-order state, SI; can be read.
+    State = 2,
+    /// A quantity that is observed, the declared outputs among them, SI; can be read.
+    Output = 3,
+    /// A start value, SI: x, y, angle, vx, vy, omega of each body, then the first-order states. Counts at the next start.
+    Start = 4,
+    /// A body: has a name and a pose.
+    Body = 5,
+}
+
+impl Kind {
+    /// All kinds, in the order of their numbers.
+    pub const ALL: [Self; 6] =
+        [Self::Parameter, Self::Input, Self::State, Self::Output, Self::Start, Self::Body];
+
+    /// The kind with this number.
+    ///
+    /// # Errors
+    /// [`Status::NoSuch`]
+    pub fn of(number: i32) -> Result<Self, Trouble> {
+        Self::ALL.into_iter().find(|kind| *kind as i32 == number).ok_or(Status::NoSuch.into())
+    }
+
+    /// Gives `each` the names of this kind, in their order; `declared` is any mechanism of the type.
+    pub fn names<M: Foreign>(self, declared: &M, each: &mut impl FnMut(&'static str)) {
+        match self {
+            Self::Parameter => M::TABLES.parameters.iter().for_each(|row| each(row.name)),
+            Self::Input => M::TABLES.inputs.iter().for_each(|row| each(row.name)),
+            Self::State => M::TABLES.states.iter().for_each(|row| each(row.name)),
+            Self::Output => M::OBSERVED.iter().for_each(|(name, _)| each(name)),
+            Self::Start => {
+                let mut copy = *declared;
+                copy.starts_mut().each(&mut |name, _| each(name));
+            }
+            Self::Body => M::TABLES.bodies.iter().for_each(|body| each(body.name)),
+        }
+    }
+
+    /// How many there are of this kind.
+    pub fn count<M: Foreign>(self, declared: &M) -> usize {
+        let mut count = 0;
+        self.names(declared, &mut |_| count += 1);
+        count
+    }
+
+    /// A name of this kind.
+    ///
+    /// # Errors
+    /// [`Status::NoSuch`]
+    pub fn name<M: Foreign>(self, declared: &M, index: usize) -> Result<&'static str, Trouble> {
+        let (mut at, mut found) = (0, None);
+        self.names(declared, &mut |name| {
+            if at == index {
+                found = Some(name);
+            }
+            at += 1;
+        });
+        found.ok_or(Status::NoSuch.into())
+    }
+
+    /// The number of a name of this kind.
+    ///
+    /// # Errors
+    /// [`Status::NoSuch`]
+    pub fn find<M: Foreign>(self, declared: &M, name: &[u8]) -> Result<usize, Trouble> {
+        let (mut at, mut found) = (0, None);
+        self.names(declared, &mut |own| {
+            if found.is_none() && own.as_bytes() == name {
+                found = Some(at);
+            }
+            at += 1;
+        });
+        found.ok_or(Status::NoSuch.into())
+    }
+}

@@ -1,0 +1,191 @@
+//! A package that is written beside the caller's, and built by cargo: a mechanism in another form.
+//!
+//! It stands in a folder of the caller's and is built again only where something changed.
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::error::{Error, write_file};
+
+/// What cargo makes of a package.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A module of WebAssembly, small.
+    Module,
+    /// A static library of this machine, fast.
+    Static,
+    /// A shared library of this machine, fast.
+    Shared,
+}
+
+/// A package.
+#[derive(Clone, Debug)]
+pub struct Package<'a> {
+    /// Its name, in letters, digits, `_` and `-`.
+    pub name: &'a str,
+    /// What is made of it.
+    pub output: Output,
+    /// Its library.
+    pub source: &'a str,
+    /// Files that the source names, and where they are.
+    pub files: &'a [(&'a str, &'a str)],
+    /// The folder of the package `plm-planar`.
+    pub plm: &'a Path,
+    /// Its features that the source needs.
+    pub features: &'a [&'a str],
+}
+
+/// Why something was not built, in words.
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
+pub struct Unbuilt {
+    what: &'static str,
+    why: String,
+}
+
+impl fmt::Debug for Unbuilt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl fmt::Display for Unbuilt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the {} cannot be built: {}", self.what, self.why)
+    }
+}
+
+impl std::error::Error for Unbuilt {}
+
+impl Output {
+    fn what(self) -> &'static str {
+        match self {
+            Self::Module => "live module",
+            Self::Static => "static library",
+            Self::Shared => "shared library",
+        }
+    }
+
+    /// Its kind in a manifest, the level of optimisation, and what is left out.
+    fn manifest(self) -> (&'static str, &'static str, &'static str) {
+        match self {
+            Self::Module => ("cdylib", "\"s\"", "true"),
+            // Of a static library the linker needs the symbols.
+            Self::Static => ("staticlib", "3", "\"debuginfo\""),
+            Self::Shared => ("cdylib", "3", "true"),
+        }
+    }
+
+    /// The target for which it is built; this machine where none is named.
+    fn target(self) -> Option<&'static str> {
+        (self == Self::Module).then_some("wasm32-unknown-unknown")
+    }
+
+    /// The name of the file that cargo writes.
+    fn file(self, name: &str) -> String {
+        use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
+        let name = name.replace('-', "_");
+        match self {
+            Self::Module => format!("{name}.wasm"),
+            Self::Static if cfg!(target_env = "msvc") => format!("{name}.lib"),
+            Self::Static => format!("lib{name}.a"),
+            Self::Shared => format!("{DLL_PREFIX}{name}{DLL_SUFFIX}"),
+        }
+    }
+}
+
+impl Package<'_> {
+    /// Builds it in a folder and gives the bytes of what cargo made.
+    ///
+    /// # Errors
+    /// [`Unbuilt`]: cargo is not there or fails, with what it says; where a target is missing, with the line that installs
+    /// it. Or a file cannot be written or read.
+    pub fn build(&self, folder: &Path) -> Result<Vec<u8>, Unbuilt> {
+        self.try_build(folder).map_err(|why| Unbuilt { what: self.output.what(), why })
+    }
+
+    fn try_build(&self, folder: &Path) -> Result<Vec<u8>, String> {
+        self.write(folder).map_err(|error| error.to_string())?;
+        let (own, target) = (folder.join("target"), self.output.target());
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        cargo.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
+        cargo.arg("--target-dir").arg(&own);
+        cargo.args(target.iter().flat_map(|target| ["--target", target]));
+        // What the caller's own build was told is not for this one.
+        for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_TARGET", "CARGO_MANIFEST_DIR"] {
+            cargo.env_remove(variable);
+        }
+        let output = cargo.output().map_err(|error| format!("cargo cannot be run: {error}"))?;
+        if !output.status.success() {
+            return Err(explained(&String::from_utf8_lossy(&output.stderr), target));
+        }
+        let below: PathBuf = target.into_iter().chain(["release"]).collect();
+        let path = own.join(below).join(self.output.file(self.name));
+        fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+    }
+
+    /// Writes it; what is as it was keeps its time.
+    fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
+        let (kind, level, strip) = self.output.manifest();
+        let (plm, features) = (self.plm.display().to_string(), self.features);
+        let manifest = format!(
+            "[package]\nname = \"{}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[lib]\ncrate-type = [\"{kind}\"]\n\n\
+             [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"abort\"\nstrip = {strip}\n\n\
+             [workspace]\n\n[dependencies]\n\
+             plm = {{ package = \"plm-planar\", path = {plm:?}, features = {features:?} }}\n",
+            self.name
+        );
+        renew(&folder.join("Cargo.toml"), manifest.as_bytes())?;
+        renew(&folder.join("src/lib.rs"), self.source.as_bytes())?;
+        for (name, path) in self.files {
+            let bytes = fs::read(path).map_err(|error| format!("{path}: {error}"))?;
+            renew(&folder.join(name), &bytes)?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes a file unless it holds that already, with the folders above it.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn renew(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    if fs::read(path).is_ok_and(|present| present == bytes) {
+        return Ok(());
+    }
+    write_file(path, Ok(bytes.to_vec()))
+}
+
+/// A zip of these entries, name and contents, in their order.
+///
+/// # Errors
+/// When an entry is too large for a zip.
+pub fn archive(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> std::io::Result<Vec<u8>> {
+    crate::results::zipped(entries)
+}
+
+/// What cargo said, and what to do where a target is missing.
+fn explained(said: &str, target: Option<&str>) -> String {
+    let missing = said.contains("can't find crate for `core`") || said.contains("can't find crate for `std`");
+    match target.filter(|_| missing) {
+        Some(target) => {
+            format!("the target is not installed; this line installs it: rustup target add {target}")
+        }
+        None => said.trim().to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::explained;
+
+    #[test]
+    fn a_missing_target_is_told_with_the_line_that_installs_it() {
+        let target = Some("wasm32-unknown-unknown");
+        let said = "error[E0463]: can't find crate for `core`\n  = note: the `wasm32-unknown-unknown` target may not be installed";
+        assert!(explained(said, target).ends_with("rustup target add wasm32-unknown-unknown"));
+        assert_eq!(explained("error: something else\n", target), "error: something else");
+    }
+}

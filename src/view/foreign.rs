@@ -1,0 +1,91 @@
+//! Libraries of a mechanism for other languages, built by cargo.
+
+use std::boxed::Box;
+use std::error::Error;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+use std::{env, format};
+
+use plm_foreign::fmi::{self, Exchanged};
+use plm_foreign::{Foreign, Names, header, source};
+use plm_view::package::{Output, Package, archive, renew};
+
+/// A library has the mechanism as declared: this parameter has no default.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct NoDefault(&'static str);
+
+/// Reads like its `Display`, since a `main` that returns it shows this one.
+impl fmt::Debug for NoDefault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl fmt::Display for NoDefault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the parameter `{}` has no default, and a library needs one", self.0)
+    }
+}
+
+impl Error for NoDefault {}
+
+/// Writes a static library of a mechanism, and its header for C and C++, into a folder; gives the two files.
+///
+/// cargo builds it in `target/plm/c`. It has the mechanism as declared: what was set in this one is not in it.
+///
+/// # Errors
+/// [`NoDefault`]; cargo is not there or fails, with what it says; a file cannot be written.
+pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let (prefix, mut text, mut code) =
+        (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
+    header(mechanism, &mut text)?;
+    source::<M>(&mut code)?;
+    let built = build::<M>((&prefix, Output::Static), &code, "target/plm/c")?;
+    let ending = if cfg!(target_env = "msvc") { format!("{prefix}.lib") } else { format!("lib{prefix}.a") };
+    let files = [folder.join(ending), folder.join(format!("{prefix}.h"))];
+    for (file, bytes) in files.iter().zip([built.as_slice(), text.as_bytes()]) {
+        renew(file, bytes)?;
+    }
+    Ok(files.into())
+}
+
+/// Writes an FMU of a mechanism for FMI 3.0, model exchange and co-simulation; gives the file.
+///
+/// cargo builds it in `target/plm/fmu`. It has the mechanism as declared: what was set in this one is not in it.
+///
+/// # Errors
+/// As [`library`].
+pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let (name, mut text, mut code) = (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
+    fmi::description(mechanism, &mut text)?;
+    fmi::source::<M>(&mut code)?;
+    let built = build::<M>((&name, Output::Shared), &code, "target/plm/fmu")?;
+    let binary = format!("binaries/{}-{}/{name}{}", env::consts::ARCH, system(), env::consts::DLL_SUFFIX);
+    let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
+    renew(file, &archive(entries)?)?;
+    Ok(std::vec![file.into()])
+}
+
+/// This system as FMI calls it.
+fn system() -> &'static str {
+    match env::consts::OS {
+        "macos" => "darwin",
+        other => other,
+    }
+}
+
+/// Builds a package of a mechanism.
+fn build<M: Foreign>(
+    (name, output): (&str, Output),
+    source: &str,
+    folder: &str,
+) -> Result<Vec<u8>, Box<dyn Error>> {
+    if let Some(parameter) = M::TABLES.parameters.iter().find(|parameter| parameter.default.is_none()) {
+        return Err(NoDefault(parameter.name).into());
+    }
+    let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
+    let package = Package { name, output, source, files: M::FILES, plm, features: &["fmi"] };
+    Ok(package.build(&Path::new(folder).join(name))?)
+}

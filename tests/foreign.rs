@@ -1,0 +1,160 @@
+//! Programs of C and C++ run a mechanism by its library: the bits are those of Rust, and wrong calls do nothing.
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use plm::{Described, Sim};
+
+plm::mechanism! {
+    /// A press: a loop with a slider, a stop with a spring that pushes at once, an input, a state, and a time that must
+    /// not be passed.
+    pub Press {
+        gravity: 9.81 m/s^2;
+        /// Of the spring
+        /// at the guide.
+        param stiff: N/mm = 0.2 N/mm;
+        param load: kg = 0.5 kg;
+        input push: N = 5 N;
+        state level: N = 0;
+        rate level = (push - level) / 0.1 s;
+        ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 5 deg; }
+        body crank { mass: 0.2 kg; inertia: 0.001 kg*m^2; port o: (-0.1, 0) m; port pin: (0.1, 0) m; start angle: 60 deg, locked; }
+        body rod { mass: 0.6 kg; inertia: 0.018 kg*m^2; port pin: (-0.3, 0) m; port wrist: (0.3, 0) m; start angle: -17 deg; }
+        body slider { mass: load; inertia: 0.001 kg*m^2; port wrist: (0, 0) m; start x: 0.67 m; }
+        revolute drive(ground.o, crank.o) { damping: 0.01 N*m*s/rad; }
+        revolute crank_pin(crank.pin, rod.pin);
+        revolute wrist_pin(rod.wrist, slider.wrist);
+        prismatic guide(ground.rail, slider.wrist);
+        force spring(slider.wrist) { x: if slider.x > 0.6 m then -stiff*(slider.x - 0.5 m) - level else -level; }
+        require early: t < 20 s;
+        output crank.angle in deg, drive.force, slider.x in mm;
+    }
+}
+
+/// The folder with the library; it is built once for all tests.
+fn library() -> &'static Path {
+    use std::sync::OnceLock;
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign");
+        plm::view::library(&Press::new(), &folder).unwrap();
+        folder
+    })
+}
+
+/// Compiles a program of `tests/c` with every warning an error, and gives what it prints; nothing where the compiler is
+/// not there.
+fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
+    if Command::new(compiler).arg("--version").output().is_err() {
+        println!("skipped: there is no {compiler}");
+        return None;
+    }
+    let (source, folder) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(file), library());
+    let program = folder.join(format!("{compiler}-{file}.out"));
+    let mut compile = Command::new(compiler);
+    compile
+        .args([standard, "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"])
+        .arg(folder)
+        .arg(source);
+    compile.arg(folder.join("libpress.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
+    let said = compile.output().unwrap();
+    assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
+    let output = Command::new(program).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{compiler} {file}: {:?} {text}", output.status);
+    Some(text)
+}
+
+fn print(sim: &Sim<Press>, text: &mut String) {
+    let bits = (0..Press::<f64>::OBSERVED.len()).map(|k| Press::observed(sim.state(), k).unwrap().to_bits());
+    let words: Vec<String> = bits.map(|bits| format!("{bits:016x}")).collect();
+    writeln!(text, "{}", words.join(" ")).unwrap();
+}
+
+/// What `run.c` does; the rows to 700 once.
+fn native() -> String {
+    let (mut sim, mut text) = (Press::new().start().unwrap(), String::new());
+    for k in 0..1000 {
+        match k {
+            300 => sim.input.push = -7.5,
+            500 => sim.mechanism.stiff = 350.0,
+            _ => {}
+        }
+        sim.step(0.001).unwrap();
+        print(&sim, &mut text);
+    }
+    assert!(sim.stats().switches > 0 && sim.stats().renewed == 0, "{:?}", sim.stats());
+    text
+}
+
+#[test]
+fn programs_of_c_and_cpp_have_the_bits_of_rust() {
+    let native = native();
+    for (compiler, standard) in [("gcc", "-std=c99"), ("clang", "-std=c11")] {
+        let Some(text) = run(compiler, standard, "run.c") else { continue };
+        assert!(text == native, "{compiler} differs from Rust");
+    }
+    for (compiler, standard) in [("g++", "-std=c++11"), ("clang++", "-std=c++17")] {
+        let Some(text) = run(compiler, standard, "run.cpp") else { continue };
+        assert!(native.starts_with(&text) && text.lines().count() == 300, "{compiler} differs from Rust");
+    }
+}
+
+#[test]
+fn wrong_calls_of_c_give_a_code_and_change_nothing() {
+    let Some(text) = run("gcc", "-std=c99", "bad_use.c") else { return };
+    let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c/bad_use.txt");
+    if std::env::var_os("PLM_BLESS").is_some() {
+        std::fs::write(&expected, &text).unwrap();
+    }
+    assert_eq!(text, std::fs::read_to_string(expected).unwrap());
+}
+
+/// FMPy validates an FMU, runs it in both modes and compares with Rust; `tests/fmu/check.py` says what it looks at.
+#[test]
+fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmu");
+    let (file, rows) = (folder.join("press.fmu"), folder.join("press.csv"));
+    plm::view::fmu(&Press::new(), &file).unwrap();
+    let (mut sim, mut text) = (Press::new().start().unwrap(), String::new());
+    for k in 0..200 {
+        if k == 100 {
+            sim.input.push = -7.5;
+        }
+        let outputs = (0..Press::<f64>::OBSERVED.len()).map(|k| Press::observed(sim.state(), k).unwrap());
+        let numbers: Vec<String> = outputs.map(|number| format!("{number:?}")).collect();
+        writeln!(text, "{}", numbers.join(",")).unwrap();
+        sim.step_to(f64::from(k) * 0.01 + 0.01).unwrap();
+    }
+    std::fs::write(&rows, text).unwrap();
+    let python = std::env::var("PLM_PYTHON").unwrap_or("python3".to_owned());
+    let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
+    if !has_fmpy.is_ok_and(|output| output.status.success()) {
+        println!("skipped: {python} has no FMPy (pip install fmpy; PLM_PYTHON names another one)");
+        return;
+    }
+    let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
+    let output = Command::new(python).arg(check).args([file, rows]).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    println!("{said}");
+}
+
+#[test]
+fn a_parameter_without_default_is_told() {
+    plm::mechanism! {
+        Bar {
+            param load: kg;
+            ground { port o: (0, 0) m; }
+            body bar { mass: load; inertia: 0.1 kg*m^2; port a: (1, 0) m; }
+            revolute pin(ground.o, bar.a);
+        }
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign-bar");
+    let error = plm::view::library(&Bar::new(1.0), &folder).unwrap_err();
+    assert_eq!(error.to_string(), "the parameter `load` has no default, and a library needs one");
+    assert!(!folder.exists());
+}
