@@ -187,6 +187,7 @@ macro_rules! real {
             fn lit(x: f64) -> Self {
                 x as $real
             }
+            #[allow(clippy::cast_lossless, reason = "lossless in f64 alone")]
             #[inline]
             fn of_turns(turns: i32) -> Self {
                 turns as $real

@@ -21,7 +21,7 @@ const WHILE: f64 = 0.3;
 
 /// The area is the other coordinate.
 type Memory = charts::Memory<f64, 1, 0, 1, 0>;
-type Bound = Held<(), (), OfLoops<Memory, [f64; 2]>>;
+type Bound = Held<(), (), [i32; 0], OfLoops<Memory, [f64; 2]>>;
 
 fn memory(coordinate: f64, t: f64, other: f64) -> Memory {
     let coordinates = [Reach { last: coordinate, reach: REACH }];
@@ -29,7 +29,7 @@ fn memory(coordinate: f64, t: f64, other: f64) -> Memory {
 }
 
 fn in_chart(chart: usize, memory: Memory) -> Bound {
-    Held { input: (), switches: (), of_loops: OfLoops::InChart { chart, memory } }
+    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart, memory } }
 }
 
 /// The chart and what is remembered.
@@ -59,10 +59,14 @@ impl System for Bead {
 impl Charted for Bead {
     type Input = ();
     type Switches = ();
+    type Turns = [i32; 0];
     type Memory = Memory;
     type Q = [f64; 2];
     const CHARTS: usize = 2;
+    const COUNTED: &'static [charts::Counted] = &[];
+    const LOOSE: bool = false;
     const TURNING: &'static [&'static str] = &[];
+    const FOUND: &'static [&'static [usize]] = &[];
     const FOLLOWED: &'static [&'static str] = &[];
     const CLOSING: &'static [&'static [&'static str]] = &[&["ring"], &["hoop"]];
 

@@ -40,7 +40,7 @@ impl System for Charted {
             *chart = -*chart;
             *y = y.map(|y| -y);
         }
-        Ok(Accepted { moved, passed: None })
+        Ok(Accepted { moved, ..Accepted::default() })
     }
 }
 

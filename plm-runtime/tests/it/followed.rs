@@ -14,10 +14,10 @@ struct Link {
 
 /// The crank is the coordinate, the link is followed.
 type Memory = charts::Memory<f64, 1, 0, 1, 1>;
-type Bound = Held<(), (), OfLoops<Memory, [f64; 1]>>;
+type Bound = Held<(), (), [i32; 0], OfLoops<Memory, [f64; 1]>>;
 
 fn held(memory: Memory) -> Bound {
-    Held { input: (), switches: (), of_loops: OfLoops::InChart { chart: 0, memory } }
+    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart: 0, memory } }
 }
 
 /// The link as it is remembered.
@@ -44,10 +44,14 @@ impl System for Link {
 impl Charted for Link {
     type Input = ();
     type Switches = ();
+    type Turns = [i32; 0];
     type Memory = Memory;
     type Q = [f64; 1];
     const CHARTS: usize = 1;
+    const COUNTED: &'static [charts::Counted] = &[];
+    const LOOSE: bool = false;
     const TURNING: &'static [&'static str] = &[];
+    const FOUND: &'static [&'static [usize]] = &[];
     const FOLLOWED: &'static [&'static str] = &["link"];
     const CLOSING: &'static [&'static [&'static str]] = &[&["pin"]];
 
