@@ -130,7 +130,7 @@ fn the_module_has_the_bits_of_the_native_run() {
         println!("skipped: node is not installed (apt-get install nodejs)");
         return;
     }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live");
+    let folder = Path::new("target/plm/packages/live");
     let module = Module {
         name: "FourBar",
         declaration: <FourBar>::DECLARATION,

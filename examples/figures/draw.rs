@@ -143,6 +143,10 @@ fn with_directions(demo: &str, sketch: Sketch) -> Sketch {
 pub(crate) fn picture(declaration: &str) -> Result<Picture, Box<dyn Error>> {
     let mut sources = Sources::new();
     sources.add_text("declaration", declaration);
+    for name in sources.named_files() {
+        let content = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(&name));
+        sources.add_file(&name, content.map_err(|error| error.to_string()));
+    }
     let expansion = compile(&mut sources);
     let told = expansion.diagnostics.sorted();
     let told: Vec<String> = told.iter().map(|diagnostic| diagnostic.render(&sources)).collect();

@@ -18,9 +18,9 @@ fi
 # What `cargo test -p plm-planar --test live_module --test manual` has made: the module of a live page, and pages of the
 # manual's demos. Tests that find none say so.
 target=${CARGO_TARGET_DIR:-../../target}
+export PLM_LIVE=${PLM_LIVE:-$(cd ../.. && pwd)/target/plm/packages/live}
 if [ -d "$target/tmp" ]; then
-    made=$(cd "$target/tmp" && pwd)
-    export PLM_LIVE=${PLM_LIVE:-$made/live} PLM_PAGES=${PLM_PAGES:-$made/pages}
+    export PLM_PAGES=${PLM_PAGES:-$(cd "$target/tmp" && pwd)/pages}
 fi
 
 # The served page's test takes the example of plm-planar where `cargo test` has built it; without it it says so.

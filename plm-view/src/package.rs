@@ -97,7 +97,8 @@ impl Output {
 }
 
 impl Package<'_> {
-    /// Builds it in a folder and gives the bytes of what cargo made.
+    /// Builds it in a folder and gives the bytes of what cargo made. What several packages need is built once, in the folder
+    /// `target` beside theirs.
     ///
     /// # Errors
     /// [`Unbuilt`]: cargo is not there or fails, with what it says; where a target is missing, with the line that installs
@@ -108,7 +109,7 @@ impl Package<'_> {
 
     fn try_build(&self, folder: &Path) -> Result<Vec<u8>, String> {
         self.write(folder).map_err(|error| error.to_string())?;
-        let (own, target) = (folder.join("target"), self.output.target());
+        let (own, target) = (folder.with_file_name("target"), self.output.target());
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(&own);

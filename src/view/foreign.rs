@@ -33,7 +33,7 @@ impl Error for NoDefault {}
 
 /// Writes a static library of a mechanism, and its header for C and C++, into a folder; gives the two files.
 ///
-/// cargo builds it in `target/plm/c`. It has the mechanism as declared: what was set in this one is not in it.
+/// cargo builds it in `target/plm/packages`. It has the mechanism as declared: what was set in this one is not in it.
 ///
 /// # Errors
 /// [`NoDefault`]; cargo is not there or fails, with what it says; a file cannot be written.
@@ -42,7 +42,7 @@ pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>,
         (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
     header(mechanism, &mut text)?;
     source::<M>(&mut code)?;
-    let built = build::<M>((&prefix, Output::Static), &code, "target/plm/c")?;
+    let built = build::<M>((&prefix, Output::Static), &code)?;
     let ending = if cfg!(target_env = "msvc") { format!("{prefix}.lib") } else { format!("lib{prefix}.a") };
     let files = [folder.join(ending), folder.join(format!("{prefix}.h"))];
     for (file, bytes) in files.iter().zip([built.as_slice(), text.as_bytes()]) {
@@ -53,7 +53,7 @@ pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>,
 
 /// Writes an FMU of a mechanism for FMI 3.0, model exchange and co-simulation; gives the file.
 ///
-/// cargo builds it in `target/plm/fmu`. It has the mechanism as declared: what was set in this one is not in it.
+/// cargo builds it in `target/plm/packages`. It has the mechanism as declared: what was set in this one is not in it.
 ///
 /// # Errors
 /// As [`library`].
@@ -61,7 +61,7 @@ pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box
     let (name, mut text, mut code) = (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
     fmi::description(mechanism, &mut text)?;
     fmi::source::<M>(&mut code)?;
-    let built = build::<M>((&name, Output::Shared), &code, "target/plm/fmu")?;
+    let built = build::<M>((&name, Output::Shared), &code)?;
     let binary = format!("binaries/{}-{}/{name}{}", env::consts::ARCH, system(), env::consts::DLL_SUFFIX);
     let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
     renew(file, &archive(entries)?)?;
@@ -77,15 +77,12 @@ fn system() -> &'static str {
 }
 
 /// Builds a package of a mechanism.
-fn build<M: Foreign>(
-    (name, output): (&str, Output),
-    source: &str,
-    folder: &str,
-) -> Result<Vec<u8>, Box<dyn Error>> {
+fn build<M: Foreign>((name, output): (&str, Output), source: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     if let Some(parameter) = M::TABLES.parameters.iter().find(|parameter| parameter.default.is_none()) {
         return Err(NoDefault(parameter.name).into());
     }
     let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
     let package = Package { name, output, source, files: M::FILES, plm, features: &["fmi"] };
-    Ok(package.build(&Path::new(folder).join(name))?)
+    let kind = if output == Output::Static { "c" } else { "fmu" };
+    Ok(package.build(&Path::new("target/plm/packages").join(format!("{name}-{kind}")))?)
 }

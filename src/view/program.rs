@@ -247,7 +247,7 @@ fn page<M: Described<S = f64>>(options: &Options, recording: &Recording) -> Resu
         files: M::FILES,
         plm: Path::new(env!("CARGO_MANIFEST_DIR")),
     };
-    match module.build(Path::new("target/plm/live").join(M::TABLES.name)) {
+    match module.build(Path::new("target/plm/packages").join(format!("{}-live", M::TABLES.name))) {
         Ok(bytes) => Ok(page.with_module(&bytes)),
         Err(error) => {
             // What was recorded can be looked at without it.

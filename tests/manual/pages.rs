@@ -76,7 +76,7 @@ fn double_arm_alive() {
         plm: Path::new(env!("CARGO_MANIFEST_DIR")),
     };
     // Where `tests/live_module.rs` has built all but the mechanism.
-    let bytes = match module.build(Path::new(env!("CARGO_TARGET_TMPDIR")).join("live")) {
+    let bytes = match module.build("target/plm/packages/live") {
         Ok(bytes) => bytes,
         Err(error) if error.to_string().contains("rustup target add") => {
             println!("skipped: {error}");
