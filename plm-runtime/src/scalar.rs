@@ -189,7 +189,7 @@ macro_rules! real {
             }
             #[inline]
             fn of_turns(turns: i32) -> Self {
-                turns as $real
+                Self::lit(turns.into())
             }
             #[inline]
             fn to_turns(self) -> i32 {
