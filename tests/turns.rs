@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use plm::live::Live;
 use plm::{Dop853, Mechanism, Moment, Rk4};
 
 plm::mechanism! {
@@ -68,6 +69,86 @@ plm::mechanism! {
         output second.p.position;
     }
 }
+
+plm::mechanism! {
+    /// A pendulum that winds up a weak spring.
+    Wound {
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        body bob { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0.2) m; start angle: 0 rad, locked; start omega: 40 rad/s, locked; }
+        revolute hinge(ground.o, bob.o) { stiffness: 0.01 N*m/rad; }
+    }
+}
+
+plm::mechanism! {
+    /// A slider on an arm that turns round. Its joint, a pair by its own word, says by a sine that it does not turn.
+    Slid {
+        joint slide(a: frame, b: frame) {
+            pair: prismatic;
+            constraint normal: cross(b.position - a.position, a.axis) = 0;
+            constraint angle: cross(a.axis, b.axis) = 0;
+        }
+        ground { port o: (0, 0) m; }
+        body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start omega: 10 rad/s, locked; }
+        body rider { mass: 1 kg; inertia: 0.1 kg*m^2; port q: (0, 0) m; start x: 0.2 m; }
+        revolute hinge(ground.o, arm.o);
+        slide way(arm.p, rider.q);
+        spring hold(arm.o, rider.q) { stiffness: 1000 N/m; free_length: 0.1 m; }
+    }
+}
+
+plm::mechanism! {
+    /// The same with the joint of the library, whose row reads the angles, in absolute coordinates.
+    SlidAbsolute {
+        rung: absolute;
+        ground { port o: (0, 0) m; }
+        body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start omega: 10 rad/s, locked; }
+        body rider { mass: 1 kg; inertia: 0.1 kg*m^2; port q: (0, 0) m; start x: 0.2 m; }
+        revolute hinge(ground.o, arm.o);
+        prismatic way(arm.p, rider.q);
+        spring hold(arm.o, rider.q) { stiffness: 1000 N/m; free_length: 0.1 m; }
+    }
+}
+
+plm::mechanism! {
+    /// A tool that a motor turns on an arm, which turns freely.
+    Apart {
+        rung: absolute;
+        ground { port o: (0, 0) m; }
+        body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; start omega: 7 rad/s, locked; }
+        body tool { mass: 1 kg; inertia: 0.01 kg*m^2; port q: (0, 0) m; start x: 1 m; }
+        revolute hinge(ground.o, arm.o);
+        revolute wrist(arm.p, tool.q);
+        constraint motor: tool.angle - arm.angle = 20 rad/s*t;
+    }
+}
+
+/// A plate on the pins of three cranks, which turn as one and wind up a spring: an angle and three slides at once.
+macro_rules! plate_on_cranks {
+    ($name:ident, $($rung:tt)*) => {
+        plm::mechanism! {
+            $name {
+                $($rung)*
+                gravity: 9.81 m/s^2;
+                ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }
+                body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg, locked; start omega: 12 rad/s, locked; }
+                body crank[1] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 1.1 m; start angle: 20 deg; }
+                body crank[2] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.6 m; start y: 0.9 m; start angle: -20 deg; }
+                body plate { mass: 2 kg; inertia: 0.3 kg*m^2; port a: (-0.4, -0.3) m, angle: 35 deg; port b: (0.4, -0.3) m, angle: 140 deg; port c: (0, 0.4) m, angle: 100 deg; start x: 0.5 m; start y: 0.3 m; }
+                revolute o0(ground.a, crank[0].o) { stiffness: 0.05 N*m/rad; }
+                revolute o1(ground.b, crank[1].o);
+                revolute o2(ground.c, crank[2].o);
+                pin_slot slot[0](plate.a, crank[0].p) { stiffness: 100 N/m; }
+                pin_slot slot[1](plate.b, crank[1].p);
+                pin_slot slot[2](plate.c, crank[2].p);
+                constraint gear: crank[1].angle - crank[0].angle = 0;
+                constraint back: crank[2].angle - crank[0].angle = -40 deg;
+            }
+        }
+    };
+}
+plate_on_cranks!(Plate,);
+plate_on_cranks!(PlateAbsolute, rung: absolute;);
 
 /// 200 s at 1000 revolutions a minute, in single precision and in steps of a millisecond.
 #[test]
@@ -176,4 +257,83 @@ fn a_gear_keeps_its_ratio_over_many_turns() {
         let [x, y] = sim.second_p_position();
         assert!((x - 1.0 - 0.1 * expected.cos()).abs() < 1e-6 && (y - 0.1 * expected.sin()).abs() < 1e-6);
     }
+}
+
+/// An equilibrium, and a pose by hand, begin where the mechanism is: with the spring as it is wound up.
+#[test]
+fn a_wound_spring_is_wound_up_where_it_is_stabilised_or_placed() {
+    let mut sim = Wound::new().start().unwrap();
+    sim.step_to(1.0).unwrap();
+    let angle = sim.bob().angle;
+    assert!(angle > 5.0 * TAU && sim.x()[0] < 5.0);
+    let found = plm::stabilise(&sim).unwrap();
+    assert_eq!(found.values[2].value.to_bits(), angle.to_bits());
+    // The angle is locked: its lock holds the weight (the centre is below the hinge by 0.2 m times the cosine) and the spring.
+    let expected = 9.81 * 0.2 * angle.sin() + 0.01 * angle;
+    assert!((found.residuals[0].value - expected).abs() < 1e-9, "{:?}", found.residuals);
+
+    let mut live = Live::new(Wound::new());
+    assert!((0..100).all(|_| live.step(0.01)));
+    let pose = live.read()[1..4].to_vec();
+    assert!((pose[2] - angle).abs() < 1e-6);
+    assert!(live.place(0, [pose[0], pose[1], pose[2] + 0.1]));
+    assert!((live.read()[3] - pose[2]).abs() < 0.11, "{} {}", live.read()[3], pose[2]);
+}
+
+/// Bodies that a pair keeps from turning against each other have one angle and one count, whatever its rows look like.
+#[test]
+fn a_slider_turns_as_its_guide_does() {
+    let mut sim = Slid::new().start().unwrap();
+    let mut other = SlidAbsolute::new().start_with(Dop853::new(1e-11)).unwrap();
+    for k in 1..=8 {
+        sim.step_to(0.5 * f64::from(k)).unwrap();
+        other.step_to(0.5 * f64::from(k)).unwrap();
+        assert_eq!(sim.rider().angle.to_bits(), sim.arm().angle.to_bits());
+        for (angle, reference) in
+            [(sim.arm().angle, other.arm().angle), (other.rider().angle, other.arm().angle)]
+        {
+            assert!((angle - reference).abs() < 1e-6, "{angle} {reference}");
+        }
+        let x = other.x();
+        assert!(sim.x()[0].abs() < 5.0 && x[2].abs() < 5.0 && x[5].abs() < 5.0, "{:?} {x:?}", sim.x());
+    }
+    assert!(sim.arm().angle > 5.0 * TAU);
+}
+
+/// Angles whose difference grows cannot both be near: the first is, and nothing is brought back and forth.
+#[test]
+fn a_motor_between_turning_bodies_keeps_its_speed() {
+    let mut sim = Apart::new().start().unwrap();
+    let steps = 20_u32;
+    for k in 1..=steps {
+        let time = f64::from(k);
+        sim.step_to(time).unwrap();
+        for (angle, speed) in [(sim.arm().angle, 7.0), (sim.tool().angle, 27.0)] {
+            assert!((angle - speed * time).abs() < 1e-7, "{time}: {angle}");
+        }
+        assert!(sim.x()[2].abs() < 5.0);
+    }
+}
+
+/// What Newton's iteration starts from is brought back with the angles, and bodies that a row keeps at a difference count
+/// as one.
+#[test]
+fn iterations_go_on_over_whole_turns() {
+    let mut sim = Plate::new().start_with(Dop853::new(1e-11)).unwrap();
+    let mut other = PlateAbsolute::new().start_with(Dop853::new(1e-11)).unwrap();
+    for k in 1..=4 {
+        let time = 0.5 * f64::from(k);
+        sim.step_to(time).unwrap();
+        other.step_to(time).unwrap();
+        for (angle, reference) in [
+            (sim.crank_0().angle, other.crank_0().angle),
+            (sim.crank_2().angle, other.crank_2().angle),
+            (sim.plate().angle, other.plate().angle),
+            (sim.crank_2().angle, sim.crank_0().angle - 40_f64.to_radians()),
+        ] {
+            assert!((angle - reference).abs() < 1e-8, "{time}: {angle} {reference}");
+        }
+        assert!(sim.x()[0].abs() < 5.0 && [2, 5, 8].iter().all(|&k| other.x()[k].abs() < 6.0));
+    }
+    assert_eq!((sim.stats().charts, other.held().turns.iter().max()), (0, Some(&1)));
 }

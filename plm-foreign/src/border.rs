@@ -220,9 +220,12 @@ pub unsafe fn find<M: Foreign>(declared: &M, kind: i32, name: *const c_char, ind
 
 /// Writes a value where the caller wants it.
 ///
+/// # Errors
+/// [`Status::Null`]
+///
 /// # Safety
-/// `place` is null or at such a value of the caller.
-unsafe fn put<T>(place: *mut T, value: T) -> Result<(), Trouble> {
+/// `place` is null or at room of the caller for such a value.
+pub unsafe fn put<T>(place: *mut T, value: T) -> Result<(), Trouble> {
     if place.is_null() {
         return Err(Status::Null.into());
     }

@@ -190,7 +190,7 @@ macro_rules! real {
             #[allow(clippy::cast_lossless, reason = "lossless in f64 alone")]
             #[inline]
             fn of_turns(turns: i32) -> Self {
-                turns as $real
+                Self::lit(turns.into())
             }
             #[inline]
             fn to_turns(self) -> i32 {

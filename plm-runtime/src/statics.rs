@@ -22,7 +22,7 @@ pub trait Statics: Mechanism {
     /// Name of each first-order state, and its SI unit.
     const STATES: &'static [(&'static str, &'static str)];
 
-    /// The state of a moment in absolute coordinates.
+    /// The state of a moment in absolute coordinates, angles with all turns.
     fn full(state: &Self::State) -> Self::Full;
 
     /// Gives `each` in turn: the forces phi_q^T lambda - Q (N, N, N m per body), phi, phi_q v - nu, and the rates of the

@@ -47,13 +47,14 @@ pub(crate) fn less<S: Real>(angle: S, turns: i32) -> S {
     (angle - count * high) - count * S::lit(TAU - high.to_f64() + TAU_LOW)
 }
 
-/// Is one of the angles among `numbers` to be brought back?
+/// Is the first angle of a count among `numbers` to be brought back?
 #[inline]
 pub fn are_due<S: Real, const K: usize>(numbers: &impl Vector<S>, places: &[&[usize]; K]) -> bool {
-    places.iter().copied().flatten().any(|&place| due(numbers.at(place)) != 0)
+    places.iter().filter_map(|places| places.first()).any(|&place| due(numbers.at(place)) != 0)
 }
 
-/// Brings angles among `numbers` back by whole turns, which are counted; those of one count together. Whether there were some.
+/// Brings angles among `numbers` back by whole turns, which are counted; those of one count together, when the first of
+/// them is far: others may be far from that. Whether there were some.
 #[inline]
 pub fn unwind<S: Real, const K: usize>(
     turns: &mut [i32; K],
@@ -62,8 +63,10 @@ pub fn unwind<S: Real, const K: usize>(
 ) -> bool {
     let mut turned = false;
     for (turns, places) in turns.iter_mut().zip(places) {
-        let due = places.iter().map(|&place| due(numbers.at(place))).find(|due| *due != 0);
-        let Some(due) = due else { continue };
+        let due = places.first().map_or(0, |&place| due(numbers.at(place)));
+        if due == 0 {
+            continue;
+        }
         for &place in *places {
             numbers.set(place, less(numbers.at(place), due));
         }

@@ -59,13 +59,23 @@ pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>,
 /// As [`library`].
 pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let (name, mut text, mut code) = (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
-    fmi::description(mechanism, &mut text)?;
+    fmi::description(&declared(mechanism), &mut text)?;
     fmi::source::<M>(&mut code)?;
     let built = build::<M>((&name, Output::Shared), &code)?;
     let binary = format!("binaries/{}-{}/{name}{}", env::consts::ARCH, system(), env::consts::DLL_SUFFIX);
     let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
     renew(file, &archive(entries)?)?;
     Ok(std::vec![file.into()])
+}
+
+/// A mechanism with its parameters, and the starts that are made of them, as declared.
+fn declared<M: Foreign>(mechanism: &M) -> M {
+    let mut own = *mechanism;
+    for (index, parameter) in M::TABLES.parameters.iter().enumerate() {
+        own.set_parameter(index, parameter.default.unwrap_or_default());
+    }
+    *own.starts_mut() = own.declared_starts();
+    own
 }
 
 /// This system as FMI calls it.

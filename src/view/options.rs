@@ -169,16 +169,26 @@ impl Options {
             help: given.help(),
             own: given,
         };
-        let writes =
-            [("view", options.view.is_some()), ("live", options.live), ("csv", options.csv.is_some())];
-        let further = [("svg", options.svg.is_some()), ("out", options.out.is_some())];
-        let other = writes.into_iter().chain(further).find(|(_, is_given)| *is_given);
-        match other {
-            Some((name, _)) if options.serve.is_some() => Err(BadOption(format!(
+        options.without_conflict()
+    }
+
+    /// Itself, if nothing in it would be left undone in silence.
+    fn without_conflict(self) -> Result<Self, BadOption> {
+        let among = |names: &[&'static str]| names.iter().copied().find(|name| self.own.flag(name));
+        let files = ["view", "live", "csv", "svg", "out"];
+        let of_a_run = ["serve", "until", "every", "set", "input", "method"];
+        if let (true, Some(name)) = (self.serve.is_some(), among(&files)) {
+            return Err(BadOption(format!(
                 "--serve shows a run that has no end and writes no file: without --{name}; the page saves results itself"
-            ))),
-            _ => Ok(options),
+            )));
         }
+        let run = among(&files).or_else(|| among(&of_a_run));
+        if let (Some(built), Some(name)) = (among(&["c", "fmu"]), run) {
+            return Err(BadOption(format!(
+                "--{built} writes the mechanism as declared and runs nothing: without --{name}"
+            )));
+        }
+        Ok(self)
     }
 
     /// A recorder of what they need: the declared outputs in their units, or all that a live page shows.
@@ -290,6 +300,7 @@ mod tests {
         assert_eq!(options.set, [("k".to_string(), -3.0)]);
         assert_eq!(options.input, [("force".to_string(), 2.0), ("turn".to_string(), 1.0)]);
         assert_eq!((options.every, options.method), (Some(0.01), Some(Integrator::Rk4(1e-3))));
+        assert!(Options::parse(["--c", "folder", "--fmu", "file"]).is_ok());
         assert_eq!(Options::parse(["--serve"]).unwrap().serve, Some(0));
         assert_eq!(Options::parse(["--serve=8080"]).unwrap().serve, Some(8080));
     }
@@ -307,6 +318,8 @@ mod tests {
             (vec!["--method", "rk4"], "Rk4:1e-3"),
             (vec!["--serve=x"], "a port from 1 to 65535"),
             (vec!["--serve", "--csv", "a"], "without --csv"),
+            (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
+            (vec!["--c", "a", "--view", "a.html"], "without --view"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");

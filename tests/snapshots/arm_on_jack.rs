@@ -1156,9 +1156,7 @@ mod plm_arm_on_jack_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                let mut x = self.absolute_();
-                rt::turns::add(&self.turns, &mut x, &[&[2]]);
-                self.mechanism.placed(&x)
+                self.mechanism.placed(&<ArmOnJack<S> as rt::Statics>::full(self))
             }
         }
 
@@ -1179,7 +1177,11 @@ mod plm_arm_on_jack_ {
                 ("valve.servo.swing", "no unit"),
             ];
             fn full(state: &State<S>) -> [S; 14] {
-                state.absolute_()
+                {
+                    let mut x = state.absolute_();
+                    rt::turns::add(&state.turns, &mut x, &[&[2]]);
+                    x
+                }
             }
 
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the

@@ -887,7 +887,7 @@ mod plm_bouncer_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                self.mechanism.placed(&self.absolute_())
+                self.mechanism.placed(&<Bouncer<S> as rt::Statics>::full(self))
             }
         }
 

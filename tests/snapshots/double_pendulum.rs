@@ -961,9 +961,7 @@ mod plm_double_pendulum_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                let mut x = self.absolute_();
-                rt::turns::add(&self.turns, &mut x, &[&[2], &[5]]);
-                self.mechanism.placed(&x)
+                self.mechanism.placed(&<DoublePendulum<S> as rt::Statics>::full(self))
             }
         }
 
@@ -976,7 +974,11 @@ mod plm_double_pendulum_ {
             const ROWS: &'static [&'static str] = &["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 12] {
-                state.absolute_()
+                {
+                    let mut x = state.absolute_();
+                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5]]);
+                    x
+                }
             }
 
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the

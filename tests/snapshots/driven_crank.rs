@@ -1344,9 +1344,7 @@ mod plm_driven_crank_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                let mut x = self.absolute_();
-                rt::turns::add(&self.turns, &mut x, &[&[5]]);
-                self.mechanism.placed(&x)
+                self.mechanism.placed(&<DrivenCrank<S> as rt::Statics>::full(self))
             }
         }
 
@@ -1378,7 +1376,11 @@ mod plm_driven_crank_ {
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
-                state.absolute_()
+                {
+                    let mut x = state.absolute_();
+                    rt::turns::add(&state.turns, &mut x, &[&[5]]);
+                    x
+                }
             }
 
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the

@@ -1376,9 +1376,7 @@ mod plm_four_bar_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                let mut x = self.absolute_();
-                rt::turns::add(&self.turns, &mut x, &[&[2], &[5], &[8]]);
-                self.mechanism.placed(&x)
+                self.mechanism.placed(&<FourBar<S> as rt::Statics>::full(self))
             }
         }
 
@@ -1409,7 +1407,11 @@ mod plm_four_bar_ {
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
-                state.absolute_()
+                {
+                    let mut x = state.absolute_();
+                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5], &[8]]);
+                    x
+                }
             }
 
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the

@@ -1754,9 +1754,7 @@ mod plm_plate_on_three_pins_ {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                let mut x = self.absolute_();
-                rt::turns::add(&self.turns, &mut x, &[&[11]]);
-                self.mechanism.placed(&x)
+                self.mechanism.placed(&<PlateOnThreePins<S> as rt::Statics>::full(self))
             }
         }
 
@@ -1794,7 +1792,11 @@ mod plm_plate_on_three_pins_ {
             ];
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 24] {
-                state.absolute_()
+                {
+                    let mut x = state.absolute_();
+                    rt::turns::add(&state.turns, &mut x, &[&[11]]);
+                    x
+                }
             }
 
             /// What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the

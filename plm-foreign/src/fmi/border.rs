@@ -9,6 +9,8 @@ use core::slice;
 
 use plm_runtime::{System, Vector};
 
+pub use crate::border::put;
+
 use super::{Exchanged, Instance, Update, Variable, token};
 use crate::{Status, Text, Trouble};
 
@@ -21,6 +23,7 @@ const ERROR: Outcome = 3;
 pub type Log = Option<unsafe extern "C" fn(*mut c_void, Outcome, *const c_char, *const c_char)>;
 
 /// What a simulator is given as an instance.
+#[repr(C)]
 pub struct Handle<M: Exchanged> {
     /// Tells instances from other memory.
     mark: u64,
@@ -77,15 +80,25 @@ pub unsafe fn with<M: Exchanged>(
     handle: *mut Handle<M>,
     work: impl FnOnce(&mut Instance<M>) -> Result<(), Trouble>,
 ) -> Outcome {
-    if handle.is_null() || !handle.is_aligned() {
+    // SAFETY: as this function's.
+    unsafe { opened(handle, |handle| work(&mut handle.instance)) }
+}
+
+/// Lets `work` at an instance and what belongs to it.
+///
+/// # Safety
+/// As of [`with`].
+unsafe fn opened<M: Exchanged>(
+    handle: *mut Handle<M>,
+    work: impl FnOnce(&mut Handle<M>) -> Result<(), Trouble>,
+) -> Outcome {
+    // SAFETY: it is not null, and aligned; the mark is its first field.
+    if handle.is_null() || !handle.is_aligned() || unsafe { handle.cast::<u64>().read() } != MARK {
         return ERROR;
     }
-    // SAFETY: the caller's part.
+    // SAFETY: the mark is written by `instantiate` alone, with all the rest.
     let handle = unsafe { &mut *handle };
-    if handle.mark != MARK {
-        return ERROR;
-    }
-    let Err(trouble) = work(&mut handle.instance) else { return OK };
+    let Err(trouble) = work(handle) else { return OK };
     if let Some(log) = handle.log {
         // SAFETY: the simulator gave both.
         unsafe { log(handle.environment, ERROR, c"logStatusError".as_ptr(), Text::of(trouble).as_ptr()) };
@@ -101,23 +114,25 @@ unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Trouble> {
     match count {
         0 => Ok(&[]),
         _ if at.is_null() => Err(Status::Null.into()),
-        // SAFETY: the caller's part.
+        _ if !at.is_aligned() => Err(Status::Memory.into()),
+        // SAFETY: it is not null, aligned, and the caller's.
         _ => Ok(unsafe { slice::from_raw_parts(at, count) }),
     }
 }
 
-/// Room of the caller for as many numbers as it must have.
+/// Writes numbers to room of the caller for exactly as many; what is there may have no value yet.
 ///
 /// # Safety
-/// `at` is null or at as many of the caller, which have values.
-unsafe fn room<'a>(at: *mut f64, count: usize, wanted: usize) -> Result<&'a mut [f64], Trouble> {
-    match count {
-        _ if count != wanted => Err(Status::NoSuch.into()),
-        0 => Ok(&mut []),
-        _ if at.is_null() => Err(Status::Null.into()),
-        // SAFETY: the caller's part.
-        _ => Ok(unsafe { slice::from_raw_parts_mut(at, count) }),
+/// `at` is null or at room of the caller for `count` numbers.
+unsafe fn fill((at, count): (*mut f64, usize), values: &[f64]) -> Result<(), Trouble> {
+    if count != values.len() {
+        return Err(Status::NoSuch.into());
     }
+    for (index, value) in values.iter().enumerate() {
+        // SAFETY: there is room for as many; null is told by `put`.
+        unsafe { put(if at.is_null() { at } else { at.add(index) }, *value)? };
+    }
+    Ok(())
 }
 
 /// The variables of value references.
@@ -145,12 +160,10 @@ pub unsafe fn get<M: Exchanged>(
 ) -> Outcome {
     let work = |instance: &mut Instance<M>| {
         // SAFETY: the caller's part.
-        let (wanted, values) =
-            unsafe { (variables(instance, references)?, room(values.0, values.1, references.1)?) };
-        for (value, variable) in values.iter_mut().zip(wanted) {
-            *value = instance.get(variable)?;
-        }
-        Ok(())
+        let wanted = unsafe { variables(instance, references)? };
+        let found: Result<Vec<f64>, _> = wanted.into_iter().map(|variable| instance.get(variable)).collect();
+        // SAFETY: the caller's part.
+        unsafe { fill(values, &found?) }
     };
     // SAFETY: the caller's part.
     unsafe { with(handle, work) }
@@ -196,14 +209,14 @@ pub unsafe fn tangents<M: Exchanged>(
         // SAFETY: the caller's part.
         let (unknowns, knowns) = unsafe { (variables(instance, unknowns)?, variables(instance, knowns)?) };
         // SAFETY: the caller's part.
-        let (seeds, tangents) =
-            unsafe { (read(seeds.0, seeds.1)?, room(tangents.0, tangents.1, unknowns.len())?) };
+        let seeds = unsafe { read(seeds.0, seeds.1)? };
         if seeds.len() != knowns.len() {
             return Err(Status::NoSuch.into());
         }
         let knowns: Vec<_> = knowns.into_iter().zip(seeds.iter().copied()).collect();
-        tangents.copy_from_slice(&instance.tangents(&knowns, &unknowns)?);
-        Ok(())
+        let found = instance.tangents(&knowns, &unknowns)?;
+        // SAFETY: the caller's part.
+        unsafe { fill(tangents, &found) }
     };
     // SAFETY: the caller's part.
     unsafe { with(handle, work) }
@@ -215,15 +228,14 @@ pub unsafe fn tangents<M: Exchanged>(
 /// As of [`get`].
 pub unsafe fn give<M: Exchanged, X: Vector<f64>>(
     handle: *mut Handle<M>,
-    (at, count): (*mut f64, usize),
+    room: (*mut f64, usize),
     vector: impl FnOnce(&Instance<M>) -> Result<X, Trouble>,
 ) -> Outcome {
     let work = |instance: &mut Instance<M>| {
-        // SAFETY: the caller's part.
-        let room = unsafe { room(at, count, X::LEN)? };
         let vector = vector(instance)?;
-        room.iter_mut().enumerate().for_each(|(index, place)| *place = vector.at(index));
-        Ok(())
+        let numbers: Vec<f64> = (0..X::LEN).map(|index| vector.at(index)).collect();
+        // SAFETY: the caller's part.
+        unsafe { fill(room, &numbers) }
     };
     // SAFETY: the caller's part.
     unsafe { with(handle, work) }
@@ -254,6 +266,9 @@ pub unsafe fn set_states<M: Exchanged>(handle: *mut Handle<M>, (at, count): (*co
 /// As of [`with`]; the pointers are null or the caller's.
 pub unsafe fn update<M: Exchanged>(handle: *mut Handle<M>, flags: [*mut bool; 5], next: *mut f64) -> Outcome {
     let work = |instance: &mut Instance<M>| {
+        if flags.contains(&core::ptr::null_mut()) || next.is_null() {
+            return Err(Status::Null.into());
+        }
         let Update { states_changed, next: time } = instance.update()?;
         let values = [false, false, states_changed, states_changed, time.is_some()];
         for (flag, value) in flags.into_iter().zip(values) {
@@ -277,16 +292,18 @@ pub unsafe fn do_step<M: Exchanged>(
     flags: [*mut bool; 3],
     last: *mut f64,
 ) -> Outcome {
-    // SAFETY: the caller's part; read before the instance is.
-    let early = !handle.is_null() && unsafe { (*handle).returns_early };
-    let work = |instance: &mut Instance<M>| {
+    let work = |handle: &mut Handle<M>| {
+        if flags.contains(&core::ptr::null_mut()) || last.is_null() {
+            return Err(Status::Null.into());
+        }
+        let instance = &mut handle.instance;
         let now = instance.get(Variable::Time)?;
         // The simulator adds up its own times.
         let agrees = (from - now).abs() <= 1e-9 * length.abs().max(now.abs()).max(1e-9);
         if !agrees {
             return Err(Status::Interval.into());
         }
-        let event = instance.step_to(from + length, early)?;
+        let event = instance.step_to(from + length, handle.returns_early)?;
         for (flag, value) in flags.into_iter().zip([event, false, event]) {
             // SAFETY: the caller's part.
             unsafe { put(flag, value)? };
@@ -295,7 +312,7 @@ pub unsafe fn do_step<M: Exchanged>(
         unsafe { put(last, instance.get(Variable::Time)?) }
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { opened(handle, work) }
 }
 
 /// `fmi3GetFMUState`: a copy, which is a new one or one that was made before.
@@ -340,20 +357,4 @@ pub unsafe fn forget<M: Exchanged>(copy: *mut *mut Instance<M>) -> Outcome {
         *place = core::ptr::null_mut();
     }
     OK
-}
-
-/// Writes a value where the caller wants it.
-///
-/// # Errors
-/// [`Status::Null`]
-///
-/// # Safety
-/// `place` is null or at such a value of the caller.
-pub unsafe fn put<T>(place: *mut T, value: T) -> Result<(), Trouble> {
-    if place.is_null() {
-        return Err(Status::Null.into());
-    }
-    // SAFETY: it is not null, and the caller's.
-    unsafe { place.write(value) };
-    Ok(())
 }

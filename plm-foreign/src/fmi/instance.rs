@@ -56,8 +56,15 @@ impl<M: Exchanged> Instance<M> {
     }
 
     /// It will start at this time, s.
-    pub fn begin_at(&mut self, time: f64) {
+    ///
+    /// # Errors
+    /// [`Status::NotFinite`]
+    pub fn begin_at(&mut self, time: f64) -> Result<(), Trouble> {
+        if !time.is_finite() {
+            return Err(Status::NotFinite.into());
+        }
         (self.start_time, self.is_stale) = (time, true);
+        Ok(())
     }
 
     /// Assembles it where something was set since, and begins to run.

@@ -20,20 +20,21 @@ pub struct Counted {
 pub(super) fn are_due<M: Charted>(held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { chart, .. } = held.of_loops else { return false };
     let coordinates = M::COUNTED.iter().filter_map(|counted| counted.coordinates.get(chart));
-    coordinates.copied().flatten().any(|&k| due(x.at(k)) != 0)
+    coordinates.filter_map(|places| places.first()).any(|&k| due(x.at(k)) != 0)
 }
 
-/// Brings angles back that have turned far; whether there were some.
+/// Brings angles back where the first of a count has turned far; whether there were some.
 #[inline]
 pub(super) fn unwind<M: Charted>(held: &mut M::U, x: &mut M::X) -> bool {
     let OfLoops::InChart { chart, memory } = &mut held.of_loops else { return false };
     let mut turned = false;
     for (counted, turns) in M::COUNTED.iter().zip(held.turns.as_mut()) {
         let coordinates = counted.coordinates.get(*chart).copied().unwrap_or_default();
-        let in_state = coordinates.iter().map(|&k| due(x.at(k)));
-        let in_memory = || counted.remembered.iter().filter_map(|&k| memory.turns().get(k));
-        let due = in_state.chain(in_memory().map(|turn| due(turn.angle))).find(|due| *due != 0);
-        let Some(due) = due else { continue };
+        let in_memory = || memory.turns().get(*counted.remembered.first()?).map(|turn| turn.angle);
+        let due = coordinates.first().map(|&k| x.at(k)).or_else(in_memory).map_or(0, due);
+        if due == 0 {
+            continue;
+        }
         for &k in coordinates {
             x.set(k, less(x.at(k), due));
             if let Some(coordinate) = memory.coordinates_mut().get_mut(k) {

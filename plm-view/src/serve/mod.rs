@@ -246,6 +246,8 @@ fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
         }
         if shared.connections.fetch_add(1, Ordering::AcqRel) >= MOST_CONNECTIONS {
             shared.connections.fetch_sub(1, Ordering::AcqRel);
+            // Whoever accepts does not wait for one that is refused.
+            drop(stream.set_read_timeout(Some(FRAME)));
             refuse(&mut stream, Refusal(503, "too many connections"));
             continue;
         }

@@ -5,7 +5,7 @@
 //! one count. An angle that a constraint reads in another way (a gear, a drive, a slide on the ground) has none: there whole turns
 //! are not nothing.
 
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 use plm_cas::{Expr, Function, Node, Number, algebra};
 
@@ -38,7 +38,7 @@ pub(crate) fn with_turns(exprs: &[Expr], pairs: &[(Expr, Expr)]) -> Vec<Expr> {
     if pairs.is_empty() {
         return exprs.to_vec();
     }
-    let angles: HashSet<Expr> = pairs.iter().map(|pair| pair.0).collect();
+    let angles: BTreeSet<Expr> = pairs.iter().map(|pair| pair.0).collect();
     let periodic = algebra::reachable(exprs).into_iter().filter(|&expr| is_periodic(expr, &angles));
     let all: Vec<(Expr, Expr)> = periodic.map(|expr| (expr, expr)).chain(pairs.iter().copied()).collect();
     algebra::substitute(exprs, &all)
@@ -46,20 +46,29 @@ pub(crate) fn with_turns(exprs: &[Expr], pairs: &[(Expr, Expr)]) -> Vec<Expr> {
 
 /// The angles that turn as one, by count.
 fn counted(model: &Model) -> Vec<Counted> {
-    let angles: HashSet<Expr> = model.bodies.iter().map(|body| body.q[2]).collect();
+    let angles: BTreeSet<Expr> = model.bodies.iter().map(|body| body.q[2]).collect();
     let body_of = |angle: Expr| model.bodies.iter().position(|body| body.q[2] == angle);
     // Of each body the first one that it turns with; none if it has no count.
     let mut leader: Vec<Option<usize>> = (0..model.bodies.len()).map(Some).collect();
-    let rows = model.rows.iter().map(|row| row.phi);
-    for phi in rows.chain(model.released.iter().map(|(_, condition)| *condition)) {
-        let read = read_itself(phi, &angles);
-        let bodies = read.iter().filter_map(|&angle| body_of(angle));
-        let joined: Vec<Option<usize>> = bodies.map(|body| leader[body]).collect();
+    let mut join = |bodies: &[usize], turn_as_one: bool| {
+        let joined: Vec<Option<usize>> = bodies.iter().map(|&body| leader[body]).collect();
         // None is less than any.
-        let first = joined.iter().copied().min().flatten().filter(|_| keeps_difference(phi, &read, &angles));
+        let first = joined.iter().copied().min().flatten().filter(|_| turn_as_one);
         for class in leader.iter_mut().filter(|class| class.is_some() && joined.contains(class)) {
             *class = first;
         }
+    };
+    // A pair may say by a sine that nothing turns; joint coordinates have one angle for both bodies all the same.
+    for part in model.parts.iter().filter(|part| part.pair.is_some_and(|pair| !pair.turns())) {
+        if let [Some(a), Some(b)] = part.frames.iter().map(|frame| frame.body).collect::<Vec<_>>()[..] {
+            join(&[a, b], true);
+        }
+    }
+    let rows = model.rows.iter().map(|row| row.phi);
+    for phi in rows.chain(model.released.iter().map(|(_, condition)| *condition)) {
+        let read = read_itself(phi, &angles);
+        let bodies: Vec<usize> = read.into_iter().filter_map(body_of).collect();
+        join(&bodies, is_difference(phi, &angles));
     }
     let first = (0..model.bodies.len()).filter(|&body| leader[body] == Some(body));
     let of_leader = |first: usize| Counted {
@@ -69,24 +78,33 @@ fn counted(model: &Model) -> Vec<Counted> {
     first.map(of_leader).collect()
 }
 
-/// Is it the difference of the two angles that are read, and what reads none?
-fn keeps_difference(phi: Expr, read: &[Expr], angles: &HashSet<Expr>) -> bool {
-    let Node::Sum { terms, .. } = defined(phi).node() else { return false };
-    let (of_angles, others): (Vec<_>, Vec<_>) = terms.iter().partition(|(_, term)| read.contains(term));
-    let coefficients: Vec<Option<i64>> =
-        of_angles.iter().map(|(coefficient, _)| coefficient.as_int()).collect();
-    let is_difference = matches!(coefficients[..], [Some(1), Some(-1)] | [Some(-1), Some(1)]);
-    is_difference && others.iter().all(|(_, term)| read_itself(*term, angles).is_empty())
+/// Is it the difference of two angles, and of what knows none?
+fn is_difference(phi: Expr, angles: &BTreeSet<Expr>) -> bool {
+    let coefficients = coefficients(phi, angles).unwrap_or_default();
+    matches!(coefficients[..], [(Some(1), a), (Some(-1), b)] | [(Some(-1), a), (Some(1), b)] if a != b)
 }
 
-/// What a named atom stands for.
-fn defined(expr: Expr) -> Expr {
-    if let Node::Defined(value) = expr.node() { defined(value) } else { expr }
+/// The angles that a sum has, each with its coefficient if that is a whole number; sums that are named in it are parts of
+/// it. `None` if another term knows an angle.
+fn coefficients(expr: Expr, angles: &BTreeSet<Expr>) -> Option<Vec<(Option<i64>, Expr)>> {
+    let (mut open, mut found) = (vec![(Number::ONE, expr)], Vec::new());
+    while let Some((factor, term)) = open.pop() {
+        match term.node() {
+            _ if angles.contains(&term) => found.push((factor.as_int(), term)),
+            Node::Defined(value) => open.push((factor, value)),
+            Node::Sum { terms, .. } => {
+                open.extend(terms.iter().map(|&(coefficient, term)| (factor * coefficient, term)));
+            }
+            _ if algebra::symbols(&[term]).iter().any(|symbol| angles.contains(symbol)) => return None,
+            _ => {}
+        }
+    }
+    Some(found)
 }
 
 /// The angles that an expression reads in another way than by a function to which whole turns are nothing.
-fn read_itself(expr: Expr, angles: &HashSet<Expr>) -> Vec<Expr> {
-    let (mut open, mut seen, mut found) = (vec![expr], HashSet::new(), Vec::new());
+fn read_itself(expr: Expr, angles: &BTreeSet<Expr>) -> Vec<Expr> {
+    let (mut open, mut seen, mut found) = (vec![expr], BTreeSet::new(), Vec::new());
     while let Some(expr) = open.pop() {
         if !seen.insert(expr) || is_periodic(expr, angles) {
             continue;
@@ -101,18 +119,10 @@ fn read_itself(expr: Expr, angles: &HashSet<Expr>) -> Vec<Expr> {
 }
 
 /// Is it a sine or cosine of angles times whole numbers?
-fn is_periodic(expr: Expr, angles: &HashSet<Expr>) -> bool {
+fn is_periodic(expr: Expr, angles: &BTreeSet<Expr>) -> bool {
     let Node::Call(Function::Sin | Function::Cos, arguments) = expr.node() else {
         return false;
     };
-    let is_whole = |(coefficient, term): &(Number, Expr)| {
-        let is_angle = angles.contains(term);
-        is_angle && coefficient.as_int().is_some()
-            || !is_angle && !algebra::symbols(&[*term]).iter().any(|symbol| angles.contains(symbol))
-    };
-    match (&arguments[..], arguments.first().map(|argument| argument.node())) {
-        (_, Some(Node::Sum { terms, .. })) => terms.iter().all(is_whole),
-        (&[argument], _) => angles.contains(&argument),
-        _ => false,
-    }
+    let coefficients = arguments.first().and_then(|&argument| coefficients(argument, angles));
+    coefficients.is_some_and(|all| !all.is_empty() && all.iter().all(|(factor, _)| factor.is_some()))
 }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::super::bindings::Origin;
 use super::super::function::body;
-use super::super::item::start;
+use super::super::item::{start, state::whole_state};
 use super::super::{Emission, Sizes, docs, quoted};
 use crate::formulate::coordinate_name;
 
@@ -44,7 +44,7 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
 /// `Statics`.
 pub(crate) fn statics(emission: &Emission) -> TokenStream {
     let Emission { model, name, equations, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
-    let declared = start::declared(emission);
+    let (declared, whole) = (start::declared(emission), whole_state(emission, &quote!(state)));
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
     let coordinates = emission.text(quoted(coordinates));
     let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
@@ -68,7 +68,7 @@ constraints, rates of the first-order states, without accelerations.",
             const STATES: &'static [(&'static str, &'static str)] = &[#states];
 
             fn full(state: &State<S>) -> [S; #full] {
-                state.absolute_()
+                #whole
             }
             #at_rest_docs
             #[cold]

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::contract::{limits, turns};
+use super::super::contract::limits;
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number};
 use crate::model::{Body, Start, State};
@@ -84,16 +84,6 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     let states = fields.states.iter().zip(2 * nq..);
     let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
     let (literals, starts) = emission.values(bodies.chain(states).collect());
-    let whole = if turns::are_counted(emission) {
-        let places = turns::in_pose(emission);
-        quote! {
-            let mut x = self.absolute_();
-            rt::turns::add(&self.turns, &mut x, &#places);
-            self.mechanism.placed(&x)
-        }
-    } else {
-        quote!(self.mechanism.placed(&self.absolute_()))
-    };
     quote! {
         impl<S: Real> #name<S> {
             fn placed(&self, x: &[S; #full]) -> Starts<S> {
@@ -106,7 +96,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
             /// Poses, velocities and states of this moment as start values, with the locks that are set: to go on from here
             /// later, `mechanism.start = sim.starts()`.
             pub fn starts(&self) -> Starts<S> {
-                #whole
+                self.mechanism.placed(&<#name<S> as rt::Statics>::full(self))
             }
         }
     }

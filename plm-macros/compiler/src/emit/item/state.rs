@@ -34,6 +34,19 @@ pub(crate) fn whole_pose(emission: &Emission, state: &TokenStream) -> TokenStrea
     if turns::are_counted(emission) { quote!(#state.whole_()) } else { quote!(#state.pose_()) }
 }
 
+/// The same with first-order states, in one row.
+pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStream {
+    if !turns::are_counted(emission) {
+        return quote!(#state.absolute_());
+    }
+    let places = turns::in_pose(emission);
+    quote! {{
+        let mut x = #state.absolute_();
+        rt::turns::add(&#state.turns, &mut x, &#places);
+        x
+    }}
+}
+
 /// The state in coordinates of all bodies, which rung 5 gives the reactions of loops at, and equilibria and starts are told in.
 pub(crate) fn pose(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, full, second_order, .. } = &emission.sizes;
