@@ -49,7 +49,7 @@ fn rooms_need_no_values_and_wrong_calls_change_nothing() {
     let flags = [&raw mut flag; 3];
     unsafe {
         assert_eq!(border::with(handle, |instance| instance.begin_at(f64::NAN)), ERROR);
-        assert_eq!(border::with(handle, |instance| instance.run()), OK);
+        assert_eq!(border::with(handle, Instance::run), OK);
         let before = get(&mut room);
         assert_eq!(
             border::do_step(handle, (0.0, 0.5), [flags[0], null_mut(), flags[2]], &raw mut last),
