@@ -26,7 +26,7 @@ pub struct Points<P> {
 }
 
 /// Bytes of stack that each thread has where nothing else is said: what programs give their main thread.
-const STACK: usize = 8 << 20;
+pub(crate) const STACK: usize = 8 << 20;
 
 /// One run for each element.
 pub fn points<P>(list: impl IntoIterator<Item = P>) -> Points<P> {
@@ -70,30 +70,41 @@ impl<P: Clone + Send> Points<P> {
         let bar = if shows_progress { progress_bar(list.len()) } else { ProgressBar::hidden() };
         let one = |(index, parameters): (usize, P)| {
             let point = parameters.clone();
-            let result = match catch_unwind(AssertUnwindSafe(|| run(point))) {
+            let result = match caught(|| run(point)) {
                 Ok(result) => result.map_err(Failure::Fault),
-                Err(payload) => Err(Failure::Panic(text_of(payload.as_ref()))),
+                Err(words) => Err(Failure::Panic(words)),
             };
             bar.inc(1);
             Run { index, parameters, result }
         };
         // A run can take a second: threads take them one by one.
         let all = || list.into_par_iter().enumerate().with_max_len(1).map(one).collect();
-        let runs = match rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(stack).build() {
-            Ok(pool) => pool.install(all),
-            Err(_) => all(),
-        };
+        let runs = on_threads(threads, stack, all);
         bar.finish_and_clear();
         Runs { runs }
     }
 }
 
-fn progress_bar(length: usize) -> ProgressBar {
+/// Does it on so many threads with so many bytes of stack, or on those that there are where the system has none to give.
+pub(crate) fn on_threads<T: Send>(threads: usize, stack: usize, all: impl FnOnce() -> T + Send) -> T {
+    match rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(stack).build() {
+        Ok(pool) => pool.install(all),
+        Err(_) => all(),
+    }
+}
+
+/// A bar on a terminal, and nothing elsewhere.
+pub(crate) fn progress_bar(length: usize) -> ProgressBar {
     let bar = ProgressBar::new(length as u64);
     match ProgressStyle::with_template("{bar:40} {pos}/{len} runs, {eta} left") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }
+}
+
+/// What a run gives, or the words of its panic.
+pub(crate) fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(run)).map_err(|payload| text_of(payload.as_ref()))
 }
 
 /// What a panic said.

@@ -48,6 +48,7 @@ pages! {
 #[cfg(feature = "batch")]
 pages! {
     Batch = "running/batch.md";
+    ManyMachines = "running/many-machines.md";
 }
 
 #[cfg(feature = "view")]

@@ -61,6 +61,8 @@ pub mod live;
 mod stabilise;
 #[cfg(feature = "std")]
 mod starts;
+#[cfg(feature = "batch")]
+pub mod study;
 
 #[cfg(feature = "analysis")]
 pub use auto::{Auto, Choice, Pace, StartAuto};

@@ -1,6 +1,8 @@
 //! Runs over grids: order, threads, and runs that fail.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+mod study;
+
 use plm::batch::{self, Failure};
 use plm::{Cause, Fault};
 
