@@ -3,7 +3,6 @@
 use std::env;
 
 fn main() {
-    println!("cargo::rerun-if-changed=build.rs");
     let arguments: &[&str] = match env::var("CARGO_CFG_TARGET_ARCH").as_deref() {
         Ok("x86_64") => &["-nostartfiles", "-nostdlib", "-static", "-no-pie", "-Wl,--gc-sections"],
         // The machine's script lies in the search path that its build script gives.
