@@ -25,6 +25,7 @@ pages! {
     Methods = "running/methods.md";
     Scalars = "running/scalars.md";
     Stack = "running/stack.md";
+    Targets = "targets.md";
     Equations = "theory/equations.md";
     MechanicsRecipes = "recipes/mechanics.md";
 }

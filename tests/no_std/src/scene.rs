@@ -97,6 +97,21 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// A crank that passes a dead point, where another angle becomes the independent coordinate, under a push that ends.
+    pub Rocker {
+        ground { port o: (0, 0) m; port p: (0.8, 0) m; }
+        body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 40 deg, locked; start omega: 3 rad/s, locked; }
+        body coupler { mass: 1 kg; inertia: 0.02 kg*m^2; port b: (-0.2, 0) m; port c: (0.2, 0) m; }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port c: (0.45, 0) m; port p: (-0.45, 0) m; start angle: 120 deg; }
+        revolute o(ground.o, crank.a);
+        revolute b(crank.b, coupler.b);
+        revolute c(coupler.c, rocker.c);
+        revolute p(ground.p, rocker.p);
+        force push(crank.b) { y: if crank.angle < 60 deg then 2 N else 0 N; }
+    }
+}
+
 /// Gives the bits of time and state at some moments of some runs.
 ///
 /// # Errors
@@ -107,6 +122,7 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
     implicit(&mut emit)?;
     moments(Shuttle::new(), Dop853::default(), &mut emit)?;
     moments(Shuttle::new(), Rk4::new(1e-2), &mut emit)?;
+    moments(Rocker::new(), Dop853::default(), &mut emit)?;
     moments(Plate::new(), Rk4::new(1e-2), &mut emit)
 }
 

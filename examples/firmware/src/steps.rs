@@ -1,0 +1,106 @@
+//! Runge-Kutta 4 steps of fixed length of five mechanisms, by [`Sim`] and by the step that their code holds.
+
+use plm::runtime::Vector;
+use plm::{Fault, Moment, Real, Rk4, Sim};
+
+use crate::arm::Arm;
+use scenes::{andrews, double_pendulum, four_bar, slider_crank};
+
+#[path = "../../../tests/support/scenes.rs"]
+#[allow(unused_imports, unreachable_pub, reason = "scenes of tests, benches and examples")]
+mod scenes;
+
+double_pendulum!(s1: emit: step(rk4););
+four_bar!(s2: emit: step(rk4););
+slider_crank!(s6: emit: step(rk4););
+andrews!(s5: emit: step(rk4););
+
+/// Steps of each run.
+const STEPS: u32 = 10_000;
+
+/// What is known of a run.
+#[cfg_attr(feature = "std", expect(dead_code, reason = "an ordinary program counts nothing"))]
+pub struct Run {
+    /// Name of the mechanism, of its scalar, and who made the steps.
+    pub name: [&'static str; 3],
+    /// Instructions of a step, the fewest and the most; 0 where none are counted.
+    pub instructions: [u32; 2],
+    /// Stack of the start and all steps, bytes.
+    pub stack: u32,
+    /// What a program holds between steps, bytes.
+    pub size: usize,
+}
+
+/// Runs all; `emit` gets the bits, `done` what a run took.
+///
+/// # Errors
+/// If a mechanism cannot be assembled or moved.
+pub fn run(emit: &mut impl FnMut(u64), done: &mut impl FnMut(&Run)) -> Result<(), Fault> {
+    #[cfg(feature = "f32")]
+    precision::<f32>("f32", emit, done)?;
+    #[cfg(feature = "f64")]
+    precision::<f64>("f64", emit, done)?;
+    Ok(())
+}
+
+fn precision<S: Real>(
+    scalar: &'static str,
+    emit: &mut impl FnMut(u64),
+    done: &mut impl FnMut(&Run),
+) -> Result<(), Fault> {
+    /// A mechanism has its own step as a method of its own state, which no trait names.
+    macro_rules! mechanism {
+        ($name:literal, $mechanism:ty, $h:literal) => {{
+            let (mechanism, h) = (<$mechanism>::of(), S::lit($h));
+            let mut sim = |sim: &mut Sim<$mechanism, Rk4<S>>| sim.step(h);
+            done(&steps(
+                [$name, scalar, "Sim"],
+                || mechanism.start_with(Rk4::new(h)),
+                |s| *s.state().x(),
+                &mut sim,
+                emit,
+            )?);
+            let start = || Ok(*mechanism.start_with(Rk4::new(h))?.state());
+            done(&steps([$name, scalar, "step"], start, |s| *s.x(), &mut |s| s.step_rk4(h), emit)?);
+        }};
+    }
+    mechanism!("double pendulum", s1::DoublePendulum::<S>, 1e-3);
+    mechanism!("four-bar", s2::FourBar::<S>, 1e-3);
+    mechanism!("slider-crank", s6::SliderCrank::<S>, 1e-3);
+    mechanism!("Andrews", s5::Andrews::<S>, 1e-5);
+    mechanism!("arm on a jack", Arm::<S>, 1e-5);
+    Ok(())
+}
+
+/// Makes the steps of one run. Emits the last state, and a number in which each bit of all states counts.
+fn steps<T, X: Vector<S>, S: Real>(
+    name: [&'static str; 3],
+    start: impl FnOnce() -> Result<T, Fault>,
+    x: impl Fn(&T) -> X,
+    step: &mut impl FnMut(&mut T) -> Result<(), Fault>,
+    emit: &mut impl FnMut(u64),
+) -> Result<Run, Fault> {
+    let mut all = 0xcbf2_9ce4_8422_2325;
+    let (outcome, stack) = machine::stack(|| -> Result<_, Fault> {
+        let (mut simulated, mut range) = (start()?, [u32::MAX, 0]);
+        for _ in 0..STEPS {
+            let (made, count) = machine::instructions(|| step(&mut simulated));
+            made?;
+            range = [range[0].min(count), range[1].max(count)];
+            let x = x(&simulated);
+            for index in 0..X::LEN {
+                all = fnv(all, x.at(index).to_f64().to_bits());
+            }
+        }
+        Ok((x(&simulated), range))
+    });
+    let (x, instructions) = outcome?;
+    (0..X::LEN).for_each(|index| emit(x.at(index).to_f64().to_bits()));
+    emit(all);
+    Ok(Run { name, instructions, stack, size: size_of::<T>() })
+}
+
+/// The hash of Fowler, Noll and Vo, by words (FNV-1a).
+fn fnv(hash: u64, word: u64) -> u64 {
+    (hash ^ word).wrapping_mul(0x0100_0000_01b3)
+}
