@@ -137,7 +137,7 @@ fn the_module_has_the_bits_of_the_native_run() {
         files: <FourBar>::FILES,
         plm: Path::new(env!("CARGO_MANIFEST_DIR")),
     };
-    let bytes = match module.build(&folder) {
+    let bytes = match module.build(folder) {
         Ok(bytes) => bytes,
         Err(error) if error.to_string().contains("rustup target add") => {
             println!("skipped: {error}");
