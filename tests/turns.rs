@@ -20,42 +20,30 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
-    /// A crank that turns round, a rocker, and a wheel beside them that touches no loop; all by closed forms.
-    Cranked {
-        gravity: 9.81 m/s^2;
-        ground { port a: (0, 0) m; port b: (4, 0) m; port c: (0, 5) m; }
-        body crank { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-0.5, 0) m; port p: (0.5, 0) m; start angle: 60 deg, locked; start omega: 20 rad/s, locked; }
-        body coupler { mass: 1 kg; inertia: 0.2 kg*m^2; port p: (-1.75, 0) m; port q: (1.75, 0) m; start x: 2 m; start y: 1.5 m; }
-        body rocker { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-1.25, 0) m; port q: (1.25, 0) m; start x: 4 m; start y: 1 m; start angle: 90 deg; }
-        body wheel { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; start y: 5 m; start omega: -30 rad/s; }
-        revolute main(ground.a, crank.o) { stiffness: 0.2 N*m/rad; damping: 0.01 N*m*s/rad; }
-        revolute first(crank.p, coupler.p);
-        revolute second(coupler.q, rocker.q);
-        revolute third(ground.b, rocker.o);
-        revolute axle(ground.c, wheel.o);
-        output crank.angle, rocker.q.position, wheel.p.position;
-    }
+/// A crank that turns round, a rocker, and a wheel beside them that touches no loop.
+macro_rules! cranked {
+    ($name:ident, $rung:ident) => {
+        plm::mechanism! {
+            $name {
+                rung: $rung;
+                gravity: 9.81 m/s^2;
+                ground { port a: (0, 0) m; port b: (4, 0) m; port c: (0, 5) m; }
+                body crank { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-0.5, 0) m; port p: (0.5, 0) m; start angle: 60 deg, locked; start omega: 20 rad/s, locked; }
+                body coupler { mass: 1 kg; inertia: 0.2 kg*m^2; port p: (-1.75, 0) m; port q: (1.75, 0) m; start x: 2 m; start y: 1.5 m; }
+                body rocker { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-1.25, 0) m; port q: (1.25, 0) m; start x: 4 m; start y: 1 m; start angle: 90 deg; }
+                body wheel { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; start y: 5 m; start omega: -30 rad/s; }
+                revolute main(ground.a, crank.o) { stiffness: 0.2 N*m/rad; damping: 0.01 N*m*s/rad; }
+                revolute first(crank.p, coupler.p);
+                revolute second(coupler.q, rocker.q);
+                revolute third(ground.b, rocker.o);
+                revolute axle(ground.c, wheel.o);
+                output crank.angle, rocker.q.position, wheel.p.position;
+            }
+        }
+    };
 }
-
-plm::mechanism! {
-    /// The same in absolute coordinates.
-    CrankedAbsolute {
-        rung: absolute;
-        gravity: 9.81 m/s^2;
-        ground { port a: (0, 0) m; port b: (4, 0) m; port c: (0, 5) m; }
-        body crank { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-0.5, 0) m; port p: (0.5, 0) m; start angle: 60 deg, locked; start omega: 20 rad/s, locked; }
-        body coupler { mass: 1 kg; inertia: 0.2 kg*m^2; port p: (-1.75, 0) m; port q: (1.75, 0) m; start x: 2 m; start y: 1.5 m; }
-        body rocker { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-1.25, 0) m; port q: (1.25, 0) m; start x: 4 m; start y: 1 m; start angle: 90 deg; }
-        body wheel { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; start y: 5 m; start omega: -30 rad/s; }
-        revolute main(ground.a, crank.o) { stiffness: 0.2 N*m/rad; damping: 0.01 N*m*s/rad; }
-        revolute first(crank.p, coupler.p);
-        revolute second(coupler.q, rocker.q);
-        revolute third(ground.b, rocker.o);
-        revolute axle(ground.c, wheel.o);
-        output crank.angle, rocker.q.position, wheel.p.position;
-    }
-}
+cranked!(Cranked, loops);
+cranked!(CrankedAbsolute, absolute);
 
 plm::mechanism! {
     /// A wheel that a gear keeps at one and a half times the speed of another: there whole turns are not nothing.

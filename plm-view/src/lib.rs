@@ -27,6 +27,7 @@ mod chart;
 mod error;
 mod figures;
 pub mod live;
+mod markup;
 pub mod package;
 mod page;
 mod recording;

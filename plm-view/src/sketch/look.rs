@@ -1,7 +1,8 @@
 //! Colours and lines of a picture, light and dark, and its frame.
 
-use super::paper::{escaped, number};
+use super::paper::number;
 use crate::chart::{CURVES, FONT, INK};
+use crate::markup::escape;
 
 /// What is the same in light and dark.
 const LINES: &str = "\
@@ -60,7 +61,7 @@ impl Colours {
 /// The whole file: shapes between `top` and `bottom`, in a frame that is `width` wide, pixels.
 pub(super) fn file(title: &str, shapes: &str, width: f64, [top, bottom]: [f64; 2]) -> String {
     let (light, dark) = (Colours::LIGHT.rules(), Colours::DARK.rules());
-    let (title, [w, t, h]) = (escaped(title), [width, top, bottom - top].map(number));
+    let (title, [w, t, h]) = (escape(title), [width, top, bottom - top].map(number));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{title}\" width=\"{w}\" height=\"{h}\" \
          viewBox=\"0 {t} {w} {h}\">\n<title>{title}</title>\n<style>text{{font-family:{FONT}}}{LINES}{light}@media(prefers-color-scheme:dark){{{dark}}}\

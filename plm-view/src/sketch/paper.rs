@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::markup::escape;
+
 /// A place on the paper, in pixels, y downwards.
 pub(super) type Point = [f64; 2];
 
@@ -98,7 +100,7 @@ impl Paper {
     /// Text with its middle at a place.
     pub(super) fn text(&mut self, class: &str, at: Point, text: &str) {
         let [x, y] = at.map(number);
-        let text = escaped(text);
+        let text = escape(text);
         let _ = writeln!(self.shapes, r#"<text class="{class}" x="{x}" y="{y}">{text}</text>"#);
         self.dots.extend([[at[0], at[1] - 8.0], [at[0], at[1] + 8.0]]);
     }
@@ -126,8 +128,4 @@ pub(super) fn number(value: f64) -> String {
 fn pair(at: Point) -> String {
     let [x, y] = at.map(number);
     format!("{x} {y}")
-}
-
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -3,6 +3,7 @@
 use std::fmt::{Display, Write as _};
 
 use super::look::{BACKGROUND, FONT};
+use crate::markup::escape;
 
 /// A place in the picture.
 pub(super) type Point = (f64, f64);
@@ -122,19 +123,4 @@ fn points(path: &[Point]) -> String {
 /// To a tenth of a pixel; the sum takes the sign from a zero.
 fn number(value: f64) -> f64 {
     (value * 10.0).round() / 10.0 + 0.0
-}
-
-/// A text as XML shows it.
-fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            other => escaped.push(other),
-        }
-    }
-    escaped
 }
