@@ -1,6 +1,6 @@
 //! Whole turns of angles that may turn without end, counted beside the state.
 //!
-//! An angle in the state stays within [`FARTHEST`]: what sines and cosines are made of it is as exact after a day as after
+//! An angle in the state stays within three quarters of a turn: what sines and cosines are made of it is as exact after a day as after
 //! a minute, in `f32` as well. What reads the angle itself has the turns added.
 
 use crate::scalar::Real;
