@@ -65,6 +65,7 @@ enum Event<'a> {
         parameters: &'a [f64],
         inputs: &'a [f64],
         shape: &'a [f64],
+        size_names: &'a str,
     },
     Running {
         is_running: bool,
@@ -161,9 +162,10 @@ impl Host {
         state.send(&Item::Text(text));
     }
 
-    /// Parameters and inputs as they are, and the shape that parameters make, as `plm::live::Live::shape` tells it; SI.
-    pub fn settings(&self, parameters: &[f64], inputs: &[f64], shape: &[f64]) {
-        let text: Arc<str> = json(&Event::Settings { parameters, inputs, shape }).into();
+    /// Parameters and inputs as they are, and the shape that parameters make with the names of its sizes, as
+    /// `plm::live::Live::shape` and `size_names` tell them; SI.
+    pub fn settings(&self, parameters: &[f64], inputs: &[f64], (shape, size_names): (&[f64], &str)) {
+        let text: Arc<str> = json(&Event::Settings { parameters, inputs, shape, size_names }).into();
         let mut state = locked(&self.shared.state);
         state.settings = Some(Arc::clone(&text));
         state.send(&Item::Text(text));
