@@ -132,10 +132,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
 
     /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
     pub fn size_names() -> String {
-        let sized = M::TABLES.parts.iter().filter(|part| !part.sizes.is_empty());
-        let lines: Vec<String> =
-            sized.map(|part| format!("{} {}", part.name, part.sizes.join(" "))).collect();
-        lines.join("\n")
+        by_number::size_names::<M>()
     }
 
     /// A parameter, SI; not a number beyond the last.

@@ -26,7 +26,8 @@ pub trait Statics: Mechanism {
     fn full(state: &Self::State) -> Self::Full;
 
     /// Gives `each` in turn: the forces phi_q^T lambda - Q (N, N, N m per body), phi, phi_q v - nu, and the rates of the
-    /// first-order states. Accelerations are taken as zero where forces or rates read them.
+    /// first-order states. Accelerations are taken as zero where forces or rates read them. The angles of `x` have all turns, so
+    /// that `u` counts none.
     fn equations(
         &self,
         t: Self::S,

@@ -1,5 +1,7 @@
 //! What is read of a mechanism and set in it by number, whatever it is called.
 
+use std::format;
+use std::string::String;
 use std::vec::Vec;
 
 use plm_runtime::described::Place;
@@ -32,6 +34,13 @@ pub(crate) fn shape<M: Described<S = f64>>(of: &M, shape: &mut Vec<f64>) {
     for (k, part) in M::TABLES.parts.iter().enumerate() {
         shape.extend((0..part.sizes.len()).map(|size| number(of.size(k, size))));
     }
+}
+
+/// As [`Live::size_names`](super::Live::size_names).
+pub(crate) fn size_names<M: Described<S = f64>>() -> String {
+    let sized = M::TABLES.parts.iter().filter(|part| !part.sizes.is_empty());
+    let lines: Vec<String> = sized.map(|part| format!("{} {}", part.name, part.sizes.join(" "))).collect();
+    lines.join("\n")
 }
 
 /// Sets a parameter, SI, and the start values that are made of it; those that were set by hand stay. False if there is none

@@ -12,8 +12,8 @@ use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::serve::{Host, Message, Pull};
 
 use super::recorder::Recorder;
+use crate::live::by_number;
 use crate::live::pull_input;
-use crate::live::{Live, by_number};
 
 /// A page served to browsers on this machine, for a loop of the user's own: hardware, a controller.
 ///
@@ -257,7 +257,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         let inputs = inputs.map(|k| by_number::input::<M>(state, k).unwrap_or(f64::NAN));
         by_number::shape(state.mechanism(), &mut shape);
         let (parameters, inputs): (Vec<_>, Vec<_>) = (parameters.collect(), inputs.collect());
-        self.host.settings(&parameters, &inputs, (&shape, &Live::<M>::size_names()));
+        self.host.settings(&parameters, &inputs, (&shape, &by_number::size_names::<M>()));
     }
 
     fn set_running(&mut self, runs: bool) {

@@ -7,21 +7,21 @@
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
+mod held;
 mod instance;
 mod joint;
 mod pair;
 mod step;
-mod switch;
 
 use std::collections::BTreeSet;
 
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
+pub use held::{Counted, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;
-pub use switch::{Counted, Jump, Steady, Switch};
 
 use crate::diag::Use;
 use crate::span::Span;

@@ -64,15 +64,12 @@ fn poses(emission: &Emission) -> TokenStream {
         let reduced = emission.is_reduced();
         let (q, v, i, j) =
             if reduced { ("q", "v", 3 * k, 3 * k) } else { ("self.x", "self.x", 3 * k, nq + 3 * k) };
-        let triple =
-            |array: &str, k: usize| format!("[{array}[{k}], {array}[{}], {array}[{}]]", k + 1, k + 2);
-        let turned = model.turns.iter().position(|counted| counted.bodies.contains(&k));
-        let mut place = triple(q, i);
-        if let Some(count) = turned {
-            let angle = format!("{q}[{}]", i + 2);
-            place = place.replace(&angle, &format!("rt::turns::whole({angle}, self.turns[{count}])"));
+        let triple = |array: &str, k: usize| [k, k + 1, k + 2].map(|k| format!("{array}[{k}]"));
+        let ([x, y, mut angle], rates) = (triple(q, i), triple(v, j).join(", "));
+        if let Some(count) = model.turns.iter().position(|counted| counted.bodies.contains(&k)) {
+            angle = format!("rt::turns::whole({angle}, self.turns[{count}])");
         }
-        let body = format!("BodyState::of({place}, {})", triple(v, j));
+        let body = format!("BodyState::of([{x}, {y}, {angle}], [{rates}])");
         let pose = arrays(&body, ["q", "v"], "self.pose_()");
         let body = emission.text(pose + &body);
         quote! {
