@@ -1,0 +1,96 @@
+//! A loop against the clock, and how well it keeps to it.
+
+use std::hint::spin_loop;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use plm::Fault;
+
+/// A number that one thread sets and another reads, without a lock.
+#[derive(Default)]
+pub struct Wire(AtomicU64);
+
+impl Wire {
+    pub fn set(&self, value: f64) {
+        self.0.store(value.to_bits(), Ordering::Release);
+    }
+
+    pub fn get(&self) -> f64 {
+        f64::from_bits(self.0.load(Ordering::Acquire))
+    }
+}
+
+/// What goes into the loop and comes out of it.
+#[derive(Default)]
+pub struct Wires {
+    /// Set from outside, read before each step.
+    pub input: Wire,
+    /// Set after each step.
+    pub output: Wire,
+    /// The loop has ended.
+    pub done: AtomicBool,
+}
+
+/// What happened at a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Beat {
+    /// What the input was.
+    pub input: f64,
+    /// How long after its time the step began.
+    pub late: Duration,
+    /// How long it took.
+    pub took: Duration,
+}
+
+/// Makes a step every `period`, one for each entry of `beats`, which gets what happened. A step that comes too late is made up
+/// for: none is left out, so that the time of the mechanism stays that of the clock.
+///
+/// # Errors
+/// What ends a step.
+pub fn keep_pace(
+    period: Duration,
+    wires: &Wires,
+    beats: &mut [Beat],
+    step: &mut impl FnMut(f64) -> Result<f64, Fault>,
+) -> Result<(), Fault> {
+    let mut due = Instant::now() + period;
+    for beat in beats {
+        wait_for(due);
+        let begun = Instant::now();
+        let input = wires.input.get();
+        wires.output.set(step(input)?);
+        *beat = Beat { input, late: begun - due, took: begun.elapsed() };
+        due += period;
+    }
+    Ok(())
+}
+
+/// Sleeps as long as the system can be trusted to wake it in time, and looks at the clock from then on.
+fn wait_for(due: Instant) {
+    /// A sleep of an ordinary kernel ends up to some 100 µs late.
+    const AWAKE: Duration = Duration::from_micros(300);
+
+    let left = due.saturating_duration_since(Instant::now());
+    if left > AWAKE {
+        sleep(left - AWAKE);
+    }
+    while Instant::now() < due {
+        spin_loop();
+    }
+}
+
+/// Memory for so many beats, all of it written once: a page that is touched for the first time costs a fault of the kernel.
+pub fn memory(count: usize) -> Vec<Beat> {
+    vec![Beat { input: f64::NAN, late: Duration::MAX, took: Duration::MAX }; count]
+}
+
+/// Mean, median, 99 %, 99.9 % and the most, µs.
+pub fn distribution(times: impl Iterator<Item = Duration>) -> [f64; 5] {
+    let mut times: Vec<f64> = times.map(|time| 1e6 * time.as_secs_f64()).collect();
+    times.sort_by(f64::total_cmp);
+    let last = times.len().saturating_sub(1);
+    let share = |part: f64| times.get((part * last as f64).ceil() as usize).copied().unwrap_or(f64::NAN);
+    let mean = times.iter().sum::<f64>() / times.len() as f64;
+    [mean, share(0.5), share(0.99), share(0.999), share(1.0)]
+}

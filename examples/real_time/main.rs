@@ -1,0 +1,101 @@
+//! Hardware in the loop on Linux: two mechanisms step at 1 kHz and 10 kHz against the clock.
+//!
+//! ```sh
+//! cargo run --release --example real_time                    # 5 s for each mechanism and rate
+//! cargo run --release --example real_time -- --seconds 60
+//! cargo run --release --example real_time -- --accuracy docs/src/images/real_time.svg
+//! ```
+//!
+//! The mechanism runs in a thread of its own. Another thread stands for the hardware: it reads what comes out, and sets the input
+//! whenever it likes. Afterwards the inputs are played again, without a clock, and the last bit has to be the same.
+
+mod accuracy;
+mod clock;
+mod plants;
+
+use std::error::Error;
+use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use clock::{Beat, Wires, distribution, keep_pace, memory};
+use plm::Fault;
+use plm::view::{Arguments, Known};
+
+const KNOWN: [Known; 2] = [
+    Known::value("seconds", "NUMBER", "how long each mechanism runs at each rate; 5 if nothing is said"),
+    Known::value("accuracy", "FILE", "no clock: draws the error of the arm against the length of its step"),
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::from_args(&KNOWN)?;
+    if let Some(help) = arguments.help() {
+        println!("{help}");
+        return Ok(());
+    }
+    if let Some(file) = arguments.value("accuracy") {
+        let (chart, text) = accuracy::chart(2000)?;
+        chart.write_svg(file)?;
+        print!("{text}");
+        return Ok(());
+    }
+    let seconds = arguments.number("seconds")?.unwrap_or(5.0);
+    println!("{:>29} {:>44} {:>44}", "", "a step takes, µs", "and begins late by, µs");
+    let columns = format!("{:>9}{:>9}{:>9}{:>9}{:>9}", "mean", "median", "99 %", "99.9 %", "most");
+    println!("{:>20} {:>8}{columns}{columns} {:>8}", "", "rate, Hz", "missed");
+    for rate in [1000, 10_000] {
+        let period = 1.0 / f64::from(rate);
+        report("four-bar, RK4", rate, &measured(rate, seconds, 2.0, || plants::four_bar(period))?);
+        report("arm, lin. implicit", rate, &measured(rate, seconds, 0.2, || plants::arm(period))?);
+    }
+    Ok(())
+}
+
+/// Runs what `plant` makes in a thread of its own, while this one sets the input to a sine of some amplitude.
+fn measured<P>(
+    rate: u32,
+    seconds: f64,
+    amplitude: f64,
+    plant: impl Fn() -> Result<P, Fault>,
+) -> Result<Vec<Beat>, Box<dyn Error>>
+where
+    P: FnMut(f64) -> Result<f64, Fault> + Send,
+{
+    let period = Duration::from_secs_f64(1.0 / f64::from(rate));
+    let mut beats = memory((seconds * f64::from(rate)) as usize);
+    let mut step = plant()?;
+    let wires = Wires::default();
+    thread::scope(|scope| {
+        let looping = scope.spawn(|| {
+            let outcome = keep_pace(period, &wires, &mut beats, &mut step);
+            wires.done.store(true, Ordering::Release);
+            outcome
+        });
+        let begun = Instant::now();
+        while !wires.done.load(Ordering::Acquire) {
+            wires.input.set(amplitude * (6.0 * begun.elapsed().as_secs_f64()).sin());
+            thread::sleep(Duration::from_millis(3));
+        }
+        looping.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })?;
+    let mut replayed = plant()?;
+    let mut last = f64::NAN;
+    for beat in &beats {
+        last = replayed(beat.input)?;
+    }
+    if last.to_bits() != wires.output.get().to_bits() {
+        return Err(format!("played again the run ends at {last}, not at {}", wires.output.get()).into());
+    }
+    Ok(beats)
+}
+
+fn report(name: &str, rate: u32, beats: &[Beat]) {
+    let period = 1.0 / f64::from(rate);
+    let missed = beats.iter().filter(|beat| beat.late.as_secs_f64() >= period).count();
+    print!("{name:>20} {rate:>8}");
+    let took = distribution(beats.iter().map(|beat| beat.took));
+    for time in took.into_iter().chain(distribution(beats.iter().map(|beat| beat.late))) {
+        print!("{time:>9.2}");
+    }
+    println!(" {missed:>8}   a step is {:.2} % of the period", 100.0 * 1e-6 * took[0] / period);
+}
