@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use plm::{Fault, Mechanism, RadauIia5};
+use plm::{Fault, RadauIia5};
 use plm_view::{Axis, Chart, Rule, Series};
 
 use super::plants::{Arm, arm};
@@ -101,7 +101,9 @@ pub fn chart(periods: u32) -> Result<(Chart, String), Fault> {
                     let pressure = pressures.into_iter().fold(0.0, f64::max);
                     curves[0].push((h, angle));
                     curves[1].push((h, pressure));
-                    text += &format!("{name}, h = {h:e} s: angle {angle:.1e}, pressures {pressure:.1e} of the range\n");
+                    text += &format!(
+                        "{name}, h = {h:e} s: angle {angle:.1e}, pressures {pressure:.1e} of the range\n"
+                    );
                 }
                 Err(fault) => text += &format!("{name}, h = {h:e} s: {fault}\n"),
             }

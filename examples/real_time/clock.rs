@@ -1,35 +1,36 @@
 //! A loop against the clock, and how well it keeps to it.
 
+use std::error::Error;
 use std::hint::spin_loop;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::thread::sleep;
+use std::thread::{self, sleep};
 use std::time::{Duration, Instant};
 
 use plm::Fault;
 
 /// A number that one thread sets and another reads, without a lock.
 #[derive(Default)]
-pub struct Wire(AtomicU64);
+struct Wire(AtomicU64);
 
 impl Wire {
-    pub fn set(&self, value: f64) {
+    fn set(&self, value: f64) {
         self.0.store(value.to_bits(), Ordering::Release);
     }
 
-    pub fn get(&self) -> f64 {
+    fn get(&self) -> f64 {
         f64::from_bits(self.0.load(Ordering::Acquire))
     }
 }
 
 /// What goes into the loop and comes out of it.
 #[derive(Default)]
-pub struct Wires {
+struct Wires {
     /// Set from outside, read before each step.
-    pub input: Wire,
+    input: Wire,
     /// Set after each step.
-    pub output: Wire,
+    output: Wire,
     /// The loop has ended.
-    pub done: AtomicBool,
+    done: AtomicBool,
 }
 
 /// What happened at a step.
@@ -43,12 +44,54 @@ pub struct Beat {
     pub took: Duration,
 }
 
+/// Runs what `plant` makes so many times a second in a thread of its own, while this one sets the input to a sine of some amplitude.
+/// Then the inputs are played again.
+///
+/// # Errors
+/// What ends a step; or the run that was played again ends with other bits.
+pub fn measured<P>(
+    rate: u32,
+    seconds: f64,
+    amplitude: f64,
+    plant: impl Fn() -> Result<P, Fault>,
+) -> Result<Vec<Beat>, Box<dyn Error>>
+where
+    P: FnMut(f64) -> Result<f64, Fault> + Send,
+{
+    let period = Duration::from_secs_f64(1.0 / f64::from(rate));
+    let mut beats = memory((seconds * f64::from(rate)) as usize);
+    let mut step = plant()?;
+    let wires = Wires::default();
+    thread::scope(|scope| {
+        let looping = scope.spawn(|| {
+            let outcome = keep_pace(period, &wires, &mut beats, &mut step);
+            wires.done.store(true, Ordering::Release);
+            outcome
+        });
+        let begun = Instant::now();
+        while !wires.done.load(Ordering::Acquire) {
+            wires.input.set(amplitude * (6.0 * begun.elapsed().as_secs_f64()).sin());
+            sleep(Duration::from_millis(3));
+        }
+        looping.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })?;
+    let mut replayed = plant()?;
+    let mut last = f64::NAN;
+    for beat in &beats {
+        last = replayed(beat.input)?;
+    }
+    if last.to_bits() != wires.output.get().to_bits() {
+        return Err(format!("played again the run ends at {last}, not at {}", wires.output.get()).into());
+    }
+    Ok(beats)
+}
+
 /// Makes a step every `period`, one for each entry of `beats`, which gets what happened. A step that comes too late is made up
 /// for: none is left out, so that the time of the mechanism stays that of the clock.
 ///
 /// # Errors
 /// What ends a step.
-pub fn keep_pace(
+fn keep_pace(
     period: Duration,
     wires: &Wires,
     beats: &mut [Beat],
@@ -81,7 +124,7 @@ fn wait_for(due: Instant) {
 }
 
 /// Memory for so many beats, all of it written once: a page that is touched for the first time costs a fault of the kernel.
-pub fn memory(count: usize) -> Vec<Beat> {
+fn memory(count: usize) -> Vec<Beat> {
     vec![Beat { input: f64::NAN, late: Duration::MAX, took: Duration::MAX }; count]
 }
 

@@ -9,17 +9,19 @@
 //! The mechanism runs in a thread of its own. Another thread stands for the hardware: it reads what comes out, and sets the input
 //! whenever it likes. Afterwards the inputs are played again, without a clock, and the last bit has to be the same.
 
+#![allow(
+    missing_docs,
+    unreachable_pub,
+    reason = "the mechanisms are public in private modules of an example"
+)]
+
 mod accuracy;
 mod clock;
 mod plants;
 
 use std::error::Error;
-use std::sync::atomic::Ordering;
-use std::thread;
-use std::time::{Duration, Instant};
 
-use clock::{Beat, Wires, distribution, keep_pace, memory};
-use plm::Fault;
+use clock::{Beat, distribution, measured};
 use plm::view::{Arguments, Known};
 
 const KNOWN: [Known; 2] = [
@@ -49,44 +51,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         report("arm, lin. implicit", rate, &measured(rate, seconds, 0.2, || plants::arm(period))?);
     }
     Ok(())
-}
-
-/// Runs what `plant` makes in a thread of its own, while this one sets the input to a sine of some amplitude.
-fn measured<P>(
-    rate: u32,
-    seconds: f64,
-    amplitude: f64,
-    plant: impl Fn() -> Result<P, Fault>,
-) -> Result<Vec<Beat>, Box<dyn Error>>
-where
-    P: FnMut(f64) -> Result<f64, Fault> + Send,
-{
-    let period = Duration::from_secs_f64(1.0 / f64::from(rate));
-    let mut beats = memory((seconds * f64::from(rate)) as usize);
-    let mut step = plant()?;
-    let wires = Wires::default();
-    thread::scope(|scope| {
-        let looping = scope.spawn(|| {
-            let outcome = keep_pace(period, &wires, &mut beats, &mut step);
-            wires.done.store(true, Ordering::Release);
-            outcome
-        });
-        let begun = Instant::now();
-        while !wires.done.load(Ordering::Acquire) {
-            wires.input.set(amplitude * (6.0 * begun.elapsed().as_secs_f64()).sin());
-            thread::sleep(Duration::from_millis(3));
-        }
-        looping.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-    })?;
-    let mut replayed = plant()?;
-    let mut last = f64::NAN;
-    for beat in &beats {
-        last = replayed(beat.input)?;
-    }
-    if last.to_bits() != wires.output.get().to_bits() {
-        return Err(format!("played again the run ends at {last}, not at {}", wires.output.get()).into());
-    }
-    Ok(beats)
 }
 
 fn report(name: &str, rate: u32, beats: &[Beat]) {

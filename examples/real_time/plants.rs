@@ -1,4 +1,4 @@
-//! The two mechanisms in the loop: a four-bar with a motor, and an arm on a hydraulic jack with thin lines, which is stiff.
+//! The two mechanisms in the loop: a four-bar with a motor, and an arm on a hydraulic jack with thin lines, which are stiff.
 
 use plm::Fault;
 
@@ -27,7 +27,7 @@ plm::mechanism! {
         gravity: 9.81 m/s^2;
         emit: step(rk4, linearly_implicit);
         /// Inner diameter of both lines.
-        param bore: mm = 6 mm;
+        param bore: mm = 3 mm;
         /// Of the valve, from -1 (the rod goes in) to 1.
         input lever: 1 = 0;
         ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }
