@@ -225,6 +225,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             course.end = instant.unwrap_or(end);
             outcome = stretch(method, &mut course, (watch, limits), observer);
             match outcome {
+                // The observer has ended it.
+                Ok(()) if course.time < instant.unwrap_or(end) => break,
                 Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch, observer),
                 Ok(()) => {}
                 Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),
