@@ -158,3 +158,21 @@ fn a_parameter_without_default_is_told() {
     assert_eq!(error.to_string(), "the parameter `load` has no default, and a library needs one");
     assert!(!folder.exists());
 }
+
+/// This test is run once more as a program that finds no other ones.
+#[test]
+fn the_line_that_installs_maturin_is_told_where_it_is_missing() {
+    const SELF: &str = "PLM_WITHOUT_MATURIN";
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign-wheel");
+    if std::env::var_os(SELF).is_some() {
+        println!("{}", plm::view::wheel(&Press::new(), &folder).unwrap_err());
+        return;
+    }
+    let name = "the_line_that_installs_maturin_is_told_where_it_is_missing";
+    let mut own = Command::new(std::env::current_exe().unwrap());
+    let output =
+        own.args([name, "--exact", "--nocapture"]).env(SELF, "yes").env("PATH", "").output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    let told = "the wheel cannot be built: maturin is missing; this line installs it: pip install maturin";
+    assert!(said.contains(told) && !folder.exists(), "{said}");
+}

@@ -68,11 +68,11 @@ pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box
     Ok(std::vec![file.into()])
 }
 
-/// A mechanism with its parameters, and the starts that are made of them, as declared.
-fn declared<M: Foreign>(mechanism: &M) -> M {
+/// A mechanism with its parameters, and the starts that are made of them, as declared; a parameter without default is no number.
+pub(super) fn declared<M: Foreign>(mechanism: &M) -> M {
     let mut own = *mechanism;
     for (index, parameter) in M::TABLES.parameters.iter().enumerate() {
-        own.set_parameter(index, parameter.default.unwrap_or_default());
+        own.set_parameter(index, parameter.default.unwrap_or(f64::NAN));
     }
     *own.starts_mut() = own.declared_starts();
     own

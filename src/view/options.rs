@@ -11,10 +11,11 @@ use std::vec::Vec;
 use plm_runtime::described::Quantity;
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
-use super::arguments::{Arguments, BadOption, Known, nearest};
-use super::integrator::{Integrator, METHODS};
+use super::arguments::{Arguments, Known};
 use super::recorder::Recorder;
+use crate::integrator::{Integrator, METHODS};
 use crate::live::by_number;
+use crate::mistake::{BadOption, nearest};
 
 /// What is asked for on the command line.
 ///
@@ -48,6 +49,8 @@ pub struct Options {
     pub c: Option<PathBuf>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
+    /// `--python FOLDER`: a wheel of the mechanism.
+    pub python: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
     /// `--every TIME`, s: between samples.
@@ -65,7 +68,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 13] = [
+const USUAL: [Known; 14] = [
     Known::value(
         "view",
         "FILE",
@@ -82,6 +85,7 @@ const USUAL: [Known; 13] = [
         "a static library of the mechanism as declared, and its header, for C and C++",
     ),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
+    Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
     Known::value(
@@ -161,6 +165,7 @@ impl Options {
             out: path("out"),
             c: path("c"),
             fmu: path("fmu"),
+            python: path("python"),
             until: time("until", &given)?,
             every: time("every", &given)?,
             set: settings("set", &given)?,
@@ -183,7 +188,7 @@ impl Options {
             )));
         }
         let run = among(&files).or_else(|| among(&of_a_run));
-        if let (Some(built), Some(name)) = (among(&["c", "fmu"]), run) {
+        if let (Some(built), Some(name)) = (among(&["c", "fmu", "python"]), run) {
             return Err(BadOption(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
@@ -320,6 +325,7 @@ mod tests {
             (vec!["--serve", "--csv", "a"], "without --csv"),
             (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
+            (vec!["--python", "a", "--until", "1"], "without --until"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");
