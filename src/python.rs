@@ -245,3 +245,37 @@ impl<M: Runnable> OnSim<M> for Record<'_, '_> {
         Sim::watch_while(sim, until, every, see, goes_on)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::string::ToString;
+
+    use super::{Integrator, method};
+
+    #[test]
+    fn methods_are_told_by_name_and_number() {
+        for (name, tolerance, step, said) in [
+            ("dop853", None, None, Ok(Integrator::Dop853(1e-9))),
+            ("Dopri5", Some(1e-6), None, Ok(Integrator::Dopri5(1e-6))),
+            ("rk4", None, Some(1e-3), Ok(Integrator::Rk4(1e-3))),
+            ("rk4:2e-3", None, None, Ok(Integrator::Rk4(2e-3))),
+            ("rk4", Some(1e-6), None, Err("rk4 has steps of fixed length: longest_step, not tolerance")),
+            (
+                "dop853",
+                None,
+                Some(1.0),
+                Err("dop853 chooses its steps by their error: tolerance, not longest_step"),
+            ),
+            (
+                "dop853",
+                Some(-1.0),
+                None,
+                Err("Dop853 wants a positive relative tolerance, as in Dop853:1e-9, not `-1e0`"),
+            ),
+            ("rk4", None, None, Err("Rk4 wants its longest step in seconds, as in Rk4:1e-3")),
+        ] {
+            let found = method(name, tolerance, step).map_err(|bad| bad.to_string());
+            assert_eq!(found, said.map_err(ToString::to_string), "{name}");
+        }
+    }
+}

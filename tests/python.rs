@@ -41,17 +41,18 @@ plm::mechanism! {
     }
 }
 
-/// The environment: Python with NumPy, and maturin; nothing where one is missing.
+/// The environment: Python with NumPy, and maturin; nothing where one is missing, unless somebody names one who must mean it.
 fn python() -> Option<String> {
-    let python = std::env::var("PLM_PYTHON").unwrap_or("python3".to_owned());
+    let named = std::env::var("PLM_PYTHON");
+    let python = named.clone().unwrap_or("python3".to_owned());
     for (program, words) in
         [(python.as_str(), ["-c", "import numpy"].as_slice()), ("maturin", &["--version"])]
     {
         if !Command::new(program).args(words).output().is_ok_and(|output| output.status.success()) {
-            println!(
-                "skipped: {program} {} does nothing here (bash tests/python.sh makes all that)",
-                words.join(" ")
-            );
+            let missing =
+                format!("{program} {} fails here: bash tests/python.sh makes all that", words.join(" "));
+            assert!(named.is_err(), "{missing}");
+            println!("skipped: {missing}");
             return None;
         }
     }

@@ -208,7 +208,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     }
 
     /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
-    fn advance(&mut self, end: M::S, length: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
+    fn advance<O: Observer<M>>(&mut self, end: M::S, length: M::S, observer: &mut O) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end < self.latest) {
             self.begin(end, length)?;
@@ -225,8 +225,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             course.end = instant.unwrap_or(end);
             outcome = stretch(method, &mut course, (watch, limits), observer);
             match outcome {
-                // The observer has ended it.
-                Ok(()) if course.time < instant.unwrap_or(end) => break,
+                Ok(()) if O::ENDS && course.time < instant.unwrap_or(end) => break,
                 Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch, observer),
                 Ok(()) => {}
                 Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),

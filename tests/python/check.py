@@ -91,6 +91,18 @@ expect(m.bodies == ("trolley", "bar") and m.pose("bar").angle == m["bar.angle"],
 expect('Quotes "in" \\ text.' in Gantry.__doc__ and "Of the trolley." in Gantry.__doc__, "its documentation is there")
 expect("mass" in inspect.signature(Gantry).parameters, "parameters are keywords of its signature")
 expect(m.level == m["level"], "a state is read")
+expect(m.run(m.time)["time"].tolist() == [0.5], "a run to the present is one row")
+
+
+class Heavy(Gantry):
+    """A class of a user's own."""
+
+    def __init__(self):
+        super().__init__(load=20.0)
+        self.log = []
+
+
+expect(Heavy().load == 20.0 and Heavy().run(0.1)["time"].size == 1001 and Heavy().log == [], "a class can be built upon")
 
 # Save, restore, copies.
 m = Gantry(load=2.0)

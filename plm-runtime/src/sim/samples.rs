@@ -10,8 +10,10 @@ use crate::scalar::{Real, Scalar};
 pub(super) trait Observer<M: Mechanism> {
     /// Does it see what switches? Who does not pays nothing for it.
     const SWITCHES: bool = false;
+    /// May it end the run, by putting `course.end` at the time of a step that it sees?
+    const ENDS: bool = false;
 
-    /// A step was accepted; what was held over it is held still. To put `course.end` at its time ends the run there.
+    /// A step was accepted; what was held over it is held still.
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
 
     /// Something has switched; `before` is what was held until then.
@@ -116,6 +118,8 @@ pub enum Seen<'a, T> {
 pub(super) struct Asked<F>(pub(super) F);
 
 impl<M: Mechanism, F: FnMut(M::S) -> bool> Observer<M> for Asked<F> {
+    const ENDS: bool = true;
+
     fn see<I: Method<M>>(&mut self, _method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
         if !(self.0)(course.time) {
             course.end = course.time;
@@ -138,6 +142,7 @@ where
     G: FnMut(M::S) -> bool,
 {
     const SWITCHES: bool = true;
+    const ENDS: bool = true;
 
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
         let Self { samples, see, asked } = self;

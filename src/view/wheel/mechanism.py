@@ -125,6 +125,9 @@ class Mechanism:
     _numbers: ClassVar[dict[str, tuple[int, int]]]
 
     def __init_subclass__(cls) -> None:
+        if "_tables" not in vars(cls):
+            # A user's class over that of a mechanism.
+            return
         tables = cls._tables
         numbers: dict[str, tuple[int, int]] = {}
         kinds = (PARAMETER, tables.parameters), (INPUT, tables.inputs), (OUTPUT, tables.outputs), (STATE, tables.states)
@@ -197,7 +200,8 @@ class Mechanism:
     if not TYPE_CHECKING:
 
         def __setattr__(self, name: str, value: Any) -> None:
-            if not hasattr(type(self), name):
+            # A class that a user has built upon this one has attributes of its own.
+            if not hasattr(type(self), name) and "_tables" in vars(type(self)):
                 raise AttributeError(_unknown("parameter or input", name, self._numbers))
             super().__setattr__(name, value)
 
@@ -235,7 +239,8 @@ class Mechanism:
             raise TypeError(f"outputs must be a list of names, as in outputs=[{wanted!r}]")
         named = [self._output(name) for name in wanted]
         begin = self.time
-        every = (until - begin) / 1000 if every is None else every
+        # At the present time there is one row.
+        every = (until - begin) / 1000 or 1.0 if every is None else every
         line = _Line(begin, until) if progress is True else None
         shown = line or progress or None
         columns, error = self._run.run((until, every), named, shown)

@@ -48,10 +48,14 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
     Ok(std::vec![path])
 }
 
-/// `double_pendulum`; with a `_` behind it where Python could not import it.
+/// Modules that Python has or this one needs (`sys.stdlib_module_names` of 3.10 to 3.13).
+const TAKEN: &str = include_str!("taken.txt");
+
+/// `double_pendulum`; `platform_mechanism` where Python would not import it.
 fn package_name(name: &str) -> String {
     let lower = Names::lower(name).to_string();
-    if is_keyword(&lower) { format!("{lower}_") } else { lower }
+    let is_taken = is_keyword(&lower) || TAKEN.split_whitespace().any(|taken| taken == lower);
+    if is_taken { format!("{lower}_mechanism") } else { lower }
 }
 
 /// What maturin and pip read.
@@ -71,4 +75,21 @@ fn native<M: Foreign>(package: &str) -> String {
     let required: Vec<&str> = without.map(|_| "f64::NAN").collect();
     let text = NATIVE.replace("PREFIX", package).replace("REQUIRED", &required.join(", "));
     format!("plm::mechanism! {{\n{}\n}}\n{}", M::DECLARATION, text.replace("NAME", M::TABLES.name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::package_name;
+
+    #[test]
+    fn packages_can_be_imported() {
+        for (name, package) in [
+            ("DoublePendulum", "double_pendulum"),
+            ("Lambda", "lambda_mechanism"),
+            ("Platform", "platform_mechanism"),
+            ("Platforms", "platforms"),
+        ] {
+            assert_eq!(package_name(name), package);
+        }
+    }
 }
