@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A wheel of a mechanism in an environment of Python that is made here: what is missing is said, and not checked.
 #
-#   bash tests/python.sh            # tests/python.rs; a minute where plm is built, three from nothing
+#   bash tests/python.sh            # tests/python.rs; half a minute where plm is built, four from nothing
 #   bash tests/python.sh --book     # the page of the book as its reader follows it, from an empty folder; makes its picture
 #   PYTHON=python3.9 bash tests/python.sh
 set -euo pipefail
