@@ -1,96 +1,19 @@
-"""What all mechanisms of plm have in common. Everything is in SI; `Quantity` tells units."""
+"""What all mechanisms of plm can do. Everything is in SI; `Quantity` tells units."""
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import keyword
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Dict, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Optional, Union
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ._values import Array, Linearisation, Pose, Quantity, Results, Tables, unknown
 
 # Kinds of numbers, as plm counts them.
 PARAMETER, INPUT, STATE, OUTPUT, START, BODY = range(6)
-
-
-class Quantity(NamedTuple):
-    """A parameter, an input, a state, an output or a start value."""
-
-    name: str
-    #: Its unit here, SI.
-    unit: str
-    #: The unit of its declaration; a value in SI is one in that unit times `factor`.
-    declared_unit: str
-    factor: float
-    docs: str
-    #: As declared, SI; None for outputs, for a parameter that must be given, and for what is made of one.
-    default: Optional[float]
-
-
-class Pose(NamedTuple):
-    """Pose and velocity of the centre of gravity of a body: m, rad, m/s, rad/s."""
-
-    x: float
-    y: float
-    angle: float
-    vx: float
-    vy: float
-    omega: float
-
-
-class Fault(Exception):
-    """The mechanism cannot be assembled, or cannot go on."""
-
-    __module__ = __name__.rpartition(".")[0]
-
-    #: When, s.
-    time: float
-    #: The part that is to blame; empty where no single one is.
-    part: str
-    #: What a run has come to before.
-    results: Optional[Results]
-
-    def __init__(self, text: str, time: float, part: str) -> None:
-        super().__init__(text, time, part)
-        self.time, self.part, self.results = time, part, None
-
-    def __str__(self) -> str:
-        return str(self.args[0])
-
-
-class Results(Dict[str, Array]):
-    """Arrays by name: "time", and the outputs that were asked for; `units` has their units."""
-
-    units: dict[str, str]
-
-    def __init__(self, columns: Mapping[str, Array], units: Mapping[str, str]) -> None:
-        super().__init__(columns)
-        self.units = dict(units)
-
-    def __missing__(self, name: object) -> Array:
-        raise KeyError(_unknown("column", name, self))
-
-
-class Linearisation(NamedTuple):
-    """x' = A x + B u, y = C x + D u for small changes; SI.
-
-    The state x is counted along the columns of `basis`, in coordinates, velocities and first-order states.
-    """
-
-    A: Array
-    B: Array
-    C: Array
-    D: Array
-    basis: Array
-    #: Names of the columns of B and D.
-    inputs: tuple[str, ...]
-    #: Names of the rows of C and D.
-    outputs: tuple[str, ...]
 
 
 class Snapshot:
@@ -100,19 +23,6 @@ class Snapshot:
 
     def __init__(self, of: type[Mechanism], native: Any) -> None:
         self._of, self._native = of, native
-
-
-class Tables(NamedTuple):
-    """What a mechanism has, in the order of its declaration."""
-
-    parameters: tuple[Quantity, ...]
-    inputs: tuple[Quantity, ...]
-    states: tuple[Quantity, ...]
-    outputs: tuple[Quantity, ...]
-    starts: tuple[Quantity, ...]
-    bodies: tuple[str, ...]
-    #: The outputs that were declared, in their units; the others are observed.
-    declared: tuple[Quantity, ...]
 
 
 class Mechanism:
@@ -159,14 +69,14 @@ class Mechanism:
         for name in given:
             if name not in known:
                 own = (name for name in inspect.signature(Mechanism.__init__).parameters if name not in ("self", "given"))
-                raise TypeError(_unknown("parameter", name, [*known, *own]))
+                raise TypeError(unknown("parameter", name, [*known, *own]))
         missing = [row.name for row in tables.parameters if row.default is None and row.name not in given]
         if missing:
             raise TypeError(f"parameters without a default must be given: {', '.join(missing)}")
         names = [row.name for row in tables.starts]
         for name in start or {}:
             if name not in names:
-                raise KeyError(_unknown("start value", name, names))
+                raise KeyError(unknown("start value", name, names))
         self._run = self._native.start(
             (method, tolerance, longest_step),
             [(known.index(name), _finite(name, value)) for name, value in given.items()],
@@ -202,16 +112,16 @@ class Mechanism:
         def __setattr__(self, name: str, value: Any) -> None:
             # A class that a user has built upon this one has attributes of its own.
             if not hasattr(type(self), name) and "_tables" in vars(type(self)):
-                raise AttributeError(_unknown("parameter or input", name, self._numbers))
+                raise AttributeError(unknown("parameter or input", name, self._numbers))
             super().__setattr__(name, value)
 
         def __getattr__(self, name: str) -> Any:
-            raise AttributeError(_unknown("attribute", name, [*self._numbers, *dir(Mechanism)]))
+            raise AttributeError(unknown("attribute", name, [*self._numbers, *dir(Mechanism)]))
 
     def pose(self, body: str) -> Pose:
         """Pose and velocity of the centre of gravity of a body."""
         if body not in self.bodies:
-            raise KeyError(_unknown("body", body, self.bodies))
+            raise KeyError(unknown("body", body, self.bodies))
         return Pose(*self._run.pose(self.bodies.index(body)))
 
     def step(self, dt: float) -> None:
@@ -323,13 +233,13 @@ class Mechanism:
 
     def _number(self, name: str) -> tuple[int, int]:
         if name not in self._numbers:
-            raise KeyError(_unknown("quantity", name, self._numbers))
+            raise KeyError(unknown("quantity", name, self._numbers))
         return self._numbers[name]
 
     def _output(self, name: str) -> int:
         names = [row.name for row in self._tables.outputs]
         if name not in names:
-            raise KeyError(_unknown("output", name, names))
+            raise KeyError(unknown("output", name, names))
         return names.index(name)
 
 
@@ -368,12 +278,6 @@ def _property(row: Quantity, settable: bool) -> property:
     return property(get, put if settable else None, doc=f"{row.docs} ({row.unit or '1'})".strip())
 
 
-def _unknown(what: str, name: object, known: Iterable[str]) -> str:
-    near = difflib.get_close_matches(str(name), list(known), 3, 0.7)
-    hint = "; is " + " or ".join(f"`{one}`" for one in near) + " meant?" if near else ""
-    return f"there is no {what} `{name}`{hint}"
-
-
 def _finite(name: str, value: float) -> float:
     # What `float` would read of a text is no number that was meant.
     if isinstance(value, (str, bytes)):
@@ -392,7 +296,7 @@ def _matrix(rows: int, numbers: bytearray) -> Array:
 def _chosen(what: str, wanted: Optional[Sequence[str]], known: list[str]) -> list[int]:
     for name in wanted or ():
         if name not in known:
-            raise KeyError(_unknown(what, name, known))
+            raise KeyError(unknown(what, name, known))
     return list(range(len(known))) if wanted is None else [known.index(name) for name in wanted]
 
 

@@ -16,6 +16,8 @@ use python::is_keyword;
 
 /// What all mechanisms have in common, in Python.
 const MECHANISM: &str = include_str!("mechanism.py");
+/// What they give and tell.
+const VALUES: &str = include_str!("values.py");
 /// The way from there to Rust, for a mechanism called `NAME` in the package `PREFIX`.
 const NATIVE: &str = include_str!("native.rs.txt");
 
@@ -34,6 +36,7 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
         file("__init__.py", python::source(mechanism)),
         file("__init__.pyi", python::stub(mechanism)),
         file("_mechanism.py", MECHANISM.to_string()),
+        file("_values.py", VALUES.to_string()),
         file("py.typed", String::new()),
     ];
     let source = native::<M>(&name);

@@ -44,14 +44,21 @@ const OWN: [(&str, &str, &str); 6] = [
     ("time", "float", "0.0"),
     ("parameters", "Mapping[str, float] | None", "None"),
 ];
-/// What the module has beside the mechanism.
-const COMMON: [&str; 7] = ["Fault", "Linearisation", "Mechanism", "Pose", "Quantity", "Results", "Snapshot"];
+/// What the module has beside the mechanism, and where it stands.
+const COMMON: [(&str, &str); 7] = [
+    ("_values", "Fault"),
+    ("_values", "Linearisation"),
+    ("_mechanism", "Mechanism"),
+    ("_values", "Pose"),
+    ("_values", "Quantity"),
+    ("_values", "Results"),
+    ("_mechanism", "Snapshot"),
+];
 
 /// `__init__.py`
 pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
     let (name, docs) = (M::TABLES.name, M::TABLES.docs.trim());
     let docs: String = if docs.is_empty() { name.to_owned() } else { docs.to_owned() };
-    let common = COMMON.join(", ");
     let parameters: Vec<String> = M::TABLES.parameters.iter().map(told).collect();
     let keywords = if parameters.is_empty() {
         String::new()
@@ -64,12 +71,13 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
     let bodies: Vec<String> = M::TABLES.bodies.iter().map(|body| format!("{},", text(body.name))).collect();
     let rows = |rows: &[Quantity]| tuple(&rows.iter().map(quantity).collect::<Vec<String>>());
     format!(
-        "{module}\n\nfrom . import _mechanism, _native\nfrom ._mechanism import {common}\n\n{all}\n\n\n\
+        "{module}\n\nfrom . import _mechanism, _native, _values\n{common}\n{all}\n\n\n\
          class {name}(_mechanism.Mechanism):\n    {class}\n\n    __slots__ = ()\n    _native = _native.Native\n    \
-         _tables = _mechanism.Tables(\n        parameters={parameters},\n        inputs={inputs},\n        \
+         _tables = _values.Tables(\n        parameters={parameters},\n        inputs={inputs},\n        \
          states={states},\n        outputs={outputs},\n        starts={starts},\n        bodies=({bodies}),\n        \
          declared={declared},\n    )\n",
         module = text(&docs),
+        common = imports(),
         all = all(name),
         class = text(&format!("{docs}{keywords}")),
         parameters = rows(M::TABLES.parameters),
@@ -103,12 +111,11 @@ pub(super) fn stub<M: Foreign>(_: &M) -> String {
             properties.push_str(&property(name, is_settable));
         }
     }
-    let imports: Vec<String> = COMMON.iter().map(|name| format!("{name} as {name}")).collect();
     format!(
-        "from collections.abc import Mapping\n\nfrom . import _mechanism\nfrom ._mechanism import {}\n\n{}\n\n\
+        "from collections.abc import Mapping\n\nfrom . import _mechanism\n{}\n{}\n\n\
          class {name}(_mechanism.Mechanism):\n    def __init__(\n        self,\n        *,\n{keywords}    ) -> None: ...\n\
          {properties}",
-        imports.join(", "),
+        imports(),
         all(name),
     )
 }
@@ -119,8 +126,16 @@ fn property(name: &str, is_settable: bool) -> String {
     if is_settable { get + &set } else { get }
 }
 
+/// A line each, as types want it of what is handed on.
+fn imports() -> String {
+    let lines: Vec<String> =
+        COMMON.iter().map(|(module, name)| format!("from .{module} import {name} as {name}\n")).collect();
+    lines.concat()
+}
+
 fn all(name: &str) -> String {
-    let names: Vec<String> = std::iter::once(&name).chain(&COMMON).map(|name| text(name)).collect();
+    let names = std::iter::once(name).chain(COMMON.iter().map(|(_, name)| *name));
+    let names: Vec<String> = names.map(text).collect();
     format!("__all__ = [{}]", names.join(", "))
 }
 
@@ -172,7 +187,7 @@ fn start<M: Foreign>(index: usize, name: &str, value: f64) -> String {
 
 fn made(name: &str, [unit, declared]: [&str; 2], factor: f64, (docs, default): (&str, &str)) -> String {
     let [name, unit, declared, docs] = [name, unit, declared, docs.trim()].map(text);
-    format!("_mechanism.Quantity({name}, {unit}, {declared}, {}, {docs}, {default})", number(factor))
+    format!("_values.Quantity({name}, {unit}, {declared}, {}, {docs}, {default})", number(factor))
 }
 
 fn tuple(rows: &[String]) -> String {
