@@ -45,9 +45,8 @@ fn library() -> &'static Path {
     })
 }
 
-/// Compiles a program of `tests/c` with every warning an error, and gives what it prints; nothing where the compiler is
-/// not there.
-fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
+/// Compiles a program of `tests/c` with every warning an error, and gives where it is; nothing where the compiler is not there.
+fn compiled(compiler: &str, standard: &str, file: &str) -> Option<PathBuf> {
     if Command::new(compiler).arg("--version").output().is_err() {
         println!("skipped: there is no {compiler}");
         return None;
@@ -62,10 +61,19 @@ fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
     compile.arg(folder.join("libpress.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
     let said = compile.output().unwrap();
     assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
-    let output = Command::new(program).output().unwrap();
+    Some(program)
+}
+
+/// What a program prints.
+fn said(program: &Path, words: &[&Path]) -> String {
+    let output = Command::new(program).args(words).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success(), "{compiler} {file}: {:?} {text}", output.status);
-    Some(text)
+    assert!(output.status.success(), "{}: {:?} {text}", program.display(), output.status);
+    text
+}
+
+fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
+    compiled(compiler, standard, file).map(|program| said(&program, &[]))
 }
 
 fn print(sim: &Sim<Press>, text: &mut String) {
@@ -104,6 +112,15 @@ fn programs_of_c_and_cpp_have_the_bits_of_rust() {
 }
 
 #[test]
+fn a_run_of_c_is_saved_to_a_file_and_goes_on_in_another_process() {
+    let Some(program) = compiled("gcc", "-std=c99", "save.c") else { return };
+    let file = library().join("run.saved");
+    let first = said(&program, &[&file]);
+    assert_eq!(first.lines().count(), 200);
+    assert_eq!(said(&program, &[&file, Path::new("go")]), first);
+}
+
+#[test]
 fn wrong_calls_of_c_give_a_code_and_change_nothing() {
     let Some(text) = run("gcc", "-std=c99", "bad_use.c") else { return };
     let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c/bad_use.txt");
@@ -137,7 +154,8 @@ fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
         return;
     }
     let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
-    let output = Command::new(python).arg(check).args([file, rows]).output().unwrap();
+    let steps = std::env::var_os("PLM_FMU_STEPS");
+    let output = Command::new(python).arg(check).args([file, rows]).args(steps).output().unwrap();
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     println!("{said}");

@@ -1,8 +1,9 @@
 //! A mechanism with a run of it, by number, without pointers.
 
+use plm_runtime::words::{InWords, Words, mechanism};
 use plm_runtime::{Dop853, Fault, Moment, Sim, StartValues};
 
-use crate::{Foreign, Kind, Status, Trouble};
+use crate::{Foreign, Kind, Status, Trouble, saved};
 
 /// A mechanism as it is set up, and a run of it once it is started.
 ///
@@ -134,6 +135,31 @@ impl<M: Foreign> Object<M> {
         Ok([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega])
     }
 
+    /// Bytes of the run, saved; other ones once it has started.
+    pub fn saved_size(&self) -> usize {
+        saved::size(*self)
+    }
+
+    /// Writes everything that decides how the run goes on, for files and other processes; `bytes` are just as many as
+    /// [`saved_size`](Self::saved_size).
+    ///
+    /// # Errors
+    /// [`Status::Memory`]: they are not.
+    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Trouble> {
+        saved::write::<M, _>(self, bytes)
+    }
+
+    /// A run as it was saved, of a mechanism as declared: it goes on with the same bits, on every machine.
+    ///
+    /// # Errors
+    /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
+    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Trouble> {
+        let mut object = Self::new(declared);
+        object.start()?;
+        saved::read::<M>(&mut object, bytes)?;
+        Ok(object)
+    }
+
     /// The mechanism as it is set up.
     pub fn mechanism(&self) -> &M {
         &self.mechanism
@@ -151,6 +177,19 @@ impl<M: Foreign> Object<M> {
     #[cfg(feature = "fmi")]
     pub(crate) fn sim_mut(&mut self) -> Result<&mut Sim<M>, Trouble> {
         self.sim.as_mut().ok_or(Status::NotStarted.into())
+    }
+}
+
+/// The mechanism as it is set up, whether it has started, and the run if it has: into a started one all can be read.
+impl<M: Foreign> InWords for Object<M> {
+    fn each(&mut self, words: &mut impl Words) {
+        mechanism(&mut self.mechanism, words);
+        let mut has_started = self.sim.is_some();
+        words.flag(&mut has_started);
+        match &mut self.sim {
+            Some(sim) if has_started => sim.each(words),
+            sim => *sim = None,
+        }
     }
 }
 

@@ -10,6 +10,7 @@ mod steps;
 mod times;
 mod told;
 mod watched;
+mod words;
 
 pub(crate) use self::clock::Clock;
 pub(crate) use self::kept::Kept;

@@ -7,12 +7,15 @@
 pub mod border;
 mod description;
 mod instance;
+mod mode;
+mod names;
 mod sides;
 mod tangent;
 mod variable;
 
 pub use description::{description, token};
 pub use instance::{Instance, Update};
+pub use mode::{Call, Interface, Mode};
 pub use variable::Variable;
 
 use core::fmt;

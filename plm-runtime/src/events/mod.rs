@@ -12,6 +12,7 @@ mod looks;
 mod past;
 mod root;
 mod search;
+mod words;
 
 use self::kinks::Kinks;
 use self::looks::Looks;
