@@ -147,15 +147,45 @@ fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
         sim.step_to(f64::from(k) * 0.01 + 0.01).unwrap();
     }
     std::fs::write(&rows, text).unwrap();
-    let python = std::env::var("PLM_PYTHON").unwrap_or("python3".to_owned());
-    let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
-    if !has_fmpy.is_ok_and(|output| output.status.success()) {
-        println!("skipped: {python} has no FMPy (pip install fmpy; PLM_PYTHON names another one)");
-        return;
-    }
+    let Some(python) = python() else { return };
     let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
     let steps = std::env::var_os("PLM_FMU_STEPS");
-    let output = Command::new(python).arg(check).args([file, rows]).args(steps).output().unwrap();
+    succeeds(Command::new(python).arg(check).args([file, rows]).args(steps));
+}
+
+#[path = "../examples/co_simulation/mechanisms.rs"]
+mod mechanisms;
+
+/// An arm and its controller, coupled by FMPy, converge to the mechanism that has both; `couple.py` says how.
+#[test]
+fn two_fmus_are_coupled() {
+    let Some(python) = python() else { return };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("co_simulation");
+    plm::view::fmu(&mechanisms::Arm::new(), &folder.join("arm.fmu")).unwrap();
+    plm::view::fmu(&mechanisms::Controller::new(), &folder.join("controller.fmu")).unwrap();
+    let (mut sim, mut rows) = (mechanisms::Whole::new().start().unwrap(), String::new());
+    sim.run(3.0, 0.05, |state| writeln!(rows, "{:?},{:?}", state.time(), state.arm_angle()).unwrap())
+        .unwrap();
+    std::fs::write(folder.join("whole.csv"), rows).unwrap();
+    let couple = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/co_simulation/couple.py");
+    succeeds(Command::new(python).arg(couple).arg(folder));
+}
+
+/// A Python that has FMPy; without one that is said.
+fn python() -> Option<String> {
+    let python = std::env::var("PLM_PYTHON").unwrap_or("python3".to_owned());
+    let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
+    if has_fmpy.is_ok_and(|output| output.status.success()) {
+        return Some(python);
+    }
+    println!(
+        "skipped: {python} has no FMPy (bash tests/fmu.sh installs it; PLM_PYTHON names another Python)"
+    );
+    None
+}
+
+fn succeeds(command: &mut Command) {
+    let output = command.output().unwrap();
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     println!("{said}");

@@ -25,6 +25,11 @@ def expect(holds, what):
         sys.exit(1)
 
 
+def expect_quietly(holds, what):
+    if not holds:
+        expect(holds, what)
+
+
 problems = validate_fmu(file)
 expect(not problems, f"FMPy has no message {problems}")
 
@@ -131,8 +136,15 @@ rates = [v.valueReference for v in about.modelVariables if v.derivative is not N
 states = [v.derivative.valueReference for v in about.modelVariables if v.derivative is not None]
 unknowns = rates + outputs
 worst = 0.0
+structure = description.find("ModelStructure")
+dependencies = {
+    int(element.get("valueReference")): [int(word) for word in element.get("dependencies").split()]
+    for element in structure.iter("Output", "ContinuousStateDerivative")
+    if element.get("dependencies") is not None
+}
+expect(len(dependencies) > 0, f"dependencies are listed of {len(dependencies)} unknowns")
 for name, reference in number.items():
-    known = reference in states or name in ("push", "stiff", "load")
+    known = reference in states or name in ("time", "push", "stiff", "load")
     if not known:
         continue
     value = model.getFloat64([reference])[0]
@@ -143,19 +155,26 @@ for name, reference in number.items():
             x = model.getFloat64(states)
             x[states.index(reference)] = moved
             model.setContinuousStates((np.ctypeslib.ctypes.c_double * len(x))(*x), len(x))
+        elif name == "time":
+            model.setTime(moved)
         else:
             model.setFloat64([reference], [moved])
         return np.array(model.getFloat64(unknowns))
 
     # Parameters can be set at events alone.
-    if reference not in states:
+    is_parameter = name in ("stiff", "load")
+    if is_parameter:
         model.enterEventMode()
     quotient = (8 * (at(value + h) - at(value - h)) - (at(value + 2 * h) - at(value - 2 * h))) / (12 * h)
     at(value)
     exact = np.array(model.getDirectionalDerivative(unknowns, [reference], [1.0]))
-    if reference not in states:
+    if is_parameter:
         model.enterContinuousTimeMode()
     worst = max(worst, np.max(np.abs(exact - quotient) / (1.0 + np.abs(exact))))
+    # What is not listed as a dependency has no influence.
+    for unknown, tangent in zip(unknowns, exact):
+        listed = dependencies.get(unknown)
+        expect_quietly(listed is None or (reference in listed) or tangent == 0.0, f"{name} moves {unknown}, which does not list it")
 expect(worst < 1e-7, f"derivatives are difference quotients within {worst:.1e}")
 
 # Solvers of FMPy.

@@ -87,24 +87,37 @@ pub fn description<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Resu
     writeln!(to, "</fmiModelDescription>")
 }
 
-/// Which variables are outputs, derivatives, and known at the start; each may depend on all that is known.
+/// Which variables are outputs, derivatives, and known at the start. The rate of a coordinate is its velocity; of all else no
+/// dependencies are listed, which says that each may depend on all that is known.
 fn structure<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Result {
+    let coordinates = <M as System>::NQ;
     let each = |element: &str, wanted: &dyn Fn(Variable) -> bool, to: &mut dyn Write| {
-        let all = Variable::all(declared).enumerate();
-        all.filter(|(_, variable)| wanted(*variable))
-            .try_for_each(|(reference, _)| writeln!(to, "    <{element} valueReference=\"{reference}\"/>"))
+        let mut all = Variable::all(declared).enumerate().filter(|(_, variable)| wanted(*variable));
+        all.try_for_each(|(reference, variable)| {
+            write!(to, "    <{element} valueReference=\"{reference}\"")?;
+            match variable {
+                Variable::Rate(k) if element == DERIVATIVE && k < coordinates => {
+                    // The states stand before their rates, velocities after coordinates.
+                    let velocity = reference - <M as System>::X::LEN + coordinates;
+                    writeln!(to, " dependencies=\"{velocity}\" dependenciesKind=\"constant\"/>")
+                }
+                _ => writeln!(to, "/>"),
+            }
+        })
     };
     let is_output = |variable| matches!(variable, Variable::Output(k) if output::<M>(k).is_some());
     let is_rate = |variable| matches!(variable, Variable::Rate(_));
     writeln!(to, "  <ModelStructure>")?;
     each("Output", &is_output, to)?;
-    each("ContinuousStateDerivative", &is_rate, to)?;
+    each(DERIVATIVE, &is_rate, to)?;
     let at_start =
         |variable| is_output(variable) || is_rate(variable) || matches!(variable, Variable::State(_));
     each("InitialUnknown", &at_start, to)?;
     each("EventIndicator", &|variable| matches!(variable, Variable::Indicator(_)), to)?;
     writeln!(to, "  </ModelStructure>")
 }
+
+const DERIVATIVE: &str = "ContinuousStateDerivative";
 
 /// The declared output of an observed quantity, if it is one.
 fn output<M: Exchanged>(index: usize) -> Option<&'static Quantity> {

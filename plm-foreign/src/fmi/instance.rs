@@ -183,7 +183,7 @@ impl<M: Exchanged> Instance<M> {
     /// Derivatives along seeds.
     ///
     /// # Errors
-    /// [`Status::NoSuch`] where a variable is no state, input, parameter, or no rate, output.
+    /// [`Status::NoSuch`] where a variable is not the time, a state, an input or a parameter, or not a rate or an output.
     pub fn tangents(
         &mut self,
         knowns: &[(Variable, f64)],

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# An FMU by FMPy: validated, run in both modes, compared with Rust (tests/fmu/check.py says what it looks at). Makes a virtual
+# environment of Python in target/tools and installs FMPy there, half a minute once. Where the tests are built as CI builds them, all the
+# rest takes half a minute. What is missing is said, and not checked.
+#
+#   bash tests/fmu.sh               # a hundred thousand steps for the memory
+#   bash tests/fmu.sh 1000000       # a million
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=$(mkdir -p "${CARGO_TARGET_DIR:-target}" && cd "${CARGO_TARGET_DIR:-target}" && pwd)
+tools=$target/tools/fmpy
+version=0.3.32
+started=$SECONDS
+if ! "$tools/bin/python" -c "import fmpy; assert fmpy.__version__ == '$version'" 2>/dev/null; then
+    if ! python3 -m venv "$tools" || ! "$tools/bin/pip" install --quiet --disable-pip-version-check "fmpy==$version"; then
+        printf 'NOT CHECKED: FMPy cannot be had on this machine (python3 with venv and pip)\n'
+        exit 0
+    fi
+fi
+export PLM_PYTHON=$tools/bin/python PLM_FMU_STEPS=${1:-100000}
+for test in an_fmu two_fmus; do
+    cargo test --workspace --features analysis,batch,lanes --test foreign -- "$test" --nocapture
+done
+printf 'the FMU is as FMI wants it; %d s\n' $((SECONDS - started))
