@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use plm::{Described, Sim};
+use plm::{Described, Dop853, Sim};
 
 plm::mechanism! {
     /// A press: a loop with a slider, a stop with a spring that pushes at once, an input, a state, and a time that must
@@ -40,7 +40,8 @@ fn library() -> &'static Path {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     FOLDER.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign");
-        plm::view::library(&Press::new(), &folder).unwrap();
+        let library = plm::view::Library::new("machines").with(&Press::new()).unwrap();
+        library.with(&mechanisms::Arm::new()).unwrap().write(&folder).unwrap();
         folder
     })
 }
@@ -58,7 +59,7 @@ fn compiled(compiler: &str, standard: &str, file: &str) -> Option<PathBuf> {
         .args([standard, "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"])
         .arg(folder)
         .arg(source);
-    compile.arg(folder.join("libpress.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
+    compile.arg(folder.join("libmachines.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
     let said = compile.output().unwrap();
     assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
     Some(program)
@@ -118,6 +119,49 @@ fn a_run_of_c_is_saved_to_a_file_and_goes_on_in_another_process() {
     let first = said(&program, &[&file]);
     assert_eq!(first.lines().count(), 200);
     assert_eq!(said(&program, &[&file, Path::new("go")]), first);
+}
+
+#[test]
+fn several_mechanisms_are_in_one_library() {
+    let Some(text) = run("gcc", "-std=c99", "two.c") else { return };
+    let mut arm = mechanisms::Arm::new().start_with(Dop853::new(1e-5).with_longest_step(0.04)).unwrap();
+    let (mut press, mut expected) = (Press::new().start().unwrap(), String::new());
+    for _ in 0..100 {
+        arm.input.torque = 10.0 * press.crank_angle();
+        press.step(0.01).unwrap();
+        arm.step(0.01).unwrap();
+        writeln!(expected, "{:016x}", arm.arm_angle().to_bits()).unwrap();
+    }
+    assert_eq!(text, expected);
+    let twice =
+        plm::view::Library::new("twice").with(&Press::new()).unwrap().with(&Press::new()).unwrap_err();
+    let words = "the library has `press` already: each mechanism, and each file, needs a name of its own";
+    assert_eq!(twice.to_string(), words);
+}
+
+/// Linked with nothing else but what moves bytes: no std, no allocation, no panic that is reached.
+#[test]
+fn a_library_for_a_microcontroller_links_alone() {
+    const TARGET: &str = "thumbv7em-none-eabihf";
+    let sysroot = Command::new("rustc").args(["--print", "sysroot"]).output().unwrap();
+    let tools = Path::new(std::str::from_utf8(&sysroot.stdout).unwrap().trim()).join("lib/rustlib");
+    let linker = std::fs::read_dir(&tools).unwrap().map(|entry| entry.unwrap().path().join("bin/rust-lld"));
+    let linker = linker.into_iter().find(|path| path.exists());
+    let Some(linker) = linker.filter(|_| tools.join(TARGET).exists()) else {
+        println!("skipped: the target is not installed (rustup target add {TARGET})");
+        return;
+    };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bare");
+    let library = plm::view::Library::new("bare").with(&mechanisms::Arm::new()).unwrap();
+    let files = library.for_target(TARGET).write(&folder).unwrap();
+    let mut link = Command::new(linker);
+    link.args(["-flavor", "gnu", "--gc-sections", "--entry", "arm_init"]);
+    for function in ["start", "step", "get", "set", "save", "restore", "text", "find"] {
+        link.args(["--undefined", &format!("arm_{function}")]);
+    }
+    let said = link.arg(&files[0]).arg("-o").arg(folder.join("program")).output().unwrap();
+    assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
+    assert!(folder.join("arm.h").exists());
 }
 
 #[test]

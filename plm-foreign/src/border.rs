@@ -114,6 +114,24 @@ pub unsafe fn step_to<M: Foreign>(block: *mut Block<M>, until: f64) -> i32 {
     unsafe { with(block, |object| object.step_to(until)) }
 }
 
+/// [`Object::set_tolerance`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn set_tolerance<M: Foreign>(block: *mut Block<M>, rtol: f64) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.set_tolerance(rtol)) }
+}
+
+/// [`Object::set_longest_step`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn set_longest_step<M: Foreign>(block: *mut Block<M>, step: f64) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.set_longest_step(step)) }
+}
+
 /// [`Object::time`]
 ///
 /// # Safety

@@ -12,12 +12,43 @@ use crate::{Foreign, Kind, Status, Trouble, saved};
 pub struct Object<M: Foreign> {
     mechanism: M,
     sim: Option<Sim<M>>,
+    /// Relative tolerance and longest step of its runs.
+    options: (f64, f64),
 }
 
 impl<M: Foreign> Object<M> {
     /// A mechanism that is not started.
     pub fn new(mechanism: M) -> Self {
-        Self { mechanism, sim: None }
+        let Dop853 { rtol, longest_step, .. } = Dop853::<M>::default();
+        Self { mechanism, sim: None, options: (rtol, longest_step) }
+    }
+
+    /// The relative tolerance of steps, from now on and in runs that follow; 1e-9 at first. The absolute one of each state is this times
+    /// its typical size.
+    ///
+    /// # Errors
+    /// [`Status::Choice`]: it is not above 0, or above 0.1.
+    pub fn set_tolerance(&mut self, rtol: f64) -> Result<(), Trouble> {
+        self.choose((rtol, self.options.1), rtol > 0.0 && rtol <= 0.1)
+    }
+
+    /// The longest step, s, from now on and in runs that follow; infinite at first.
+    ///
+    /// # Errors
+    /// [`Status::Choice`]: it is not above 0.
+    pub fn set_longest_step(&mut self, step: f64) -> Result<(), Trouble> {
+        self.choose((self.options.0, step), step > 0.0)
+    }
+
+    fn choose(&mut self, options: (f64, f64), is_good: bool) -> Result<(), Trouble> {
+        if !is_good {
+            return Err(Status::Choice.into());
+        }
+        self.options = options;
+        if let Some(sim) = &mut self.sim {
+            (sim.method_mut().rtol, sim.method_mut().longest_step) = options;
+        }
+        Ok(())
     }
 
     /// Assembles it at the time 0 with parameters and start values as they are set. Inputs stay as they were set in a run
@@ -38,7 +69,8 @@ impl<M: Foreign> Object<M> {
             None => self.mechanism.start_state(time)?,
             Some(before) => self.mechanism.start_with_inputs(time, &before.state().held())?,
         };
-        self.sim = Some(Sim::new(M::State::new(self.mechanism, held, time, x), Dop853::default()));
+        let method = Dop853::new(self.options.0).with_longest_step(self.options.1);
+        self.sim = Some(Sim::new(M::State::new(self.mechanism, held, time, x), method));
         Ok(())
     }
 
@@ -180,10 +212,11 @@ impl<M: Foreign> Object<M> {
     }
 }
 
-/// The mechanism as it is set up, whether it has started, and the run if it has: into a started one all can be read.
+/// The mechanism as it is set up, the options, whether it has started, and the run if it has: into a started one all can be read.
 impl<M: Foreign> InWords for Object<M> {
     fn each(&mut self, words: &mut impl Words) {
         mechanism(&mut self.mechanism, words);
+        words.numbers([&mut self.options.0, &mut self.options.1]);
         let mut has_started = self.sim.is_some();
         words.flag(&mut has_started);
         match &mut self.sim {

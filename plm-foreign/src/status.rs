@@ -47,11 +47,13 @@ pub enum Status {
     OtherVersion = 17,
     /// A saved run of another mechanism.
     OtherMechanism = 18,
+    /// An option of the method that cannot be.
+    Choice = 19,
 }
 
 impl Status {
     /// All of them, in the order of their numbers.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::Ok,
         Self::Null,
         Self::Memory,
@@ -71,6 +73,7 @@ impl Status {
         Self::Damaged,
         Self::OtherVersion,
         Self::OtherMechanism,
+        Self::Choice,
     ];
 
     /// Its name in C behind `PLM_`, and what it means.
@@ -102,6 +105,7 @@ impl Status {
                 "OTHER_MECHANISM",
                 c"the run was saved of another mechanism, of one declared otherwise, or for another use",
             ),
+            Self::Choice => ("CHOICE", c"a tolerance is above 0 and at most 0.1, a longest step above 0"),
         }
     }
 }

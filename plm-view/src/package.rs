@@ -35,6 +35,8 @@ pub struct Package<'a> {
     pub plm: &'a Path,
     /// Its features that the source needs.
     pub features: &'a [&'a str],
+    /// The target without an operating system that it is for, if it is for one, as rustc calls it: without std.
+    pub bare: Option<&'a str>,
 }
 
 /// Why something was not built, in words.
@@ -109,7 +111,7 @@ impl Package<'_> {
 
     fn try_build(&self, folder: &Path) -> Result<Vec<u8>, String> {
         self.write(folder).map_err(|error| error.to_string())?;
-        let (own, target) = (folder.with_file_name("target"), self.output.target());
+        let (own, target) = (folder.with_file_name("target"), self.bare.or(self.output.target()));
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(&own);
@@ -131,11 +133,13 @@ impl Package<'_> {
     fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
         let (kind, level, strip) = self.output.manifest();
         let (plm, features) = (self.plm.display().to_string(), self.features);
+        let has_std = self.bare.is_none();
         let manifest = format!(
             "[package]\nname = \"{}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[lib]\ncrate-type = [\"{kind}\"]\n\n\
              [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"abort\"\nstrip = {strip}\n\n\
              [workspace]\n\n[dependencies]\n\
-             plm = {{ package = \"plm-planar\", path = {plm:?}, features = {features:?} }}\n",
+             plm = {{ package = \"plm-planar\", path = {plm:?}, default-features = {has_std}, \
+             features = {features:?} }}\n",
             self.name
         );
         renew(&folder.join("Cargo.toml"), manifest.as_bytes())?;

@@ -46,6 +46,8 @@ pub struct Options {
     pub out: Option<PathBuf>,
     /// `--c FOLDER`: a static library of the mechanism, and its header.
     pub c: Option<PathBuf>,
+    /// `--target NAME`: what that library is for, without an operating system, as rustc calls it.
+    pub target: Option<String>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
     /// `--until TIME`, s.
@@ -65,7 +67,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 13] = [
+const USUAL: [Known; 14] = [
     Known::value(
         "view",
         "FILE",
@@ -81,6 +83,7 @@ const USUAL: [Known; 13] = [
         "FOLDER",
         "a static library of the mechanism as declared, and its header, for C and C++",
     ),
+    Known::value("target", "NAME", "of --c: for a machine without std, such as thumbv7em-none-eabihf"),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
@@ -160,6 +163,7 @@ impl Options {
             svg: path("svg"),
             out: path("out"),
             c: path("c"),
+            target: given.text("target")?,
             fmu: path("fmu"),
             until: time("until", &given)?,
             every: time("every", &given)?,
@@ -187,6 +191,9 @@ impl Options {
             return Err(BadOption(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
+        }
+        if self.target.is_some() && self.c.is_none() {
+            return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
         }
         Ok(self)
     }
@@ -320,6 +327,7 @@ mod tests {
             (vec!["--serve", "--csv", "a"], "without --csv"),
             (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
+            (vec!["--fmu", "a", "--target", "thumbv7em-none-eabihf"], "with --c"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");
