@@ -9,6 +9,7 @@ use plm_runtime::described::Quantity;
 use plm_runtime::{StartValues, System, Vector};
 
 use super::names::names;
+use super::structure::structure;
 use super::{Exchanged, Variable};
 use crate::border::Block;
 use crate::{Names, Si, Text};
@@ -83,44 +84,14 @@ pub fn description<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Resu
         to,
         "  <DefaultExperiment startTime=\"0\"/>\n  <ModelVariables>\n{variables}  </ModelVariables>"
     )?;
+    writeln!(to, "  <ModelStructure>")?;
     structure(declared, to)?;
+    writeln!(to, "  </ModelStructure>")?;
     writeln!(to, "</fmiModelDescription>")
 }
 
-/// Which variables are outputs, derivatives, and known at the start. The rate of a coordinate is its velocity; of all else no
-/// dependencies are listed, which says that each may depend on all that is known.
-fn structure<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Result {
-    let coordinates = <M as System>::NQ;
-    let each = |element: &str, wanted: &dyn Fn(Variable) -> bool, to: &mut dyn Write| {
-        let mut all = Variable::all(declared).enumerate().filter(|(_, variable)| wanted(*variable));
-        all.try_for_each(|(reference, variable)| {
-            write!(to, "    <{element} valueReference=\"{reference}\"")?;
-            match variable {
-                Variable::Rate(k) if element == DERIVATIVE && k < coordinates => {
-                    // The states stand before their rates, velocities after coordinates.
-                    let velocity = reference - <M as System>::X::LEN + coordinates;
-                    writeln!(to, " dependencies=\"{velocity}\" dependenciesKind=\"constant\"/>")
-                }
-                _ => writeln!(to, "/>"),
-            }
-        })
-    };
-    let is_output = |variable| matches!(variable, Variable::Output(k) if output::<M>(k).is_some());
-    let is_rate = |variable| matches!(variable, Variable::Rate(_));
-    writeln!(to, "  <ModelStructure>")?;
-    each("Output", &is_output, to)?;
-    each(DERIVATIVE, &is_rate, to)?;
-    let at_start =
-        |variable| is_output(variable) || is_rate(variable) || matches!(variable, Variable::State(_));
-    each("InitialUnknown", &at_start, to)?;
-    each("EventIndicator", &|variable| matches!(variable, Variable::Indicator(_)), to)?;
-    writeln!(to, "  </ModelStructure>")
-}
-
-const DERIVATIVE: &str = "ContinuousStateDerivative";
-
 /// The declared output of an observed quantity, if it is one.
-fn output<M: Exchanged>(index: usize) -> Option<&'static Quantity> {
+pub(super) fn output<M: Exchanged>(index: usize) -> Option<&'static Quantity> {
     let (name, _) = M::OBSERVED.get(index)?;
     M::TABLES.outputs.iter().find(|row| row.name == *name)
 }

@@ -10,6 +10,7 @@ mod instance;
 mod mode;
 mod names;
 mod sides;
+mod structure;
 mod tangent;
 mod variable;
 
