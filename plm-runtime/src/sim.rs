@@ -6,13 +6,15 @@ mod clock;
 mod count;
 mod kept;
 mod samples;
+mod single;
 mod steps;
 mod times;
 mod told;
 mod watched;
+mod words;
 
 pub(crate) use self::clock::Clock;
-pub(crate) use self::kept::Kept;
+pub(crate) use self::kept::{Begun, Kept};
 pub use self::samples::Seen;
 use self::samples::{Observer, Sampler, Samples, Times, Unobserved};
 pub(crate) use self::steps::{Limits, alone, came_near, look};
@@ -213,6 +215,16 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !(end >= time && end < self.latest) {
             self.begin(end, length)?;
         }
+        if I::SINGLE && !O::SEES && self.single(end) {
+            return Ok(());
+        }
+        self.many(end, observer)
+    }
+
+    /// Advances by steps that are looked at one by one; apart, so that a single step does not pay for what they need.
+    #[inline(never)]
+    fn many<O: Observer<M>>(&mut self, end: M::S, observer: &mut O) -> Result<(), Fault> {
+        let time = self.state.time();
         let Self { state, method, stats, watch, limits, longest_step, kept, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());

@@ -66,7 +66,7 @@ fn arrive<M: Mechanism>(course: &mut Course<'_, M>, before: (M::S, M::X)) -> Res
     if excess(drift, drift_of_size(system, fraction)) > M::S::lit(1.0) {
         system.settle(end, &mut course.x)?;
     }
-    if M::Rescue::is_due(course, &before, false) {
+    if M::Rescue::is_due(&course.leg((before.0, &before.1)), false) {
         return Err(not_regular(before.0));
     }
     system.accept(end, &mut course.held, &mut course.x)?;

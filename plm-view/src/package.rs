@@ -39,6 +39,8 @@ pub struct Package<'a> {
     pub plm: &'a Path,
     /// Its features that the source needs.
     pub features: &'a [&'a str],
+    /// The target without an operating system that it is for, if it is for one, as rustc calls it: without std.
+    pub bare: Option<&'a str>,
 }
 
 /// Why something was not built, in words.
@@ -114,7 +116,7 @@ impl Package<'_> {
 
     fn try_build(&self, folder: &Path) -> Result<Vec<u8>, String> {
         self.write(folder).map_err(|error| error.to_string())?;
-        let (own, target) = (folder.with_file_name("target"), self.output.target());
+        let (own, target) = (folder.with_file_name("target"), self.bare.or(self.output.target()));
         let mut cargo = command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(&own);
@@ -174,12 +176,14 @@ impl Package<'_> {
             Output::Extension => (version(), "name = \"_native\"\n", "unwind", PYO3),
             _ => ("0.0.0".to_owned(), "", "abort", ""),
         };
+        let has_std = self.bare.is_none();
         let manifest = format!(
             "[package]\nname = \"{}\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
              [lib]\n{library}crate-type = [\"{kind}\"]\n\n\
              [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"{panic}\"\nstrip = {strip}\n\n\
              [workspace]\n\n[dependencies]\n\
-             plm = {{ package = \"plm-planar\", path = {plm:?}, features = {features:?} }}\n{further}",
+             plm = {{ package = \"plm-planar\", path = {plm:?}, default-features = {has_std}, \
+             features = {features:?} }}\n{further}",
             self.name
         );
         renew(&folder.join("Cargo.toml"), manifest.as_bytes())?;
@@ -203,7 +207,13 @@ fn version() -> String {
 /// A program that builds; what the caller's own build was told is not for it.
 fn command(program: OsString) -> Command {
     let mut command = Command::new(program);
-    for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_TARGET", "CARGO_MANIFEST_DIR"] {
+    for variable in [
+        "RUSTFLAGS",
+        "CARGO_ENCODED_RUSTFLAGS",
+        "RUSTC_WORKSPACE_WRAPPER",
+        "CARGO_BUILD_TARGET",
+        "CARGO_MANIFEST_DIR",
+    ] {
         command.env_remove(variable);
     }
     command

@@ -3,6 +3,7 @@
 mod arguments;
 mod described;
 mod foreign;
+mod library;
 mod options;
 mod program;
 mod recorder;
@@ -17,6 +18,7 @@ pub use crate::mistake::BadOption;
 pub use arguments::{Arguments, Known};
 pub use described::mechanism;
 pub use foreign::{NoDefault, fmu, library};
+pub use library::Library;
 pub use options::{Options, Table};
 pub use program::{Program, run, write};
 pub use recorder::Recorder;

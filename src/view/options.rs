@@ -47,6 +47,8 @@ pub struct Options {
     pub out: Option<PathBuf>,
     /// `--c FOLDER`: a static library of the mechanism, and its header.
     pub c: Option<PathBuf>,
+    /// `--target NAME`: what that library is for, without an operating system, as rustc calls it.
+    pub target: Option<String>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
     /// `--python FOLDER`: a wheel of the mechanism.
@@ -68,7 +70,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 14] = [
+const USUAL: [Known; 15] = [
     Known::value(
         "view",
         "FILE",
@@ -84,6 +86,7 @@ const USUAL: [Known; 14] = [
         "FOLDER",
         "a static library of the mechanism as declared, and its header, for C and C++",
     ),
+    Known::value("target", "NAME", "of --c: for a machine without std, such as thumbv7em-none-eabihf"),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
     Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
     Known::value("until", "TIME", "when the run ends, s"),
@@ -164,6 +167,7 @@ impl Options {
             svg: path("svg"),
             out: path("out"),
             c: path("c"),
+            target: given.text("target")?,
             fmu: path("fmu"),
             python: path("python"),
             until: time("until", &given)?,
@@ -192,6 +196,9 @@ impl Options {
             return Err(BadOption(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
+        }
+        if self.target.is_some() && self.c.is_none() {
+            return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
         }
         Ok(self)
     }
@@ -326,6 +333,7 @@ mod tests {
             (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
             (vec!["--python", "a", "--until", "1"], "without --until"),
+            (vec!["--fmu", "a", "--target", "thumbv7em-none-eabihf"], "with --c"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");

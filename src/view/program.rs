@@ -15,7 +15,8 @@ use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
-use super::foreign::{fmu, library};
+use super::Library;
+use super::foreign::fmu;
 use super::options::{Options, quantities_of};
 use super::recorder::Recorder;
 use super::server::Server;
@@ -92,7 +93,9 @@ impl<M: Exchanged> Program<M> {
             return Ok(());
         }
         if let Some(folder) = &options.c {
-            told(&library(&self.mechanism, folder)?);
+            let library = Library::new(M::TABLES.name).with(&self.mechanism)?;
+            let library = options.target.iter().fold(library, |library, target| library.for_target(target));
+            told(&library.write(folder)?);
         }
         if let Some(file) = &options.fmu {
             told(&fmu(&self.mechanism, file)?);

@@ -42,8 +42,15 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
     let source = native::<M>(&name);
     let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
     let features = &["analysis", "foreign"];
-    let package =
-        Package { name: &name, output: Output::Extension, source: &source, files: M::FILES, plm, features };
+    let package = Package {
+        name: &name,
+        output: Output::Extension,
+        source: &source,
+        files: M::FILES,
+        plm,
+        features,
+        bare: None,
+    };
     let (wheel, bytes) =
         package.wheel(&Path::new("target/plm/packages").join(format!("{name}-python")), &texts)?;
     let path = folder.join(wheel);
