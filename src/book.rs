@@ -56,6 +56,7 @@ pages! {
 pages! {
     FromC = "running/c.md";
     AsAnFmu = "running/fmu.md";
+    FromPython = "running/python.md";
     ThePage = "running/page.md";
 }
 

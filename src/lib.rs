@@ -45,18 +45,26 @@ pub use plm_runtime::{
     Names, Notice, Observed, Operations, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats,
     System, to_absolute, to_relative,
 };
+#[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
+mod any_sim;
 #[cfg(feature = "analysis")]
 mod auto;
 #[cfg(feature = "batch")]
 pub mod batch;
 #[cfg(doctest)]
 mod book;
+#[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
+mod integrator;
 #[cfg(feature = "lanes")]
 mod lanes;
 #[cfg(feature = "analysis")]
 mod linearise;
 #[cfg(feature = "std")]
 pub mod live;
+#[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
+mod mistake;
+#[cfg(all(feature = "foreign", feature = "analysis"))]
+pub mod python;
 #[cfg(feature = "analysis")]
 mod stabilise;
 #[cfg(feature = "std")]

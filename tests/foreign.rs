@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use plm::{Described, Sim};
+use plm::{Described, Dop853, Sim};
 
 plm::mechanism! {
     /// A press: a loop with a slider, a stop with a spring that pushes at once, an input, a state, and a time that must
@@ -40,14 +40,14 @@ fn library() -> &'static Path {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     FOLDER.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign");
-        plm::view::library(&Press::new(), &folder).unwrap();
+        let library = plm::view::Library::new("machines").with(&Press::new()).unwrap();
+        library.with(&mechanisms::Arm::new()).unwrap().write(&folder).unwrap();
         folder
     })
 }
 
-/// Compiles a program of `tests/c` with every warning an error, and gives what it prints; nothing where the compiler is
-/// not there.
-fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
+/// Compiles a program of `tests/c` with every warning an error, and gives where it is; nothing where the compiler is not there.
+fn compiled(compiler: &str, standard: &str, file: &str) -> Option<PathBuf> {
     if Command::new(compiler).arg("--version").output().is_err() {
         println!("skipped: there is no {compiler}");
         return None;
@@ -59,13 +59,22 @@ fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
         .args([standard, "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"])
         .arg(folder)
         .arg(source);
-    compile.arg(folder.join("libpress.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
+    compile.arg(folder.join("libmachines.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
     let said = compile.output().unwrap();
     assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
-    let output = Command::new(program).output().unwrap();
+    Some(program)
+}
+
+/// What a program prints.
+fn said(program: &Path, words: &[&Path]) -> String {
+    let output = Command::new(program).args(words).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success(), "{compiler} {file}: {:?} {text}", output.status);
-    Some(text)
+    assert!(output.status.success(), "{}: {:?} {text}", program.display(), output.status);
+    text
+}
+
+fn run(compiler: &str, standard: &str, file: &str) -> Option<String> {
+    compiled(compiler, standard, file).map(|program| said(&program, &[]))
 }
 
 fn print(sim: &Sim<Press>, text: &mut String) {
@@ -104,6 +113,58 @@ fn programs_of_c_and_cpp_have_the_bits_of_rust() {
 }
 
 #[test]
+fn a_run_of_c_is_saved_to_a_file_and_goes_on_in_another_process() {
+    let Some(program) = compiled("gcc", "-std=c99", "save.c") else { return };
+    let file = library().join("run.saved");
+    let first = said(&program, &[&file]);
+    assert_eq!(first.lines().count(), 200);
+    assert_eq!(said(&program, &[&file, Path::new("go")]), first);
+}
+
+#[test]
+fn several_mechanisms_are_in_one_library() {
+    let Some(text) = run("gcc", "-std=c99", "two.c") else { return };
+    let mut arm = mechanisms::Arm::new().start_with(Dop853::new(1e-5).with_longest_step(0.04)).unwrap();
+    let (mut press, mut expected) = (Press::new().start().unwrap(), String::new());
+    for _ in 0..100 {
+        arm.input.torque = 10.0 * press.crank_angle();
+        press.step(0.01).unwrap();
+        arm.step(0.01).unwrap();
+        writeln!(expected, "{:016x}", arm.arm_angle().to_bits()).unwrap();
+    }
+    assert_eq!(text, expected);
+    let twice =
+        plm::view::Library::new("twice").with(&Press::new()).unwrap().with(&Press::new()).unwrap_err();
+    let words = "the library has `press` already: each mechanism, and each file, needs a name of its own";
+    assert_eq!(twice.to_string(), words);
+}
+
+/// Linked with nothing else but what moves bytes: no std, no allocation, no panic that is reached.
+#[test]
+fn a_library_for_a_microcontroller_links_alone() {
+    const TARGET: &str = "thumbv7em-none-eabihf";
+    let sysroot = Command::new("rustc").args(["--print", "sysroot"]).output().unwrap();
+    let tools = Path::new(std::str::from_utf8(&sysroot.stdout).unwrap().trim()).join("lib/rustlib");
+    let linker = std::fs::read_dir(&tools).unwrap().map(|entry| entry.unwrap().path().join("bin/rust-lld"));
+    let linker = linker.into_iter().find(|path| path.exists());
+    let Some(linker) = linker.filter(|_| tools.join(TARGET).exists()) else {
+        println!("skipped: the target is not installed (rustup target add {TARGET})");
+        return;
+    };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bare");
+    let library = plm::view::Library::new("bare").with(&mechanisms::Arm::new()).unwrap();
+    let files = library.for_target(TARGET).write(&folder).unwrap();
+    let mut link = Command::new(linker);
+    link.args(["-flavor", "gnu", "--gc-sections", "--entry", "arm_init"]);
+    for function in ["start", "step", "get", "set", "save", "restore", "text", "find"] {
+        link.args(["--undefined", &format!("arm_{function}")]);
+    }
+    let said = link.arg(&files[0]).arg("-o").arg(folder.join("program")).output().unwrap();
+    assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
+    assert!(folder.join("arm.h").exists());
+}
+
+#[test]
 fn wrong_calls_of_c_give_a_code_and_change_nothing() {
     let Some(text) = run("gcc", "-std=c99", "bad_use.c") else { return };
     let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c/bad_use.txt");
@@ -130,14 +191,45 @@ fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
         sim.step_to(f64::from(k) * 0.01 + 0.01).unwrap();
     }
     std::fs::write(&rows, text).unwrap();
+    let Some(python) = python() else { return };
+    let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
+    let steps = std::env::var_os("PLM_FMU_STEPS");
+    succeeds(Command::new(python).arg(check).args([file, rows]).args(steps));
+}
+
+#[path = "../examples/co_simulation/mechanisms.rs"]
+mod mechanisms;
+
+/// An arm and its controller, coupled by FMPy, converge to the mechanism that has both; `couple.py` says how.
+#[test]
+fn two_fmus_are_coupled() {
+    let Some(python) = python() else { return };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("co_simulation");
+    plm::view::fmu(&mechanisms::Arm::new(), &folder.join("arm.fmu")).unwrap();
+    plm::view::fmu(&mechanisms::Controller::new(), &folder.join("controller.fmu")).unwrap();
+    let (mut sim, mut rows) = (mechanisms::Whole::new().start().unwrap(), String::new());
+    sim.run(3.0, 0.05, |state| writeln!(rows, "{:?},{:?}", state.time(), state.arm_angle()).unwrap())
+        .unwrap();
+    std::fs::write(folder.join("whole.csv"), rows).unwrap();
+    let couple = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/co_simulation/couple.py");
+    succeeds(Command::new(python).arg(couple).arg(folder));
+}
+
+/// A Python that has FMPy; without one that is said.
+fn python() -> Option<String> {
     let python = std::env::var("PLM_PYTHON").unwrap_or("python3".to_owned());
     let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
-    if !has_fmpy.is_ok_and(|output| output.status.success()) {
-        println!("skipped: {python} has no FMPy (pip install fmpy; PLM_PYTHON names another one)");
-        return;
+    if has_fmpy.is_ok_and(|output| output.status.success()) {
+        return Some(python);
     }
-    let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
-    let output = Command::new(python).arg(check).args([file, rows]).output().unwrap();
+    println!(
+        "skipped: {python} has no FMPy (bash tests/fmu.sh installs it; PLM_PYTHON names another Python)"
+    );
+    None
+}
+
+fn succeeds(command: &mut Command) {
+    let output = command.output().unwrap();
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     println!("{said}");
@@ -157,4 +249,22 @@ fn a_parameter_without_default_is_told() {
     let error = plm::view::library(&Bar::new(1.0), &folder).unwrap_err();
     assert_eq!(error.to_string(), "the parameter `load` has no default, and a library needs one");
     assert!(!folder.exists());
+}
+
+/// This test is run once more as a program that finds no other ones.
+#[test]
+fn the_line_that_installs_maturin_is_told_where_it_is_missing() {
+    const SELF: &str = "PLM_WITHOUT_MATURIN";
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign-wheel");
+    if std::env::var_os(SELF).is_some() {
+        println!("{}", plm::view::wheel(&Press::new(), &folder).unwrap_err());
+        return;
+    }
+    let name = "the_line_that_installs_maturin_is_told_where_it_is_missing";
+    let mut own = Command::new(std::env::current_exe().unwrap());
+    let output =
+        own.args([name, "--exact", "--nocapture"]).env(SELF, "yes").env("PATH", "").output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    let told = "the wheel cannot be built: maturin is missing; this line installs it: pip install maturin";
+    assert!(said.contains(told) && !folder.exists(), "{said}");
 }

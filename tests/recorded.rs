@@ -104,6 +104,39 @@ fn a_run_that_is_recorded_is_the_same_run() {
     compare(|| plm::RadauIia5::new(1e-9));
 }
 
+/// Where it is ended it stands after a whole step, and from there it comes to where it would have come.
+#[test]
+fn a_run_that_is_ended_on_its_way_goes_on() {
+    fn check<I: plm::Method<Relay>>(method: impl Fn() -> I, tolerance: f64) {
+        let mut whole = Relay::new().start_with(method()).unwrap();
+        whole.step(2.0).unwrap();
+        for asked_at in [0.1, 0.3, 0.5, 0.7, 1.0] {
+            let mut sim = Relay::new().start_with(method()).unwrap();
+            let mut samples = 0;
+            let see = |seen: Seen<'_, _>| samples += usize::from(matches!(seen, Seen::Sample(_)));
+            Sim::watch_while(&mut sim, 2.0, 0.25, see, |time| time < asked_at).unwrap();
+            let ended = sim.state().time();
+            assert!(ended >= asked_at && ended < 2.0, "asked at {asked_at}, ended at {ended}");
+            assert_eq!(samples, (ended / 0.25) as usize + 1, "{asked_at} {ended}");
+            Sim::step_while(&mut sim, 2.0 - ended, |_| true).unwrap();
+            assert_eq!(
+                (sim.state().time(), sim.stats().switches),
+                (2.0, whole.stats().switches),
+                "{asked_at}"
+            );
+            for (own, other) in sim.x().iter().zip(whole.x()) {
+                assert!((own - other).abs() < tolerance, "{asked_at}: {own} {other}");
+            }
+            let mut sim = Relay::new().start_with(method()).unwrap();
+            Sim::step_while(&mut sim, 2.0, |time| time < asked_at).unwrap();
+            assert!(sim.state().time() >= asked_at && sim.state().time() < 2.0);
+        }
+    }
+    // Dop853 is given 1e-9; the force is piecewise constant, which both methods integrate to rounding beside the events.
+    check(Dop853::default, 1e-8);
+    check(|| Rk4::new(1e-3), 1e-8);
+}
+
 #[test]
 fn internal_steps_are_recorded_if_asked() {
     let mut sim = Relay::new().start_with(Rk4::new(0.0625)).unwrap();

@@ -7,7 +7,9 @@
 
 use core::ffi::{CStr, c_char};
 use core::mem::{align_of, size_of};
+use core::slice;
 
+use crate::saved::fnv;
 use crate::{Foreign, Kind, Object, Status, Text, Trouble};
 
 /// An object in memory of the caller. Its bytes may be copied: the copy goes on as the original does.
@@ -26,15 +28,8 @@ impl<M: Foreign> Block<M> {
     /// What its address must be a multiple of.
     pub const ALIGN: usize = align_of::<Self>();
 
-    /// What the first bytes of an object hold: a number that depends on the declaration and on the size (FNV-1a).
-    pub(crate) const MARK: u64 = {
-        let (mut text, mut hash) = (M::DECLARATION.as_bytes(), 0xcbf2_9ce4_8422_2325_u64);
-        while let [byte, rest @ ..] = text {
-            hash = (hash ^ *byte as u64).wrapping_mul(0x0100_0000_01b3);
-            text = rest;
-        }
-        hash ^ (Self::SIZE as u64).rotate_left(32)
-    };
+    /// What the first bytes of an object hold: a number of the declaration and of the size.
+    pub(crate) const MARK: u64 = fnv(M::DECLARATION.as_bytes()) ^ (Self::SIZE as u64).rotate_left(32);
 }
 
 /// Makes an object of a mechanism that is not started, in `size` bytes at `memory`.
@@ -119,6 +114,24 @@ pub unsafe fn step_to<M: Foreign>(block: *mut Block<M>, until: f64) -> i32 {
     unsafe { with(block, |object| object.step_to(until)) }
 }
 
+/// [`Object::set_tolerance`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn set_tolerance<M: Foreign>(block: *mut Block<M>, rtol: f64) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.set_tolerance(rtol)) }
+}
+
+/// [`Object::set_longest_step`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn set_longest_step<M: Foreign>(block: *mut Block<M>, step: f64) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.set_longest_step(step)) }
+}
+
 /// [`Object::time`]
 ///
 /// # Safety
@@ -153,6 +166,58 @@ pub unsafe fn set<M: Foreign>(block: *mut Block<M>, kind: i32, index: usize, val
 pub unsafe fn pose<M: Foreign>(block: *mut Block<M>, body: usize, pose: *mut [f64; 6]) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| put(pose, object.pose(body)?)) }
+}
+
+/// [`Object::saved_size`]
+///
+/// # Safety
+/// As of [`step`]; `size` is null or at a number of the caller.
+pub unsafe fn saved_size<M: Foreign>(block: *mut Block<M>, size: *mut usize) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| put(size, object.saved_size())) }
+}
+
+/// [`Object::save`]
+///
+/// # Safety
+/// As of [`step`]; `bytes` is null or at room of the caller for as many.
+pub unsafe fn save<M: Foreign>(block: *mut Block<M>, (bytes, size): (*mut u8, usize)) -> i32 {
+    let work = |object: &mut Object<M>| {
+        if bytes.is_null() {
+            return Err(Status::Null.into());
+        }
+        if size != object.saved_size() {
+            return Err(Status::Memory.into());
+        }
+        // SAFETY: it is not null, and room of the caller for as many, which have a value now.
+        object.save(unsafe {
+            bytes.write_bytes(0, size);
+            slice::from_raw_parts_mut(bytes, size)
+        })
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(block, work) }
+}
+
+/// [`Object::saved`]
+///
+/// # Safety
+/// As of [`step`]; `bytes` is null or at as many of the caller.
+pub unsafe fn restore<M: Foreign>(
+    block: *mut Block<M>,
+    declared: M,
+    (bytes, size): (*const u8, usize),
+) -> i32 {
+    let work = |object: &mut Object<M>| {
+        if bytes.is_null() {
+            return Err(Status::Null.into());
+        }
+        // SAFETY: it is not null, and the caller's.
+        *object = Object::saved(declared, unsafe { slice::from_raw_parts(bytes, size) })?;
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { with(block, work) }
 }
 
 /// The words of the last error, with a zero at their end; they stay until the next call. Without an object the empty text.

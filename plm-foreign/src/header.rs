@@ -59,7 +59,12 @@ fn common(to: &mut impl Write) -> fmt::Result {
     for status in Status::ALL {
         let (name, words) = status.words();
         let words = words.to_str().unwrap_or_default();
-        writeln!(to, "    PLM_{name} = {}{} /* {words} */", status as i32, comma(status != Status::Fault))?;
+        writeln!(
+            to,
+            "    PLM_{name} = {}{} /* {words} */",
+            status as i32,
+            comma(Some(&status) != Status::ALL.last())
+        )?;
     }
     writeln!(to, "}};\n\n/* What an index belongs to. */\nenum plm_kind {{")?;
     for (kind, name) in Kind::ALL.into_iter().zip(["PARAMETER", "INPUT", "STATE", "OUTPUT", "START", "BODY"])

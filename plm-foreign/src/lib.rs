@@ -18,6 +18,7 @@ pub mod fmi;
 pub mod header;
 mod kind;
 mod object;
+mod saved;
 mod source;
 mod status;
 mod text;
@@ -29,9 +30,10 @@ pub use source::{Names, Si, source};
 pub use status::{Status, Trouble};
 pub use text::Text;
 
+use plm_runtime::words::InWords;
 use plm_runtime::{Described, Statics};
 
 /// What can be handed to other languages: every mechanism in `f64`.
-pub trait Foreign: Described<S = f64> + Statics {}
+pub trait Foreign: Described<S = f64, U: InWords> + Statics {}
 
-impl<M: Described<S = f64> + Statics> Foreign for M {}
+impl<M: Described<S = f64, U: InWords> + Statics> Foreign for M {}

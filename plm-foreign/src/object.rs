@@ -1,8 +1,9 @@
 //! A mechanism with a run of it, by number, without pointers.
 
+use plm_runtime::words::{InWords, Words, mechanism};
 use plm_runtime::{Dop853, Fault, Moment, Sim, StartValues};
 
-use crate::{Foreign, Kind, Status, Trouble};
+use crate::{Foreign, Kind, Status, Trouble, saved};
 
 /// A mechanism as it is set up, and a run of it once it is started.
 ///
@@ -11,12 +12,43 @@ use crate::{Foreign, Kind, Status, Trouble};
 pub struct Object<M: Foreign> {
     mechanism: M,
     sim: Option<Sim<M>>,
+    /// Relative tolerance and longest step of its runs.
+    options: (f64, f64),
 }
 
 impl<M: Foreign> Object<M> {
     /// A mechanism that is not started.
     pub fn new(mechanism: M) -> Self {
-        Self { mechanism, sim: None }
+        let Dop853 { rtol, longest_step, .. } = Dop853::<M>::default();
+        Self { mechanism, sim: None, options: (rtol, longest_step) }
+    }
+
+    /// The relative tolerance of steps, from now on and in runs that follow; 1e-9 at first. The absolute one of each state is this times
+    /// its typical size.
+    ///
+    /// # Errors
+    /// [`Status::Choice`]: it is not above 0, or above 0.1.
+    pub fn set_tolerance(&mut self, rtol: f64) -> Result<(), Trouble> {
+        self.choose((rtol, self.options.1), rtol > 0.0 && rtol <= 0.1)
+    }
+
+    /// The longest step, s, from now on and in runs that follow; infinite at first.
+    ///
+    /// # Errors
+    /// [`Status::Choice`]: it is not above 0.
+    pub fn set_longest_step(&mut self, step: f64) -> Result<(), Trouble> {
+        self.choose((self.options.0, step), step > 0.0)
+    }
+
+    fn choose(&mut self, options: (f64, f64), is_good: bool) -> Result<(), Trouble> {
+        if !is_good {
+            return Err(Status::Choice.into());
+        }
+        self.options = options;
+        if let Some(sim) = &mut self.sim {
+            (sim.method_mut().rtol, sim.method_mut().longest_step) = options;
+        }
+        Ok(())
     }
 
     /// Assembles it at the time 0 with parameters and start values as they are set. Inputs stay as they were set in a run
@@ -37,7 +69,8 @@ impl<M: Foreign> Object<M> {
             None => self.mechanism.start_state(time)?,
             Some(before) => self.mechanism.start_with_inputs(time, &before.state().held())?,
         };
-        self.sim = Some(Sim::new(M::State::new(self.mechanism, held, time, x), Dop853::default()));
+        let method = Dop853::new(self.options.0).with_longest_step(self.options.1);
+        self.sim = Some(Sim::new(M::State::new(self.mechanism, held, time, x), method));
         Ok(())
     }
 
@@ -134,6 +167,31 @@ impl<M: Foreign> Object<M> {
         Ok([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega])
     }
 
+    /// Bytes of the run, saved; other ones once it has started.
+    pub fn saved_size(&self) -> usize {
+        saved::size(*self)
+    }
+
+    /// Writes everything that decides how the run goes on, for files and other processes; `bytes` are just as many as
+    /// [`saved_size`](Self::saved_size).
+    ///
+    /// # Errors
+    /// [`Status::Memory`]: they are not.
+    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Trouble> {
+        saved::write::<M, _>(self, bytes)
+    }
+
+    /// A run as it was saved, of a mechanism as declared: it goes on with the same bits, on every machine.
+    ///
+    /// # Errors
+    /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
+    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Trouble> {
+        let mut object = Self::new(declared);
+        object.start()?;
+        saved::read::<M>(&mut object, bytes)?;
+        Ok(object)
+    }
+
     /// The mechanism as it is set up.
     pub fn mechanism(&self) -> &M {
         &self.mechanism
@@ -151,6 +209,20 @@ impl<M: Foreign> Object<M> {
     #[cfg(feature = "fmi")]
     pub(crate) fn sim_mut(&mut self) -> Result<&mut Sim<M>, Trouble> {
         self.sim.as_mut().ok_or(Status::NotStarted.into())
+    }
+}
+
+/// The mechanism as it is set up, the options, whether it has started, and the run if it has: into a started one all can be read.
+impl<M: Foreign> InWords for Object<M> {
+    fn each(&mut self, words: &mut impl Words) {
+        mechanism(&mut self.mechanism, words);
+        words.numbers([&mut self.options.0, &mut self.options.1]);
+        let mut has_started = self.sim.is_some();
+        words.flag(&mut has_started);
+        match &mut self.sim {
+            Some(sim) if has_started => sim.each(words),
+            sim => *sim = None,
+        }
     }
 }
 

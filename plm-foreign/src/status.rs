@@ -41,11 +41,19 @@ pub enum Status {
     Accuracy = 14,
     /// Another fault.
     Fault = 15,
+    /// Bytes that are no saved run, or not whole.
+    Damaged = 16,
+    /// A run that another version has saved.
+    OtherVersion = 17,
+    /// A saved run of another mechanism.
+    OtherMechanism = 18,
+    /// An option of the method that cannot be.
+    Choice = 19,
 }
 
 impl Status {
     /// All of them, in the order of their numbers.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 20] = [
         Self::Ok,
         Self::Null,
         Self::Memory,
@@ -62,6 +70,10 @@ impl Status {
         Self::Switching,
         Self::Accuracy,
         Self::Fault,
+        Self::Damaged,
+        Self::OtherVersion,
+        Self::OtherMechanism,
+        Self::Choice,
     ];
 
     /// Its name in C behind `PLM_`, and what it means.
@@ -85,6 +97,15 @@ impl Status {
             Self::Switching => ("SWITCHING", c"conditions switch without end, or what is prescribed jumps"),
             Self::Accuracy => ("ACCURACY", c"the accuracy was not reached"),
             Self::Fault => ("FAULT", c"another fault"),
+            Self::Damaged => {
+                ("DAMAGED", c"the bytes are not a saved run, or some are missing or were changed")
+            }
+            Self::OtherVersion => ("OTHER_VERSION", c"the run was saved by another version of plm"),
+            Self::OtherMechanism => (
+                "OTHER_MECHANISM",
+                c"the run was saved of another mechanism, of one declared otherwise, or for another use",
+            ),
+            Self::Choice => ("CHOICE", c"a tolerance is above 0 and at most 0.1, a longest step above 0"),
         }
     }
 }

@@ -68,6 +68,31 @@ fn a_copy_of_the_bytes_goes_on_to_the_bit() {
 }
 
 #[test]
+fn a_saved_run_goes_on_in_another_object() {
+    let (mut first, mut second) = (memory(), memory());
+    let (object, other) = (started(&mut first), second.as_mut_ptr().cast::<Block<Pendulum>>());
+    let mut size = 0;
+    unsafe {
+        assert_eq!(border::step(object, 0.01), 0);
+        assert_eq!(border::saved_size(object, &raw mut size), 0);
+        let mut bytes: Vec<MaybeUninit<u8>> = vec![MaybeUninit::uninit(); size];
+        let room: *mut u8 = bytes.as_mut_ptr().cast();
+        assert_eq!(border::save(object, (room, size - 1)), Status::Memory as i32);
+        assert_eq!(border::save(object, (null_mut(), size)), Status::Null as i32);
+        assert_eq!(border::save(object, (room, size)), 0);
+        assert_eq!(border::init(other, Block::<Pendulum>::SIZE, Pendulum::new()), 0);
+        let restore = |size| border::restore(other, Pendulum::new(), (room, size));
+        assert_eq!(restore(size - 1), Status::Damaged as i32);
+        assert_eq!(border::step(other, 0.01), Status::NotStarted as i32);
+        assert_eq!(restore(size), 0);
+        for each in [object, other] {
+            assert_eq!(border::step(each, 0.01), 0);
+        }
+    }
+    assert_eq!(get(object, Kind::Output, 0).to_bits(), get(other, Kind::Output, 0).to_bits());
+}
+
+#[test]
 fn wrong_pointers_are_told() {
     let mut memory = memory();
     let object: *mut Block<Pendulum> = memory.as_mut_ptr().cast();

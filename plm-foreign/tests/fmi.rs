@@ -13,7 +13,7 @@ use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 use plm::Moment;
-use plm_foreign::fmi::{Instance, Variable, border, token};
+use plm_foreign::fmi::{Call, Instance, Interface, Variable, border, token};
 
 plm::mechanism! {
     /// A shaft on a spring, which a torque turns round.
@@ -28,6 +28,7 @@ plm::mechanism! {
 
 const OK: i32 = 0;
 const ERROR: i32 = 3;
+const CO_SIMULATION: Interface = Interface::CoSimulation { has_events: false };
 
 fn references(wanted: impl Fn(Variable) -> bool) -> Vec<u32> {
     let all = (0..).map_while(|k| Variable::of(&Shaft::new(), k).map(|variable| (k, variable)));
@@ -38,7 +39,9 @@ fn references(wanted: impl Fn(Variable) -> bool) -> Vec<u32> {
 #[test]
 fn rooms_need_no_values_and_wrong_calls_change_nothing() {
     let own = CString::new(token::<Shaft>().as_str()).unwrap();
-    let handle = unsafe { border::instantiate(Shaft::new(), own.as_ptr(), false, (None, null_mut())) };
+    let handle = unsafe {
+        border::instantiate(Shaft::new(), own.as_ptr(), (CO_SIMULATION, false), (None, null_mut()))
+    };
     let angle = references(|variable| variable == Variable::Output(0));
     let mut room = [MaybeUninit::<f64>::uninit(); 1];
     let get = |room: &mut [MaybeUninit<f64>; 1]| unsafe {
@@ -48,8 +51,9 @@ fn rooms_need_no_values_and_wrong_calls_change_nothing() {
     let (mut flag, mut last) = (true, f64::NAN);
     let flags = [&raw mut flag; 3];
     unsafe {
-        assert_eq!(border::with(handle, |instance| instance.begin_at(f64::NAN)), ERROR);
-        assert_eq!(border::with(handle, Instance::run), OK);
+        assert_eq!(border::with(handle, None, |instance| instance.begin_at(f64::NAN)), ERROR);
+        assert_eq!(border::with(handle, Call::EnterInitializationMode, |_| Ok(())), OK);
+        assert_eq!(border::with(handle, Call::ExitInitializationMode, Instance::renew), OK);
         let before = get(&mut room);
         assert_eq!(
             border::do_step(handle, (0.0, 0.5), [flags[0], null_mut(), flags[2]], &raw mut last),
@@ -72,7 +76,7 @@ fn other_memory_is_no_instance() {
     unsafe {
         memory.as_mut_ptr().cast::<u8>().write_bytes(0xff, size_of_val(&memory));
         let flags = [&raw mut flag; 3];
-        assert_eq!(border::with(memory.as_mut_ptr(), |_| Ok(())), ERROR);
+        assert_eq!(border::with(memory.as_mut_ptr(), None, |_| Ok(())), ERROR);
         assert_eq!(border::do_step(memory.as_mut_ptr(), (0.0, 0.5), flags, &raw mut last), ERROR);
     }
 }
@@ -80,8 +84,9 @@ fn other_memory_is_no_instance() {
 /// A solver outside integrates the bare states, which are brought back by whole turns at events; outputs read all turns.
 #[test]
 fn a_solver_outside_sees_all_turns() {
-    let mut instance = Instance::new(Shaft::new());
-    instance.run().unwrap();
+    let mut instance = Instance::new(Shaft::new(), Interface::ModelExchange);
+    instance.renew().unwrap();
+    instance.pass(Call::ExitInitializationMode);
     let (h, mut turned) = (1e-3, 0);
     for k in 0..4000 {
         // The midpoint rule.

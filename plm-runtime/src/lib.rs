@@ -25,6 +25,7 @@
 //! | [`tube`] | numbers over an interval of time |
 //! | [`twofold`] | numbers of twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
+//! | [`words`] | a run as words, for files and other processes |
 //! | [`workspace`] | how much of the stack a solution by rank takes, and may take |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!
@@ -61,6 +62,7 @@ pub mod tube;
 pub mod turns;
 pub mod twofold;
 pub mod vector;
+pub mod words;
 pub mod workspace;
 
 pub use absolute::{Absolute, Assembly};

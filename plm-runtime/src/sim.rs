@@ -11,6 +11,7 @@ mod steps;
 mod times;
 mod told;
 mod watched;
+mod words;
 
 pub(crate) use self::clock::Clock;
 pub(crate) use self::kept::{Begun, Kept};
@@ -236,6 +237,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             course.end = instant.unwrap_or(end);
             outcome = stretch(method, &mut course, (watch, limits), observer);
             match outcome {
+                Ok(()) if O::ENDS && course.time < instant.unwrap_or(end) => break,
                 Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch, observer),
                 Ok(()) => {}
                 Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),

@@ -2,8 +2,10 @@
 //!
 //! It stands in a folder of the caller's and is built again only where something changed.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -18,6 +20,8 @@ pub enum Output {
     Static,
     /// A shared library of this machine, fast.
     Shared,
+    /// The part of a wheel that is not Python: see [`Package::wheel`].
+    Extension,
 }
 
 /// A package.
@@ -35,6 +39,8 @@ pub struct Package<'a> {
     pub plm: &'a Path,
     /// Its features that the source needs.
     pub features: &'a [&'a str],
+    /// The target without an operating system that it is for, if it is for one, as rustc calls it: without std.
+    pub bare: Option<&'a str>,
 }
 
 /// Why something was not built, in words.
@@ -65,6 +71,7 @@ impl Output {
             Self::Module => "live module",
             Self::Static => "static library",
             Self::Shared => "shared library",
+            Self::Extension => "wheel",
         }
     }
 
@@ -74,7 +81,7 @@ impl Output {
             Self::Module => ("cdylib", "\"s\"", "true"),
             // Of a static library the linker needs the symbols.
             Self::Static => ("staticlib", "3", "\"debuginfo\""),
-            Self::Shared => ("cdylib", "3", "true"),
+            Self::Shared | Self::Extension => ("cdylib", "3", "true"),
         }
     }
 
@@ -91,7 +98,7 @@ impl Output {
             Self::Module => format!("{name}.wasm"),
             Self::Static if cfg!(target_env = "msvc") => format!("{name}.lib"),
             Self::Static => format!("lib{name}.a"),
-            Self::Shared => format!("{DLL_PREFIX}{name}{DLL_SUFFIX}"),
+            Self::Shared | Self::Extension => format!("{DLL_PREFIX}{name}{DLL_SUFFIX}"),
         }
     }
 }
@@ -109,15 +116,11 @@ impl Package<'_> {
 
     fn try_build(&self, folder: &Path) -> Result<Vec<u8>, String> {
         self.write(folder).map_err(|error| error.to_string())?;
-        let (own, target) = (folder.with_file_name("target"), self.output.target());
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        let (own, target) = (folder.with_file_name("target"), self.bare.or(self.output.target()));
+        let mut cargo = command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(&own);
         cargo.args(target.iter().flat_map(|target| ["--target", target]));
-        // What the caller's own build was told is not for this one.
-        for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_TARGET", "CARGO_MANIFEST_DIR"] {
-            cargo.env_remove(variable);
-        }
         let output = cargo.output().map_err(|error| format!("cargo cannot be run: {error}"))?;
         if !output.status.success() {
             return Err(explained(&String::from_utf8_lossy(&output.stderr), target));
@@ -127,15 +130,60 @@ impl Package<'_> {
         fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
     }
 
+    /// Builds a wheel of it and of further texts, name and contents, in a folder; gives its name and its bytes. maturin packs
+    /// it, which knows what each system wants of a wheel.
+    ///
+    /// # Errors
+    /// [`Unbuilt`]: maturin is not there, with the line that installs it, or fails, with what it and cargo say. Or a file
+    /// cannot be written or read.
+    pub fn wheel(&self, folder: &Path, texts: &[(String, String)]) -> Result<(String, Vec<u8>), Unbuilt> {
+        self.try_wheel(folder, texts).map_err(|why| Unbuilt { what: self.output.what(), why })
+    }
+
+    fn try_wheel(&self, folder: &Path, texts: &[(String, String)]) -> Result<(String, Vec<u8>), String> {
+        self.write(folder).map_err(|error| error.to_string())?;
+        for (name, text) in texts {
+            renew(&folder.join(name), text.as_bytes()).map_err(|error| error.to_string())?;
+        }
+        let wheels = folder.join("wheels");
+        // One of another version may lie there.
+        let _ = fs::remove_dir_all(&wheels);
+        let mut maturin = command("maturin".into());
+        maturin.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
+        maturin.arg("--target-dir").arg(folder.with_file_name("target")).arg("--out").arg(&wheels);
+        let output = maturin.output().map_err(|error| match error.kind() {
+            ErrorKind::NotFound => {
+                "maturin is missing; this line installs it: pip install maturin".to_owned()
+            }
+            _ => format!("maturin cannot be run: {error}"),
+        })?;
+        if !output.status.success() {
+            return Err(String::from_utf8_lossy(&output.stderr).trim().to_owned());
+        }
+        let unread = |error| format!("{}: {error}", wheels.display());
+        let wheel = fs::read_dir(&wheels).map_err(unread)?.next().ok_or("maturin has written no wheel")?;
+        let wheel = wheel.map_err(unread)?;
+        let bytes = fs::read(wheel.path()).map_err(unread)?;
+        Ok((wheel.file_name().to_string_lossy().into_owned(), bytes))
+    }
+
     /// Writes it; what is as it was keeps its time.
     fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
         let (kind, level, strip) = self.output.manifest();
         let (plm, features) = (self.plm.display().to_string(), self.features);
+        let (version, library, panic, further) = match self.output {
+            // A panic becomes an exception.
+            Output::Extension => (version(), "name = \"_native\"\n", "unwind", PYO3),
+            _ => ("0.0.0".to_owned(), "", "abort", ""),
+        };
+        let has_std = self.bare.is_none();
         let manifest = format!(
-            "[package]\nname = \"{}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[lib]\ncrate-type = [\"{kind}\"]\n\n\
-             [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"abort\"\nstrip = {strip}\n\n\
+            "[package]\nname = \"{}\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
+             [lib]\n{library}crate-type = [\"{kind}\"]\n\n\
+             [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"{panic}\"\nstrip = {strip}\n\n\
              [workspace]\n\n[dependencies]\n\
-             plm = {{ package = \"plm-planar\", path = {plm:?}, features = {features:?} }}\n",
+             plm = {{ package = \"plm-planar\", path = {plm:?}, default-features = {has_std}, \
+             features = {features:?} }}\n{further}",
             self.name
         );
         renew(&folder.join("Cargo.toml"), manifest.as_bytes())?;
@@ -146,6 +194,29 @@ impl Package<'_> {
         }
         Ok(())
     }
+}
+
+/// What a wheel needs beside plm: one for all versions of Python from 3.9.
+const PYO3: &str = "pyo3 = { version = \"0.30\", features = [\"abi3-py39\"] }\n";
+
+/// The version of the package that cargo runs.
+fn version() -> String {
+    std::env::var("CARGO_PKG_VERSION").unwrap_or_else(|_| "0.0.0".to_owned())
+}
+
+/// A program that builds; what the caller's own build was told is not for it.
+fn command(program: OsString) -> Command {
+    let mut command = Command::new(program);
+    for variable in [
+        "RUSTFLAGS",
+        "CARGO_ENCODED_RUSTFLAGS",
+        "RUSTC_WORKSPACE_WRAPPER",
+        "CARGO_BUILD_TARGET",
+        "CARGO_MANIFEST_DIR",
+    ] {
+        command.env_remove(variable);
+    }
+    command
 }
 
 /// Writes a file unless it holds that already, with the folders above it.

@@ -9,8 +9,10 @@ use std::vec::Vec;
 use std::{env, format};
 
 use plm_foreign::fmi::{self, Exchanged};
-use plm_foreign::{Foreign, Names, header, source};
+use plm_foreign::{Foreign, Names};
 use plm_view::package::{Output, Package, archive, renew};
+
+use super::Library;
 
 /// A library has the mechanism as declared: this parameter has no default.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -38,17 +40,7 @@ impl Error for NoDefault {}
 /// # Errors
 /// [`NoDefault`]; cargo is not there or fails, with what it says; a file cannot be written.
 pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-    let (prefix, mut text, mut code) =
-        (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
-    header(mechanism, &mut text)?;
-    source::<M>(&mut code)?;
-    let built = build::<M>((&prefix, Output::Static), &code)?;
-    let ending = if cfg!(target_env = "msvc") { format!("{prefix}.lib") } else { format!("lib{prefix}.a") };
-    let files = [folder.join(ending), folder.join(format!("{prefix}.h"))];
-    for (file, bytes) in files.iter().zip([built.as_slice(), text.as_bytes()]) {
-        renew(file, bytes)?;
-    }
-    Ok(files.into())
+    Library::new(M::TABLES.name).with(mechanism)?.write(folder)
 }
 
 /// Writes an FMU of a mechanism for FMI 3.0, model exchange and co-simulation; gives the file.
@@ -61,18 +53,18 @@ pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box
     let (name, mut text, mut code) = (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
     fmi::description(&declared(mechanism), &mut text)?;
     fmi::source::<M>(&mut code)?;
-    let built = build::<M>((&name, Output::Shared), &code)?;
+    let built = build::<M>(&name, &code)?;
     let binary = format!("binaries/{}-{}/{name}{}", env::consts::ARCH, system(), env::consts::DLL_SUFFIX);
     let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
     renew(file, &archive(entries)?)?;
     Ok(std::vec![file.into()])
 }
 
-/// A mechanism with its parameters, and the starts that are made of them, as declared.
-fn declared<M: Foreign>(mechanism: &M) -> M {
+/// A mechanism with its parameters, and the starts that are made of them, as declared; a parameter without default is no number.
+pub(super) fn declared<M: Foreign>(mechanism: &M) -> M {
     let mut own = *mechanism;
     for (index, parameter) in M::TABLES.parameters.iter().enumerate() {
-        own.set_parameter(index, parameter.default.unwrap_or_default());
+        own.set_parameter(index, parameter.default.unwrap_or(f64::NAN));
     }
     *own.starts_mut() = own.declared_starts();
     own
@@ -86,13 +78,17 @@ fn system() -> &'static str {
     }
 }
 
+/// Has every parameter a default?
+pub(super) fn complete<M: Foreign>() -> Result<(), NoDefault> {
+    let missing = M::TABLES.parameters.iter().find(|parameter| parameter.default.is_none());
+    missing.map_or(Ok(()), |parameter| Err(NoDefault(parameter.name)))
+}
+
 /// Builds a package of a mechanism.
-fn build<M: Foreign>((name, output): (&str, Output), source: &str) -> Result<Vec<u8>, Box<dyn Error>> {
-    if let Some(parameter) = M::TABLES.parameters.iter().find(|parameter| parameter.default.is_none()) {
-        return Err(NoDefault(parameter.name).into());
-    }
+fn build<M: Foreign>(name: &str, source: &str) -> Result<Vec<u8>, Box<dyn Error>> {
+    complete::<M>()?;
     let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
-    let package = Package { name, output, source, files: M::FILES, plm, features: &["fmi"] };
-    let kind = if output == Output::Static { "c" } else { "fmu" };
-    Ok(package.build(&Path::new("target/plm/packages").join(format!("{name}-{kind}")))?)
+    let (output, files, features) = (Output::Shared, M::FILES, &["fmi"]);
+    let package = Package { name, output, source, files, plm, features, bare: None };
+    Ok(package.build(&Path::new("target/plm/packages").join(format!("{name}-fmu")))?)
 }

@@ -3,21 +3,25 @@
 mod arguments;
 mod described;
 mod foreign;
-mod integrator;
+mod library;
 mod options;
 mod program;
 mod recorder;
 mod server;
 mod sketch;
+mod wheel;
 
 pub use plm_view::*;
 
-pub use arguments::{Arguments, BadOption, Known};
+pub use crate::integrator::Integrator;
+pub use crate::mistake::BadOption;
+pub use arguments::{Arguments, Known};
 pub use described::mechanism;
 pub use foreign::{NoDefault, fmu, library};
-pub use integrator::Integrator;
+pub use library::Library;
 pub use options::{Options, Table};
 pub use program::{Program, run, write};
 pub use recorder::Recorder;
 pub use server::Server;
 pub use sketch::sketch;
+pub use wheel::wheel;

@@ -11,10 +11,11 @@ use std::vec::Vec;
 use plm_runtime::described::Quantity;
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
-use super::arguments::{Arguments, BadOption, Known, nearest};
-use super::integrator::{Integrator, METHODS};
+use super::arguments::{Arguments, Known};
 use super::recorder::Recorder;
+use crate::integrator::{Integrator, METHODS};
 use crate::live::by_number;
+use crate::mistake::{BadOption, nearest};
 
 /// What is asked for on the command line.
 ///
@@ -46,8 +47,12 @@ pub struct Options {
     pub out: Option<PathBuf>,
     /// `--c FOLDER`: a static library of the mechanism, and its header.
     pub c: Option<PathBuf>,
+    /// `--target NAME`: what that library is for, without an operating system, as rustc calls it.
+    pub target: Option<String>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
+    /// `--python FOLDER`: a wheel of the mechanism.
+    pub python: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
     /// `--every TIME`, s: between samples.
@@ -65,7 +70,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 13] = [
+const USUAL: [Known; 15] = [
     Known::value(
         "view",
         "FILE",
@@ -81,7 +86,9 @@ const USUAL: [Known; 13] = [
         "FOLDER",
         "a static library of the mechanism as declared, and its header, for C and C++",
     ),
+    Known::value("target", "NAME", "of --c: for a machine without std, such as thumbv7em-none-eabihf"),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
+    Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
     Known::value(
@@ -160,7 +167,9 @@ impl Options {
             svg: path("svg"),
             out: path("out"),
             c: path("c"),
+            target: given.text("target")?,
             fmu: path("fmu"),
+            python: path("python"),
             until: time("until", &given)?,
             every: time("every", &given)?,
             set: settings("set", &given)?,
@@ -183,10 +192,13 @@ impl Options {
             )));
         }
         let run = among(&files).or_else(|| among(&of_a_run));
-        if let (Some(built), Some(name)) = (among(&["c", "fmu"]), run) {
+        if let (Some(built), Some(name)) = (among(&["c", "fmu", "python"]), run) {
             return Err(BadOption(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
+        }
+        if self.target.is_some() && self.c.is_none() {
+            return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
         }
         Ok(self)
     }
@@ -320,6 +332,8 @@ mod tests {
             (vec!["--serve", "--csv", "a"], "without --csv"),
             (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
+            (vec!["--python", "a", "--until", "1"], "without --until"),
+            (vec!["--fmu", "a", "--target", "thumbv7em-none-eabihf"], "with --c"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");

@@ -15,11 +15,13 @@ use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
-use super::foreign::{fmu, library};
-use super::integrator::WithSim;
+use super::Library;
+use super::foreign::fmu;
 use super::options::{Options, quantities_of};
 use super::recorder::Recorder;
 use super::server::Server;
+use super::wheel::wheel;
+use crate::any_sim::OnSim;
 use crate::live::with_pulls;
 
 /// A run of a mechanism as its command line asks for it.
@@ -91,23 +93,28 @@ impl<M: Exchanged> Program<M> {
             return Ok(());
         }
         if let Some(folder) = &options.c {
-            told(&library(&self.mechanism, folder)?);
+            let library = Library::new(M::TABLES.name).with(&self.mechanism)?;
+            let library = options.target.iter().fold(library, |library, target| library.for_target(target));
+            told(&library.write(folder)?);
         }
         if let Some(file) = &options.fmu {
             told(&fmu(&self.mechanism, file)?);
         }
-        if options.c.is_some() || options.fmu.is_some() {
+        if let Some(folder) = &options.python {
+            told(&wheel(&self.mechanism, folder)?);
+        }
+        if options.c.is_some() || options.fmu.is_some() || options.python.is_some() {
             return Ok(());
         }
         options.apply(&mut self.mechanism)?;
         let method = options.method.unwrap_or_default();
         if let Some(port) = options.serve {
-            return method.start(self.mechanism, Serve { options, port })?;
+            return method.start_at(self.mechanism, 0.0)?.then(Serve { options, port });
         }
         let until = options.until.unwrap_or(self.until);
         let usual = if self.every > 0.0 { self.every } else { until / SAMPLES };
         let every = options.every.unwrap_or(usual);
-        method.start(self.mechanism, Record { options, until, every })?
+        method.start_at(self.mechanism, 0.0)?.then(Record { options, until, every })
     }
 }
 
@@ -118,13 +125,13 @@ struct Record<'a> {
     every: f64,
 }
 
-impl<M: Described<S = f64>> WithSim<M> for Record<'_> {
+impl<M: Described<S = f64>> OnSim<M> for Record<'_> {
     type Output = Result<(), Box<dyn Error>>;
 
-    fn with<I: Method<M>>(self, mut sim: Sim<M, I>) -> Self::Output {
-        self.options.apply_inputs(&mut sim)?;
-        let mut recorder = Recorder::observing_all(&sim);
-        let outcome = run(&mut sim, &mut recorder, self.until, self.every);
+    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
+        self.options.apply_inputs(sim)?;
+        let mut recorder = Recorder::observing_all(sim);
+        let outcome = run(sim, &mut recorder, self.until, self.every);
         let written = write::<M>(self.options, recorder.recording())?;
         outcome?;
         told(&written);
@@ -141,20 +148,20 @@ struct Serve<'a> {
 /// Between rows of a served page, s; nearer where it is slow.
 const SERVED_EVERY: f64 = 0.01;
 
-impl<M: Described<S = f64> + Statics> WithSim<M> for Serve<'_> {
+impl<M: Described<S = f64> + Statics> OnSim<M> for Serve<'_> {
     type Output = Result<(), Box<dyn Error>>;
 
-    fn with<I: Method<M>>(self, mut sim: Sim<M, I>) -> Self::Output {
-        self.options.apply_inputs(&mut sim)?;
-        let mut server = Server::start(&sim, self.port)?;
+    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
+        self.options.apply_inputs(sim)?;
+        let mut server = Server::start(sim, self.port)?;
         println!("serving {} (Ctrl+C ends it)", server.url());
         let end = self.options.until.unwrap_or(f64::INFINITY);
         while sim.state().time() < end {
-            server.obey(&mut sim);
+            server.obey(sim);
             let every = self.options.every.unwrap_or(SERVED_EVERY) * server.speed().min(1.0);
             if server.wait_for_step(every) {
                 match sim.step(every) {
-                    Ok(()) => server.show(&sim),
+                    Ok(()) => server.show(sim),
                     Err(fault) => server.stop(&fault),
                 }
             }

@@ -1059,6 +1059,74 @@ mod plm_arm_on_jack_ {
                         default: None,
                     },
                 ],
+                reads: &[
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[0],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[1],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Poses,
+                        time: false,
+                        states: &[],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Velocities,
+                        time: false,
+                        states: &[0, 2],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Velocities,
+                        time: false,
+                        states: &[1, 4],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[0, 2, 3],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[2, 3, 6],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[1, 4, 5],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[4, 5, 6],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: false,
+                        states: &[7],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Nothing,
+                        time: true,
+                        states: &[6, 7],
+                        inputs: &[],
+                    }),
+                ],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// The arm of the manual, section 3.2.1.\npub ArmOnJack {\n    /// Acceleration of gravity; the manual's other runs had 9.80665 m/s^2.\n    param g: m/s^2 = 9.81 m/s^2;\n    /// Pressure drop at which the valve lets 20 L/min through: not in the manual.\n    param rated_drop: bar = 1 bar;\n    /// Share of undissolved gas in the oil: not in the manual.\n    param gas: 1 = 0;\n\n    gravity: g;\n    ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }\n    body arm {\n        mass: 100 kg;\n        inertia: 0.01 kg*m^2;\n        port tip: (0.2, 0) m;\n        port jack: (-0.5, 0) m;\n        port o0: (-0.8, 0) m;\n        start angle: 20 deg, locked;\n    }\n    revolute hinge(ground.o0, arm.o0);\n    jack ram(ground.foot, arm.jack) { free_length: 0.22 m; }\n\n    cylinder press(ram.slider) {\n        piston_diameter: 50 mm;\n        rod_diameter: 30 mm;\n        stroke: 0.35 m;\n        friction: 1000 N/(m/s);\n        chamber1.oil.gas_content: gas;\n        chamber2.oil.gas_content: gas;\n        chamber2.pressure: 5 bar, locked;\n    }\n    oil_line line1(press.port1) { inlet.oil.gas_content: gas; }\n    oil_line line2(press.port2) { inlet.oil.gas_content: gas; inlet.pressure: 5 bar; }\n    servo_valve valve(pump.port, line1.port, line2.port, tank.port) {\n        signal: -0.2*command.value;\n        rated_drop: rated_drop;\n        frequency: 20 Hz;\n    }\n    oil_source pump() { pressure: 30 bar; }\n    oil_tank tank() { pressure: 5 bar; }\n    ramps command() {\n        duration1: 0.5 s;\n        duration2: 0.5 s; end2: 1;\n        duration3: 0.5 s; start3: 1; end3: 1;\n        duration4: 1 s; start4: 1;\n    }\n\n    output press.chamber1.pressure, press.chamber2.pressure, ram.length;\n}\n";

@@ -1290,6 +1290,12 @@ mod plm_chain_ {
                     exponents: [1, 0, 0, 0, 0, 0, 0],
                     default: None,
                 }],
+                reads: &[Some(described::Reads {
+                    motion: described::Motion::Poses,
+                    time: false,
+                    states: &[],
+                    inputs: &[],
+                })],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// A chain of five bars: elimination body by body.\npub Chain {\n    gravity: 9.81 m/s^2;\n    ground { port o: (0, 0) m; }\n    repeat i in 0..5 {\n        body bar[i] { mass: 1 kg; inertia: 1 kg*m^2/12; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg*i; }\n    }\n    revolute first(ground.o, bar[0].a) { damping: 0.1 N*m*s/rad; }\n    repeat i in 1..5 {\n        revolute pin[i](bar[i - 1].b, bar[i].a);\n    }\n    output bar[4].b.y;\n}\n";

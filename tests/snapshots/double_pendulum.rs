@@ -887,6 +887,24 @@ mod plm_double_pendulum_ {
                         default: None,
                     },
                 ],
+                reads: &[
+                    Some(described::Reads {
+                        motion: described::Motion::Poses,
+                        time: false,
+                        states: &[],
+                        inputs: &[],
+                    }),
+                    Some(described::Reads {
+                        motion: described::Motion::Poses,
+                        time: false,
+                        states: &[],
+                        inputs: &[],
+                    }),
+                    None,
+                    None,
+                    None,
+                    None,
+                ],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// The double pendulum of the manual, section 2.2.\npub DoublePendulum {\n    gravity: 9.81 m/s^2;\n\n    ground { port o0: (0, 0) m; }\n\n    body arm {\n        mass: 10 kg;\n        inertia: 0.01 kg*m^2;\n        port o0:  (-0.5, 0) m;\n        port p12: ( 0.5, 0) m;\n        start angle: 45 deg, locked;\n    }\n    body forearm {\n        mass: 10 kg;\n        inertia: 0.01 kg*m^2;\n        port p12: (-1, 0) m;\n        start angle: 0 deg, locked;\n    }\n\n    revolute shoulder(ground.o0, arm.o0)    { damping: 1 N*m/(rev/min); }\n    revolute elbow(arm.p12, forearm.p12)    { damping: 1 N*m/(rev/min); }\n\n    output arm.angle in deg, forearm.angle in deg, shoulder.force, elbow.force;\n}\n";

@@ -1213,6 +1213,7 @@ mod plm_driven_crank_ {
                         default: None,
                     },
                 ],
+                reads: &[None, None, None],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.\npub DrivenCrank {\n    param amplitude: m = 10 mm;\n    gravity: 9.81 m/s^2;\n    ground { port o: (0, amplitude*sin(20 rad/s*t)); port rail: (0, 0) m; }\n    body crank { mass: 0.2 kg; inertia: 0.001 kg*m^2; port o: (-0.1, 0) m; port pin: (0.1, 0) m; start angle: 60 deg; }\n    body rod { mass: 0.6 kg; inertia: 0.018 kg*m^2; port pin: (-0.3, 0) m; port wrist: (0.3, 0) m; start angle: -17 deg; }\n    body slider { mass: 0.5 kg; inertia: 0.001 kg*m^2; port wrist: (0, 0) m; start x: 0.67 m; }\n    revolute drive(ground.o, crank.o);\n    revolute crank_pin(crank.pin, rod.pin);\n    revolute wrist_pin(rod.wrist, slider.wrist);\n    prismatic guide(ground.rail, slider.wrist);\n    constraint turns: crank.angle = 60 deg + 3 rad/s*t;\n    output drive.force, torque = reaction(turns);\n}\n";

@@ -1253,6 +1253,7 @@ mod plm_four_bar_ {
                         default: None,
                     },
                 ],
+                reads: &[None, None],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.\npub FourBar {\n    gravity: 9.81 m/s^2;\n    ground { port a: (0, 0) m; port d: (1, 0) m; }\n    body crank {\n        mass: 0.3 kg;\n        inertia: 0.00225 kg*m^2;\n        port a: (-0.15, 0) m;\n        port b: (0.15, 0) m;\n        start angle: 60 deg, locked;\n    }\n    body coupler {\n        mass: 0.9 kg;\n        inertia: 0.06075 kg*m^2;\n        port b: (-0.45, 0) m;\n        port c: (0.45, 0) m;\n        start angle: 30 deg;\n    }\n    body rocker {\n        mass: 0.7 kg;\n        inertia: 0.7 kg * (0.7 m)^2 / 12;\n        port d: (-0.35, 0) m;\n        port c: (0.35, 0) m;\n        start x: 1 m;\n        start angle: 95 deg;\n    }\n    revolute drive(ground.a, crank.a);\n    revolute crank_coupler(crank.b, coupler.b);\n    revolute coupler_rocker(coupler.c, rocker.c);\n    revolute pivot(ground.d, rocker.d);\n    output drive.force;\n}\n";

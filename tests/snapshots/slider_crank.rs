@@ -1079,6 +1079,7 @@ mod plm_slider_crank_ {
                         default: None,
                     },
                 ],
+                reads: &[None, None],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// Slider-crank in absolute coordinates.\npub SliderCrank {\n    gravity: 9.81 m/s^2;\n    rung: absolute;\n    ground { port o: (0, 0) m; }\n    body crank {\n        mass: 0.2 kg;\n        inertia: 0.2 kg * (0.2 m)^2 / 12;\n        port o: (-0.1, 0) m;\n        port pin: (0.1, 0) m;\n        start angle: 60 deg, locked;\n    }\n    body rod {\n        mass: 0.6 kg;\n        inertia: 0.018 kg*m^2;\n        port pin: (-0.3, 0) m;\n        port wrist: (0.3, 0) m;\n        start angle: -17 deg;\n    }\n    body slider {\n        mass: 0.5 kg;\n        inertia: 0.001 kg*m^2;\n        port wrist: (0, 0) m;\n        start x: 0.67 m;\n    }\n    revolute drive(ground.o, crank.o) { drive: 1 N*m; }\n    revolute crank_pin(crank.pin, rod.pin);\n    revolute wrist_pin(rod.wrist, slider.wrist);\n    prismatic guide(ground.o, slider.wrist);\n    output drive.force;\n}\n";

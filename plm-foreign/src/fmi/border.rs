@@ -2,16 +2,20 @@
 //!
 //! Every function looks at what it is given, gives an error with a log message, and changes nothing then.
 
+mod states;
+
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::ffi::{CStr, c_char, c_void};
-use core::slice;
+use core::{fmt, slice};
 
 use plm_runtime::{System, Vector};
 
+pub use self::states::{deserialize, forget, restore, save, serialize, serialized_size};
 pub use crate::border::put;
 
-use super::{Exchanged, Instance, Update, Variable, token};
+use super::mode::NotAllowed;
+use super::{Call, Exchanged, Instance, Interface, Update, Variable, token};
 use crate::{Status, Text, Trouble};
 
 /// `fmi3Status`
@@ -30,9 +34,24 @@ pub struct Handle<M: Exchanged> {
     instance: Instance<M>,
     /// Steps of co-simulation may return at events.
     returns_early: bool,
+    /// Messages are wanted.
+    is_heard: bool,
     log: Log,
     environment: *mut c_void,
 }
+
+impl<M: Exchanged> Handle<M> {
+    /// Tells the simulator what is wrong.
+    fn tell(&self, what: impl fmt::Display) {
+        if let Some(log) = self.log.filter(|_| self.is_heard) {
+            // SAFETY: the simulator gave both.
+            unsafe { log(self.environment, ERROR, CATEGORY.as_ptr(), Text::of(what).as_ptr()) };
+        }
+    }
+}
+
+/// The one category of messages.
+const CATEGORY: &CStr = c"logStatusError";
 
 const MARK: u64 = 0x706c_6d5f_666d_6933;
 
@@ -43,7 +62,7 @@ const MARK: u64 = 0x706c_6d5f_666d_6933;
 pub unsafe fn instantiate<M: Exchanged>(
     declared: M,
     own: *const c_char,
-    returns_early: bool,
+    (interface, returns_early): (Interface, bool),
     (log, environment): (Log, *mut c_void),
 ) -> *mut Handle<M> {
     // SAFETY: the caller's part.
@@ -53,12 +72,13 @@ pub unsafe fn instantiate<M: Exchanged>(
         let text = Text::of("the instantiation token is that of another FMU");
         if let Some(log) = log {
             // SAFETY: the caller's part.
-            unsafe { log(environment, ERROR, c"logStatusError".as_ptr(), text.as_ptr()) };
+            unsafe { log(environment, ERROR, CATEGORY.as_ptr(), text.as_ptr()) };
         }
         return core::ptr::null_mut();
     }
-    let instance = Instance::new(declared);
-    Box::into_raw(Box::new(Handle { mark: MARK, instance, returns_early, log, environment }))
+    let instance = Instance::new(declared, interface);
+    let handle = Handle { mark: MARK, instance, returns_early, is_heard: true, log, environment };
+    Box::into_raw(Box::new(handle))
 }
 
 /// Ends an instance.
@@ -72,16 +92,17 @@ pub unsafe fn free<M: Exchanged>(handle: *mut Handle<M>) {
     }
 }
 
-/// Lets `work` at an instance.
+/// Lets `work` at an instance; a function for some modes alone is told by `call`.
 ///
 /// # Safety
 /// `handle` is null or an instance that nobody else uses meanwhile.
 pub unsafe fn with<M: Exchanged>(
     handle: *mut Handle<M>,
+    call: impl Into<Option<Call>>,
     work: impl FnOnce(&mut Instance<M>) -> Result<(), Trouble>,
 ) -> Outcome {
     // SAFETY: as this function's.
-    unsafe { opened(handle, |handle| work(&mut handle.instance)) }
+    unsafe { opened(handle, call.into(), |handle| work(&mut handle.instance)) }
 }
 
 /// Lets `work` at an instance and what belongs to it.
@@ -90,6 +111,7 @@ pub unsafe fn with<M: Exchanged>(
 /// As of [`with`].
 unsafe fn opened<M: Exchanged>(
     handle: *mut Handle<M>,
+    call: Option<Call>,
     work: impl FnOnce(&mut Handle<M>) -> Result<(), Trouble>,
 ) -> Outcome {
     // SAFETY: it is not null, and aligned; the mark is its first field.
@@ -98,12 +120,58 @@ unsafe fn opened<M: Exchanged>(
     }
     // SAFETY: the mark is written by `instantiate` alone, with all the rest.
     let handle = unsafe { &mut *handle };
-    let Err(trouble) = work(handle) else { return OK };
-    if let Some(log) = handle.log {
-        // SAFETY: the simulator gave both.
-        unsafe { log(handle.environment, ERROR, c"logStatusError".as_ptr(), Text::of(trouble).as_ptr()) };
+    let Instance { interface, mode, .. } = handle.instance;
+    if let Some(call) = call.filter(|call| !call.is_allowed(interface, mode)) {
+        handle.tell(NotAllowed(call, interface, mode));
+        return ERROR;
     }
+    match work(handle) {
+        Ok(()) => call.into_iter().for_each(|call| handle.instance.pass(call)),
+        Err(trouble) => {
+            handle.tell(trouble);
+            return ERROR;
+        }
+    }
+    OK
+}
+
+/// A function for what a mechanism does not have.
+///
+/// # Safety
+/// As of [`with`].
+pub unsafe fn absent<M: Exchanged>(handle: *mut Handle<M>, name: &str) -> Outcome {
+    let work = |handle: &mut Handle<M>| {
+        handle.tell(format_args!("{name}: this FMU has nothing of that kind"));
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { opened(handle, None, work) };
     ERROR
+}
+
+/// `fmi3SetDebugLogging`: messages of these categories, of all where none is named.
+///
+/// # Safety
+/// As of [`with`]; `categories` is null or an array of the caller, of texts that end with a zero.
+pub unsafe fn hear<M: Exchanged>(
+    handle: *mut Handle<M>,
+    is_heard: bool,
+    (categories, count): (*const *const c_char, usize),
+) -> Outcome {
+    let work = |handle: &mut Handle<M>| {
+        // SAFETY: the caller's part.
+        let named = unsafe { read(categories, count)? };
+        for name in named {
+            // SAFETY: the caller's part.
+            if name.is_null() || unsafe { CStr::from_ptr(*name) } != CATEGORY {
+                return Err(Status::NoSuch.into());
+            }
+        }
+        handle.is_heard = is_heard;
+        Ok(())
+    };
+    // SAFETY: the caller's part.
+    unsafe { opened(handle, None, work) }
 }
 
 /// Numbers of the caller, to be read.
@@ -166,7 +234,7 @@ pub unsafe fn get<M: Exchanged>(
         unsafe { fill(values, &found?) }
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { with(handle, Call::Get, work) }
 }
 
 /// `fmi3SetFloat64`; where one of several is refused, none is set.
@@ -192,7 +260,7 @@ pub unsafe fn set<M: Exchanged>(
         Ok(())
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { with(handle, Call::Set, work) }
 }
 
 /// `fmi3GetDirectionalDerivative`
@@ -219,7 +287,7 @@ pub unsafe fn tangents<M: Exchanged>(
         unsafe { fill(tangents, &found) }
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { with(handle, Call::GetDirectionalDerivative, work) }
 }
 
 /// A vector of the mechanism into room of the caller.
@@ -228,17 +296,19 @@ pub unsafe fn tangents<M: Exchanged>(
 /// As of [`get`].
 pub unsafe fn give<M: Exchanged, X: Vector<f64>>(
     handle: *mut Handle<M>,
+    call: Call,
     room: (*mut f64, usize),
     vector: impl FnOnce(&Instance<M>) -> Result<X, Trouble>,
 ) -> Outcome {
     let work = |instance: &mut Instance<M>| {
+        instance.renew()?;
         let vector = vector(instance)?;
         let numbers: Vec<f64> = (0..X::LEN).map(|index| vector.at(index)).collect();
         // SAFETY: the caller's part.
         unsafe { fill(room, &numbers) }
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { with(handle, call, work) }
 }
 
 /// `fmi3SetContinuousStates`
@@ -256,7 +326,7 @@ pub unsafe fn set_states<M: Exchanged>(handle: *mut Handle<M>, (at, count): (*co
         instance.place(None, Some(x))
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { with(handle, Call::SetContinuousStates, work) }
 }
 
 /// `fmi3UpdateDiscreteStates`; `flags`: more updates are needed, the simulation ends, nominals changed, states changed, a time
@@ -279,7 +349,7 @@ pub unsafe fn update<M: Exchanged>(handle: *mut Handle<M>, flags: [*mut bool; 5]
         unsafe { put(next, time.unwrap_or_default()) }
     };
     // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
+    unsafe { with(handle, Call::UpdateDiscreteStates, work) }
 }
 
 /// `fmi3DoStep`; `flags`: an event is to be handled, the simulation ends, it returned early.
@@ -312,49 +382,5 @@ pub unsafe fn do_step<M: Exchanged>(
         unsafe { put(last, instance.get(Variable::Time)?) }
     };
     // SAFETY: the caller's part.
-    unsafe { opened(handle, work) }
-}
-
-/// `fmi3GetFMUState`: a copy, which is a new one or one that was made before.
-///
-/// # Safety
-/// As of [`with`]; `copy` is null or the caller's, and holds null or such a copy.
-pub unsafe fn save<M: Exchanged>(handle: *mut Handle<M>, copy: *mut *mut Instance<M>) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        // SAFETY: the caller's part.
-        match unsafe { copy.as_mut() } {
-            None => return Err(Status::Null.into()),
-            Some(place) if place.is_null() => *place = Box::into_raw(Box::new(instance.clone())),
-            // SAFETY: the caller's part.
-            Some(place) => unsafe { **place = instance.clone() },
-        }
-        Ok(())
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, work) }
-}
-
-/// `fmi3SetFMUState`
-///
-/// # Safety
-/// As of [`with`]; `copy` is null or one of [`save`].
-pub unsafe fn restore<M: Exchanged>(handle: *mut Handle<M>, copy: *mut Instance<M>) -> Outcome {
-    // SAFETY: the caller's part.
-    let copy = unsafe { copy.as_ref() };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, |instance| copy.map(|copy| *instance = copy.clone()).ok_or(Status::Null.into())) }
-}
-
-/// `fmi3FreeFMUState`
-///
-/// # Safety
-/// `copy` is null or the caller's, and holds null or one of [`save`].
-pub unsafe fn forget<M: Exchanged>(copy: *mut *mut Instance<M>) -> Outcome {
-    // SAFETY: the caller's part.
-    if let Some(place) = unsafe { copy.as_mut() }.filter(|place| !place.is_null()) {
-        // SAFETY: the caller's part.
-        drop(unsafe { Box::from_raw(*place) });
-        *place = core::ptr::null_mut();
-    }
-    OK
+    unsafe { opened(handle, Some(Call::DoStep), work) }
 }

@@ -8,9 +8,11 @@ use core::fmt::{self, Write};
 use plm_runtime::described::Quantity;
 use plm_runtime::{StartValues, System, Vector};
 
+use super::names::names;
+use super::structure::structure;
 use super::{Exchanged, Variable};
 use crate::border::Block;
-use crate::{Kind, Names, Si, Text};
+use crate::{Names, Si, Text};
 
 /// Exponents of m, kg, s, K, A, mol, rad, as [`Quantity`] has them.
 type Exponents = [i8; 7];
@@ -54,8 +56,8 @@ pub fn token<M: Exchanged>() -> Text {
 pub fn description<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Result {
     let (name, docs) = (M::TABLES.name, M::TABLES.docs);
     let (mut units, mut variables) = (Units::new(), String::new());
-    for (reference, variable) in Variable::all(declared).enumerate() {
-        line(declared, (reference, variable), &mut units, &mut variables)?;
+    for ((reference, variable), name) in Variable::all(declared).enumerate().zip(names(declared)) {
+        line(declared, (reference, variable, &name), &mut units, &mut variables)?;
     }
     let identifier = Names::lower(name);
     writeln!(to, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
@@ -67,7 +69,7 @@ pub fn description<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Resu
         env!("CARGO_PKG_VERSION")
     )?;
     let common = format!(
-        "modelIdentifier=\"{identifier}\" canGetAndSetFMUState=\"true\" providesDirectionalDerivatives=\"true\""
+        "modelIdentifier=\"{identifier}\" canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\" providesDirectionalDerivatives=\"true\""
     );
     writeln!(to, "  <ModelExchange {common} needsCompletedIntegratorStep=\"true\"/>")?;
     writeln!(
@@ -82,31 +84,14 @@ pub fn description<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Resu
         to,
         "  <DefaultExperiment startTime=\"0\"/>\n  <ModelVariables>\n{variables}  </ModelVariables>"
     )?;
+    writeln!(to, "  <ModelStructure>")?;
     structure(declared, to)?;
+    writeln!(to, "  </ModelStructure>")?;
     writeln!(to, "</fmiModelDescription>")
 }
 
-/// Which variables are outputs, derivatives, and known at the start; each may depend on all that is known.
-fn structure<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Result {
-    let each = |element: &str, wanted: &dyn Fn(Variable) -> bool, to: &mut dyn Write| {
-        let all = Variable::all(declared).enumerate();
-        all.filter(|(_, variable)| wanted(*variable))
-            .try_for_each(|(reference, _)| writeln!(to, "    <{element} valueReference=\"{reference}\"/>"))
-    };
-    let is_output = |variable| matches!(variable, Variable::Output(k) if output::<M>(k).is_some());
-    let is_rate = |variable| matches!(variable, Variable::Rate(_));
-    writeln!(to, "  <ModelStructure>")?;
-    each("Output", &is_output, to)?;
-    each("ContinuousStateDerivative", &is_rate, to)?;
-    let at_start =
-        |variable| is_output(variable) || is_rate(variable) || matches!(variable, Variable::State(_));
-    each("InitialUnknown", &at_start, to)?;
-    each("EventIndicator", &|variable| matches!(variable, Variable::Indicator(_)), to)?;
-    writeln!(to, "  </ModelStructure>")
-}
-
 /// The declared output of an observed quantity, if it is one.
-fn output<M: Exchanged>(index: usize) -> Option<&'static Quantity> {
+pub(super) fn output<M: Exchanged>(index: usize) -> Option<&'static Quantity> {
     let (name, _) = M::OBSERVED.get(index)?;
     M::TABLES.outputs.iter().find(|row| row.name == *name)
 }
@@ -114,20 +99,18 @@ fn output<M: Exchanged>(index: usize) -> Option<&'static Quantity> {
 /// One variable.
 fn line<M: Exchanged>(
     declared: &M,
-    (reference, variable): (usize, Variable),
+    (reference, variable, name): (usize, Variable, &str),
     units: &mut Units,
     to: &mut String,
 ) -> fmt::Result {
     let tables = M::TABLES;
-    let of_rows = |rows: &'static [Quantity], k: usize| rows.get(k).map_or("", |row| row.name).to_string();
     let states = <M as System>::X::LEN;
-    let state = |k: usize| format!("state({k}, {})", declared.name_of_state(k));
-    let (name, more, row) = match variable {
-        Variable::Time => ("time".to_string(), "causality=\"independent\"".to_string(), None),
+    let (more, row) = match variable {
+        Variable::Time => ("causality=\"independent\"".to_string(), None),
         Variable::Parameter(k) => {
             let start = declared.parameter(k).unwrap_or_default();
             let more = format!("causality=\"parameter\" variability=\"tunable\" start=\"{start:?}\"");
-            (of_rows(tables.parameters, k), more, tables.parameters.get(k))
+            (more, tables.parameters.get(k))
         }
         Variable::Start(k) => {
             let (mut copy, mut at, mut start) = (*declared, 0, 0.0);
@@ -137,35 +120,25 @@ fn line<M: Exchanged>(
                 }
                 at += 1;
             });
-            let more = format!("causality=\"parameter\" variability=\"fixed\" start=\"{start:?}\"");
-            (format!("start({})", Kind::Start.name(declared, k).unwrap_or_default()), more, None)
+            (format!("causality=\"parameter\" variability=\"fixed\" start=\"{start:?}\""), None)
         }
         Variable::Input(k) => {
             let start = tables.inputs.get(k).and_then(|row| row.default).unwrap_or_default();
-            (
-                of_rows(tables.inputs, k),
-                format!("causality=\"input\" start=\"{start:?}\""),
-                tables.inputs.get(k),
-            )
+            (format!("causality=\"input\" start=\"{start:?}\""), tables.inputs.get(k))
         }
         Variable::Output(k) => {
             let causality = if output::<M>(k).is_some() { "output" } else { "local" };
-            let name = M::OBSERVED.get(k).map_or("", |(name, _)| name);
-            (name.to_string(), format!("causality=\"{causality}\""), output::<M>(k))
+            (format!("causality=\"{causality}\""), output::<M>(k))
         }
         Variable::State(k) => {
             let nominal = declared.typical().at(k);
-            (state(k), format!("causality=\"local\" initial=\"calculated\" nominal=\"{nominal:?}\""), None)
+            let more = "causality=\"local\" initial=\"calculated\" reinit=\"true\"";
+            (format!("{more} nominal=\"{nominal:?}\""), None)
         }
-        Variable::Rate(k) => {
-            let own = reference - states;
-            (format!("der({})", state(k)), format!("causality=\"local\" derivative=\"{own}\""), None)
-        }
-        Variable::Indicator(k) => {
-            (format!("indicator({k}, {})", declared.guard_name(k)), "causality=\"local\"".to_string(), None)
-        }
+        Variable::Rate(_) => (format!("causality=\"local\" derivative=\"{}\"", reference - states), None),
+        Variable::Indicator(_) => ("causality=\"local\"".to_string(), None),
     };
-    write!(to, "    <Float64 name=\"{}\" valueReference=\"{reference}\" {more}", Xml(&name))?;
+    write!(to, "    <Float64 name=\"{}\" valueReference=\"{reference}\" {more}", Xml(name))?;
     let observed = if let Variable::Output(k) = variable { M::OBSERVED.get(k) } else { None };
     match (row, observed) {
         (Some(row), _) => write!(to, "{}", with_unit(row, units))?,

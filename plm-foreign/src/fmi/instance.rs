@@ -3,22 +3,24 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Cause, Fault, Method, Moment, Seen, Sim, Vector};
 
 use super::sides::LeftOver;
-use super::{Exchanged, Variable, tangent};
-use crate::{Kind, Object, Status, Trouble};
+use super::{Call, Exchanged, Interface, Mode, Variable, tangent};
+use crate::{Kind, Object, Status, Trouble, saved};
 
 /// A mechanism that is set up, then run: by steps of its own method (co-simulation), or by a solver outside, to which it
 /// gives rates and conditions (model exchange).
 #[derive(Clone)]
 pub struct Instance<M: Exchanged> {
     declared: M,
+    pub(super) interface: Interface,
+    pub(super) mode: Mode,
     object: Object<M>,
     /// Inputs as set before the start.
     inputs: Vec<Option<f64>>,
     start_time: f64,
-    is_running: bool,
     /// Something was set since the mechanism was assembled.
     is_stale: bool,
     /// The next time at which conditions on it change, s.
@@ -37,13 +39,14 @@ pub struct Update {
 
 impl<M: Exchanged> Instance<M> {
     /// A mechanism that is not started.
-    pub fn new(declared: M) -> Self {
+    pub fn new(declared: M, interface: Interface) -> Self {
         Self {
             declared,
+            interface,
+            mode: Mode::Instantiated,
             object: Object::new(declared),
             inputs: vec![None; M::TABLES.inputs.len()],
             start_time: 0.0,
-            is_running: false,
             is_stale: true,
             instant: None,
             left_over: LeftOver::none(),
@@ -52,7 +55,7 @@ impl<M: Exchanged> Instance<M> {
 
     /// As it was made.
     pub fn reset(&mut self) {
-        *self = Self::new(self.declared);
+        *self = Self::new(self.declared, self.interface);
     }
 
     /// It will start at this time, s.
@@ -67,19 +70,22 @@ impl<M: Exchanged> Instance<M> {
         Ok(())
     }
 
-    /// Assembles it where something was set since, and begins to run.
+    /// Is it past its initialisation?
+    fn is_running(&self) -> bool {
+        !matches!(self.mode, Mode::Instantiated | Mode::Initialization)
+    }
+
+    /// A function has been called: the mode after it.
+    pub fn pass(&mut self, call: Call) {
+        self.mode = call.leads(self.interface, self.mode);
+    }
+
+    /// Assembles it where something was set since, unless it runs.
     ///
     /// # Errors
     /// When it cannot be assembled.
-    pub fn run(&mut self) -> Result<(), Trouble> {
-        self.renew()?;
-        self.is_running = true;
-        Ok(())
-    }
-
-    /// Assembles it where something was set since.
-    fn renew(&mut self) -> Result<(), Trouble> {
-        if self.is_running || !self.is_stale {
+    pub fn renew(&mut self) -> Result<(), Trouble> {
+        if self.is_running() || !self.is_stale {
             return Ok(());
         }
         self.object.start_at(self.start_time)?;
@@ -97,13 +103,20 @@ impl<M: Exchanged> Instance<M> {
     /// Sets a variable.
     ///
     /// # Errors
-    /// [`Status::ReadOnly`]: it is computed, or it is a start value of a mechanism that runs; as [`Object::set`].
+    /// [`Status::ReadOnly`]: it is computed, or it cannot be set in this mode: a start value of a mechanism that runs, a
+    /// parameter in Continuous-Time Mode, a state in another one; as [`Object::set`].
     pub fn set(&mut self, variable: Variable, value: f64) -> Result<(), Trouble> {
-        self.is_stale |= !self.is_running;
+        let (is_running, is_continuous) = (self.is_running(), self.mode == Mode::ContinuousTime);
+        self.is_stale |= !is_running;
         match variable {
-            Variable::Parameter(index) => self.object.set(Kind::Parameter, index, value),
-            Variable::Start(index) if !self.is_running => self.object.set(Kind::Start, index, value),
-            Variable::Input(index) if self.is_running => self.object.set(Kind::Input, index, value),
+            Variable::Parameter(index) if !is_continuous => self.object.set(Kind::Parameter, index, value),
+            Variable::Start(index) if !is_running => self.object.set(Kind::Start, index, value),
+            Variable::State(index) if is_continuous => {
+                let mut x = *self.state()?.x();
+                x.set(index, value);
+                self.place(None, Some(x))
+            }
+            Variable::Input(index) if is_running => self.object.set(Kind::Input, index, value),
             Variable::Input(_) if !value.is_finite() => Err(Status::NotFinite.into()),
             Variable::Input(index) => {
                 *self.inputs.get_mut(index).ok_or(Status::NoSuch)? = Some(value);
@@ -170,7 +183,7 @@ impl<M: Exchanged> Instance<M> {
     /// Derivatives along seeds.
     ///
     /// # Errors
-    /// [`Status::NoSuch`] where a variable is no state, input, parameter, or no rate, output.
+    /// [`Status::NoSuch`] where a variable is not the time, a state, an input or a parameter, or not a rate or an output.
     pub fn tangents(
         &mut self,
         knowns: &[(Variable, f64)],
@@ -222,11 +235,15 @@ impl<M: Exchanged> Instance<M> {
         Ok(false)
     }
 
-    /// An event: parameters that were changed, charts, known times, conditions.
+    /// An event of model exchange: parameters that were changed, charts, known times, conditions. In co-simulation steps see to
+    /// all that.
     ///
     /// # Errors
     /// A requirement that does not hold, a jump, or parameters that cannot be.
     pub fn update(&mut self) -> Result<Update, Trouble> {
+        if self.interface != Interface::ModelExchange {
+            return Ok(Update { states_changed: false, next: None });
+        }
         let before = *self.state()?.x();
         self.object.sim_mut()?.settle()?;
         let state = self.state()?;
@@ -272,9 +289,57 @@ impl<M: Exchanged> Instance<M> {
         self.object.step_to(until).map(|()| false)
     }
 
+    /// Bytes of it, saved.
+    pub fn saved_size(&self) -> usize {
+        saved::size(self.clone())
+    }
+
+    /// Writes everything that decides how it goes on; `bytes` are just as many as [`saved_size`](Self::saved_size).
+    ///
+    /// # Errors
+    /// [`Status::Memory`]: they are not.
+    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Trouble> {
+        saved::write::<M, _>(self, bytes)
+    }
+
+    /// An instance as it was saved of one like this.
+    ///
+    /// # Errors
+    /// As [`Object::saved`].
+    pub fn saved(&self, bytes: &[u8]) -> Result<Self, Trouble> {
+        let mut saved = Self::new(self.declared, self.interface);
+        saved.object.start()?;
+        saved::read::<M>(&mut saved, bytes)?;
+        self.is_like(&saved).map(|()| saved)
+    }
+
+    /// May its state be that of another one?
+    ///
+    /// # Errors
+    /// [`Status::OtherMechanism`]
+    pub fn is_like(&self, other: &Self) -> Result<(), Trouble> {
+        if self.interface == other.interface { Ok(()) } else { Err(Status::OtherMechanism.into()) }
+    }
+
     /// The mechanism as it was declared.
     pub fn declared(&self) -> &M {
         &self.declared
+    }
+}
+
+/// Interface and mode, the object, inputs before the start, and what is between two events.
+impl<M: Exchanged> InWords for Instance<M> {
+    fn each(&mut self, words: &mut impl Words) {
+        self.interface.each(words);
+        self.mode.each(words);
+        self.object.each(words);
+        for input in &mut self.inputs {
+            words.perhaps(input, 0.0, Words::number);
+        }
+        words.number(&mut self.start_time);
+        words.flag(&mut self.is_stale);
+        words.perhaps(&mut self.instant, 0.0, Words::number);
+        self.left_over.each(words);
     }
 }
 

@@ -7,12 +7,16 @@
 pub mod border;
 mod description;
 mod instance;
+mod mode;
+mod names;
 mod sides;
+mod structure;
 mod tangent;
 mod variable;
 
 pub use description::{description, token};
 pub use instance::{Instance, Update};
+pub use mode::{Call, Interface, Mode};
 pub use variable::Variable;
 
 use core::fmt;

@@ -2,6 +2,7 @@
 
 use alloc::vec;
 
+use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Cause, Fault, System, Vector};
 
 use super::Exchanged;
@@ -70,6 +71,12 @@ impl<G: Vector<f64>> LeftOver<G> {
         let ahead = x.map2(&rate, |x, rate| x + near * rate);
         let soon = self.indicators(system, t + near, held, &ahead);
         now.map2(&soon, f64::min)
+    }
+}
+
+impl<G: Vector<f64>> InWords for LeftOver<G> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.vector(&mut self.0);
     }
 }
 

@@ -7,7 +7,7 @@ use plm_runtime::{Cause, Described, Dual, Fault, Linear, Moment, Ports, System, 
 use super::{Exchanged, Variable};
 use crate::{Status, Trouble};
 
-/// Derivatives of `unknowns` (rates and outputs) along `seeds` of `knowns` (states, inputs, parameters), exact but for rounding.
+/// Derivatives of `unknowns` (rates and outputs) along `seeds` of `knowns` (time, states, inputs, parameters), exact but for rounding.
 ///
 /// # Errors
 /// [`Status::NoSuch`] for other variables; a fault where the rate needs a solution by rank.
@@ -20,9 +20,11 @@ pub(super) fn along<M: Exchanged>(
     let (mut lifted, mut held) = state.mechanism().lift::<1>(&state.held());
     let mut x =
         <<Lifted<M> as System>::X as Vector<Dual<f64, 1>>>::from_fn(|i| Dual::constant(state.x().at(i)));
+    let mut time = Dual::constant(state.time());
     for (known, seed) in knowns {
         let moved = |number: Dual<f64, 1>| Dual { value: number.value, tangents: [*seed] };
         match *known {
+            Variable::Time => time = moved(time),
             Variable::State(i) => x.set(i, moved(x.at(i))),
             Variable::Input(i) => {
                 let input = <Lifted<M>>::input(<Lifted<M>>::inputs(&mut held), i).ok_or(Status::NoSuch)?;
@@ -35,7 +37,7 @@ pub(super) fn along<M: Exchanged>(
             _ => return Err(Status::NoSuch.into()),
         }
     }
-    let (time, mut rate) = (Dual::constant(state.time()), x);
+    let mut rate = x;
     let health = lifted.rate(time, &held, &x, &mut rate);
     if !health.is_good() {
         let rows = <M as System>::X::LEN;

@@ -15,6 +15,7 @@ mod numeric;
 mod oracle;
 mod outline;
 mod picture;
+mod reads;
 mod report;
 mod resolve;
 pub mod span;

@@ -6,7 +6,7 @@
 
 mod tables;
 
-pub use tables::{Body, Frame, GroundPort, Part, Quantity, Report, Tables};
+pub use tables::{Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables};
 
 use crate::body::BodyState;
 use crate::mechanism::{Mechanism, Moment};

@@ -25,6 +25,33 @@ pub struct Tables {
     pub states: &'static [Quantity],
     /// The declared outputs, a vector as two; in these units [`Ports::outputs`](crate::Ports::outputs) gives them.
     pub outputs: &'static [Quantity],
+    /// What each of these outputs reads at a moment, then the rate of each first-order state; `None` where accelerations or
+    /// reactions are read, which may depend on all.
+    pub reads: &'static [Option<Reads>],
+}
+
+/// What a quantity reads at a moment, beside parameters; what is not among it has no influence on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reads {
+    /// What it reads of bodies.
+    pub motion: Motion,
+    /// Does it read the time, by itself or by a motion that is prescribed?
+    pub time: bool,
+    /// First-order states, by number.
+    pub states: &'static [usize],
+    /// Inputs, by number.
+    pub inputs: &'static [usize],
+}
+
+/// What is read of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Motion {
+    /// Nothing.
+    Nothing,
+    /// Poses, which all coordinates may give.
+    Poses,
+    /// Velocities, which all coordinates and their rates may give.
+    Velocities,
 }
 
 /// The formulation that was taken, why, and what it costs.

@@ -14,6 +14,7 @@ mod looks;
 mod past;
 mod root;
 mod search;
+mod words;
 
 use self::calm::Calm;
 use self::kinks::Kinks;

@@ -5,6 +5,7 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
+use crate::words::{InWords, Words};
 
 /// Rate at the current state, kept from the last step or evaluated.
 pub(super) fn rate_here<M: System<S: Real>>(
@@ -62,6 +63,13 @@ pub(super) struct Steady<S> {
     last: (S, S),
     /// Its estimate was not believed.
     doubted: bool,
+}
+
+impl InWords for Steady<f64> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.numbers([&mut self.last.0, &mut self.last.1]);
+        words.flag(&mut self.doubted);
+    }
 }
 
 impl<S: Real> Steady<S> {

@@ -12,6 +12,8 @@ pub(super) trait Observer<M: Mechanism> {
     const SEES: bool = true;
     /// Does it see what switches? Who does not pays nothing for it.
     const SWITCHES: bool = false;
+    /// May it end the run, by putting `course.end` at the time of a step that it sees?
+    const ENDS: bool = false;
 
     /// A step was accepted; what was held over it is held still.
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
@@ -116,25 +118,46 @@ pub enum Seen<'a, T> {
     Switched(&'a T),
 }
 
-/// Shows samples, steps and switches.
-pub(super) struct Watcher<M: Mechanism, F> {
-    pub(super) samples: Samples<M>,
-    pub(super) see: F,
+/// Asked with the time after each step whether to go on.
+pub(super) struct Asked<F>(pub(super) F);
+
+impl<M: Mechanism, F: FnMut(M::S) -> bool> Observer<M> for Asked<F> {
+    const ENDS: bool = true;
+
+    fn see<I: Method<M>>(&mut self, _method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        if !(self.0)(course.time) {
+            course.end = course.time;
+        }
+        Ok(())
+    }
 }
 
-impl<M: Mechanism, F: FnMut(Seen<'_, M::State>)> Observer<M> for Watcher<M, F> {
+/// Shows samples, steps and switches, and is asked as well.
+pub(super) struct Watcher<M: Mechanism, F, G> {
+    pub(super) samples: Samples<M>,
+    pub(super) see: F,
+    pub(super) asked: Asked<G>,
+}
+
+impl<M, F, G> Observer<M> for Watcher<M, F, G>
+where
+    M: Mechanism,
+    F: FnMut(Seen<'_, M::State>),
+    G: FnMut(M::S) -> bool,
+{
     const SWITCHES: bool = true;
+    const ENDS: bool = true;
 
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let Self { samples, see } = self;
+        let Self { samples, see, asked } = self;
         samples.give(method, course, |state| see(Seen::Sample(state)))?;
         sample_at(method, course, course.time, &mut samples.moment)?;
         see(Seen::Step(&samples.moment));
-        Ok(())
+        asked.see(method, course)
     }
 
     fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: What) {
-        let Self { samples: Samples { moment, .. }, see } = self;
+        let Self { samples: Samples { moment, .. }, see, .. } = self;
         moment.set(course.time, before, &course.x);
         match what {
             What::Condition(index) => see(Seen::Condition(index, moment)),

@@ -40,6 +40,7 @@ impl Module<'_> {
             files: self.files,
             plm: self.plm,
             features: &[],
+            bare: None,
         };
         package.build(folder.as_ref())
     }

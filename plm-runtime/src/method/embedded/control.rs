@@ -2,6 +2,7 @@
 
 use super::pair::Limits;
 use crate::scalar::Real;
+use crate::words::{InWords, Words};
 
 /// Proportional-integral control of the step size (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II,
 /// IV.2, eq. (2.43c)).
@@ -38,6 +39,13 @@ impl<S: Real> Control<S> {
         self.rejected = true;
         // `max` gives its argument for NaN.
         (S::lit(limits.safety) / power(error, limits.exponent)).max(S::lit(limits.shrink))
+    }
+}
+
+impl InWords for Control<f64> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.number(&mut self.last_error);
+        words.flag(&mut self.rejected);
     }
 }
 

@@ -4,6 +4,7 @@ mod control;
 mod dense;
 mod pair;
 mod start;
+mod words;
 
 pub use self::pair::{Limits, Pair};
 

@@ -8,6 +8,7 @@ use quote::quote;
 use super::super::{Emission, docs, quoted};
 use crate::model::{Instance, Name, Pair};
 use crate::numeric::value;
+use crate::reads::{Reads, reads};
 use crate::tables::{Figures, declared_values, exponents};
 use crate::units::DisplayUnit;
 
@@ -33,6 +34,7 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
     let (bodies, ground) = (bodies(emission, figures), ground(emission, figures));
     let parts = model.instances.iter().zip(&figures.parts).map(|(instance, first)| part(instance, *first));
     let (parts, outputs) = (emission.lines(parts), emission.lines(outputs(emission)));
+    let reads = emission.lines(reads(model).iter().map(|row| reads_row(row.as_ref())));
     let (rung, formulation, reason) =
         (Literal::u8_unsuffixed(report.taken.rung), &report.taken.formulation, &report.taken.reason);
     quote! {
@@ -53,6 +55,7 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
             inputs: &[#inputs],
             states: &[#states],
             outputs: &[#outputs],
+            reads: &[#reads],
         }
     }
 }
@@ -99,6 +102,14 @@ fn outputs(emission: &Emission) -> Vec<String> {
         })
     });
     rows.collect()
+}
+
+fn reads_row(reads: Option<&Reads>) -> String {
+    let Some(Reads { motion, time, states, inputs }) = reads else { return "None".to_owned() };
+    format!(
+        "Some(described::Reads {{ motion: described::Motion::{motion:?}, time: {time}, states: &{states:?}, \
+         inputs: &{inputs:?} }})"
+    )
 }
 
 fn quantity(name: &Name, docs: &[String], unit: &DisplayUnit, default: Option<f64>) -> String {

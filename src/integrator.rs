@@ -6,9 +6,10 @@ use std::str::FromStr;
 use std::vec::Vec;
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System};
+use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Rk4, SemiImplicitEuler, System};
 
-use super::arguments::{BadOption, nearest};
+use crate::any_sim::AnySim;
+use crate::mistake::{BadOption, nearest};
 
 /// A method of `docs/src/running/integrators.md`, with its relative tolerance or its longest step.
 ///
@@ -98,38 +99,39 @@ fn unknown(name: &str) -> BadOption {
     BadOption(format!("there is no method `{name}`; {hint} {}", names.join(", ")))
 }
 
-/// What is done with a run, whatever its method.
-pub(super) trait WithSim<M: Mechanism> {
-    type Output;
-
-    fn with<I: Method<M>>(self, sim: Sim<M, I>) -> Self::Output;
-}
-
 impl Integrator {
-    /// Assembles a mechanism and gives `then` its run by this method.
+    /// Has it a longest step, not a tolerance?
+    #[cfg(feature = "analysis")]
+    pub(crate) fn is_fixed(self) -> bool {
+        !matches!(self, Self::Dop853(_) | Self::Dopri5(_) | Self::RadauIia5(_))
+    }
+
+    /// Assembles a mechanism at a time, s, and gives its run by this method.
     ///
     /// # Errors
-    /// As [`Mechanism::start`].
-    pub(super) fn start<M, W>(self, mechanism: M, then: W) -> Result<W::Output, Fault>
+    /// As [`Mechanism::start_at`].
+    pub(crate) fn start_at<M>(self, mechanism: M, time: f64) -> Result<AnySim<M>, Fault>
     where
         M: Mechanism + Linear + System<S = f64>,
-        W: WithSim<M>,
     {
         Ok(match self {
-            Self::Dop853(rtol) => then.with(mechanism.start_with(Dop853::new(rtol))?),
-            Self::Dopri5(rtol) => then.with(mechanism.start_with(Dopri5::new(rtol))?),
-            Self::RadauIia5(rtol) => then.with(mechanism.start_with(RadauIia5::new(rtol))?),
-            Self::Rk4(h) => then.with(mechanism.start_with(Rk4::new(h))?),
-            Self::SemiImplicitEuler(h) => then.with(mechanism.start_with(SemiImplicitEuler::new(h))?),
-            Self::Gauss2(h) => then.with(mechanism.start_with(Gauss::<M, 2>::new(h))?),
-            Self::Gauss3(h) => then.with(mechanism.start_with(Gauss::<M, 3>::new(h))?),
-            Self::Ros34Pw2(h) => then.with(mechanism.start_with(Ros34Pw2::new(h))?),
+            Self::Dop853(rtol) => AnySim::Dop853(mechanism.start_at(time, Dop853::new(rtol))?),
+            Self::Dopri5(rtol) => AnySim::Dopri5(mechanism.start_at(time, Dopri5::new(rtol))?),
+            Self::RadauIia5(rtol) => AnySim::RadauIia5(mechanism.start_at(time, RadauIia5::new(rtol))?),
+            Self::Rk4(h) => AnySim::Rk4(mechanism.start_at(time, Rk4::new(h))?),
+            Self::SemiImplicitEuler(h) => {
+                AnySim::SemiImplicitEuler(mechanism.start_at(time, SemiImplicitEuler::new(h))?)
+            }
+            Self::Gauss2(h) => AnySim::Gauss2(mechanism.start_at(time, Gauss::new(h))?),
+            Self::Gauss3(h) => AnySim::Gauss3(mechanism.start_at(time, Gauss::new(h))?),
+            Self::Ros34Pw2(h) => AnySim::Ros34Pw2(mechanism.start_at(time, Ros34Pw2::new(h))?),
         })
     }
 }
 
 /// The names for help.
-pub(super) const METHODS: &str =
+#[cfg(any(feature = "view", test))]
+pub(crate) const METHODS: &str =
     "Dop853[:TOLERANCE], Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
 
 #[cfg(test)]

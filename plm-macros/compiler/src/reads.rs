@@ -1,0 +1,66 @@
+//! What outputs and rates of first-order states read at a moment, for whoever couples mechanisms: what is not among it has no
+//! influence on them.
+
+use plm_cas::{Expr, algebra};
+
+use crate::model::Model;
+
+/// What a quantity reads, beside parameters.
+pub(crate) struct Reads {
+    pub(crate) motion: Motion,
+    pub(crate) time: bool,
+    /// First-order states, by number.
+    pub(crate) states: Vec<usize>,
+    /// Inputs, by number.
+    pub(crate) inputs: Vec<usize>,
+}
+
+/// What is read of bodies; called as in the runtime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Motion {
+    Nothing,
+    Poses,
+    Velocities,
+}
+
+/// What each component of the declared outputs reads, then the rate of each first-order state; `None` where an acceleration, a
+/// reaction or an unknown of another kind is read, which may depend on all.
+pub(crate) fn reads(model: &Model) -> Vec<Option<Reads>> {
+    let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let prescribed = algebra::symbols(&phi).contains(&model.time);
+    let declared = model.outputs.iter().filter(|output| output.declared);
+    let outputs = declared.flat_map(|output| output.components.iter().copied());
+    let rates = model.states.iter().map(|state| state.rate);
+    outputs.chain(rates).map(|value| of(model, value, prescribed)).collect()
+}
+
+/// What an expression reads; poses read the time where it is prescribed how something moves.
+fn of(model: &Model, value: Expr, prescribed: bool) -> Option<Reads> {
+    let mut reads = Reads { motion: Motion::Nothing, time: false, states: Vec::new(), inputs: Vec::new() };
+    for symbol in algebra::symbols(&[value]) {
+        if symbol == model.time {
+            reads.time = true;
+        } else if let Some(input) = model.inputs.iter().position(|input| input.symbol == symbol) {
+            reads.inputs.push(input);
+        } else if let Some(state) = model.states.iter().position(|state| state.symbol == symbol) {
+            reads.states.push(state);
+        } else if model.bodies.iter().any(|body| body.v.contains(&symbol)) {
+            reads.motion = Motion::Velocities;
+        } else if model.bodies.iter().any(|body| body.q.contains(&symbol)) {
+            reads.motion = reads.motion.max(Motion::Poses);
+        } else if !is_constant(model, symbol) {
+            return None;
+        }
+    }
+    reads.time |= prescribed && reads.motion > Motion::Nothing;
+    reads.states.sort_unstable();
+    reads.inputs.sort_unstable();
+    Some(reads)
+}
+
+/// Does a symbol stay as it is between two events?
+fn is_constant(model: &Model, symbol: Expr) -> bool {
+    model.params.iter().any(|param| param.symbol == symbol)
+        || model.switches.iter().any(|side| side.symbol == symbol)
+        || model.turns.iter().any(|counted| counted.symbol == symbol)
+}

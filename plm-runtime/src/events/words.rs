@@ -1,0 +1,21 @@
+//! What is known of guards as words.
+
+use super::Watch;
+use crate::vector::Vector;
+use crate::words::{InWords, Words};
+
+/// Not what came and went within the last step, which methods without dense output alone have; nor where guards need no look,
+/// which is found again and changes no number.
+impl<G: Vector<f64>> InWords for Watch<f64, G> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.flag(&mut self.known);
+        words.vector(&mut self.left_over);
+        words.flag(&mut self.is_new);
+        words.number(&mut self.since);
+        let mut count = u64::from(self.count);
+        words.word(&mut count);
+        self.count = count as u32;
+        self.calm.forget();
+        self.is_calm = false;
+    }
+}

@@ -1,0 +1,43 @@
+//! A simulation as words.
+
+use super::Sim;
+use crate::described::Described;
+use crate::mechanism::Moment;
+use crate::method::Method;
+use crate::ports::Ports;
+use crate::statics::Statics;
+use crate::system::System;
+use crate::words::{InWords, Words, mechanism};
+
+/// Shows everything that decides how a run goes on, in this order: parameters and start values; inputs; what is held; time and
+/// state; the method; conditions; limits; the clock. What was counted ([`stats`](Sim::stats)) and the last step, for states
+/// within it, are not shown.
+impl<M, I> InWords for Sim<M, I>
+where
+    M: Described<S = f64> + Statics + System<U: InWords>,
+    I: Method<M> + InWords,
+{
+    fn each(&mut self, words: &mut impl Words) {
+        self.state = {
+            let (state, mut held) = (&self.state, self.state.held());
+            let (mut own, mut time, mut x) = (*state.mechanism(), state.time(), *state.x());
+            mechanism(&mut own, words);
+            for index in 0..<M as Ports>::INPUTS.len() {
+                if let Some(input) = M::input(M::inputs(&mut held), index) {
+                    words.number(input);
+                }
+            }
+            held.each(words);
+            words.number(&mut time);
+            words.vector(&mut x);
+            M::State::new(own, held, time, x)
+        };
+        self.method.each(words);
+        self.watch.each(words);
+        words.perhaps(&mut self.limits.energy_jump, 0.0, Words::number);
+        words.flag(&mut self.limits.change_points);
+        words.numbers([&mut self.clock.time, &mut self.clock.rest, &mut self.longest_step]);
+        words.numbers([&mut self.start_time, &mut self.latest]);
+        words.word(&mut self.parameters);
+    }
+}

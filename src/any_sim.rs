@@ -1,0 +1,53 @@
+//! A run whose method is known when the program runs.
+
+use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
+use plm_runtime::{Dop853, Dopri5, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System};
+
+/// A run by one of the methods of [`Integrator`](crate::integrator::Integrator), which starts it.
+#[derive(Clone, Copy)]
+pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
+    Dop853(Sim<M, Dop853<M>>),
+    Dopri5(Sim<M, Dopri5<M>>),
+    RadauIia5(Sim<M, RadauIia5<M>>),
+    Rk4(Sim<M, Rk4<f64>>),
+    SemiImplicitEuler(Sim<M, SemiImplicitEuler<f64>>),
+    Gauss2(Sim<M, Gauss<M, 2>>),
+    Gauss3(Sim<M, Gauss<M, 3>>),
+    Ros34Pw2(Sim<M, Ros34Pw2<f64>>),
+}
+
+/// What is done with a run, whatever its method.
+pub(crate) trait OnSim<M: Mechanism> {
+    type Output;
+
+    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output;
+}
+
+/// The same of whichever it is.
+macro_rules! each {
+    ($any:expr, $sim:ident => $value:expr) => {
+        match $any {
+            Self::Dop853($sim) => $value,
+            Self::Dopri5($sim) => $value,
+            Self::RadauIia5($sim) => $value,
+            Self::Rk4($sim) => $value,
+            Self::SemiImplicitEuler($sim) => $value,
+            Self::Gauss2($sim) => $value,
+            Self::Gauss3($sim) => $value,
+            Self::Ros34Pw2($sim) => $value,
+        }
+    };
+}
+
+impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
+    /// Does something with it.
+    pub(crate) fn then<W: OnSim<M>>(&mut self, work: W) -> W::Output {
+        each!(self, sim => work.on(sim))
+    }
+
+    /// The mechanism at the current moment.
+    #[cfg(feature = "analysis")]
+    pub(crate) fn state(&self) -> &M::State {
+        each!(self, sim => sim.state())
+    }
+}

@@ -1,0 +1,105 @@
+//! A wheel of a mechanism for Python: what of it is text; cargo and maturin do the rest.
+
+mod python;
+
+use std::boxed::Box;
+use std::error::Error;
+use std::format;
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use plm_foreign::{Foreign, Names};
+use plm_view::package::{Output, Package, renew};
+
+use python::is_keyword;
+
+/// What all mechanisms have in common, in Python.
+const MECHANISM: &str = include_str!("mechanism.py");
+/// What they give and tell.
+const VALUES: &str = include_str!("values.py");
+/// The way from there to Rust, for a mechanism called `NAME` in the package `PREFIX`.
+const NATIVE: &str = include_str!("native.rs.txt");
+
+/// Writes a wheel of a mechanism, for Python 3.9 and later on machines such as this one, into a folder; gives the file.
+///
+/// maturin builds it in `target/plm/packages`. It has the mechanism as declared: what was set in this one is not in it. Its
+/// version is that of the package that cargo runs.
+///
+/// # Errors
+/// maturin or cargo is not there or fails, with what it says; a file cannot be written.
+pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let name = package_name(M::TABLES.name);
+    let file = |file: &str, text: String| (format!("python/{name}/{file}"), text);
+    let texts = [
+        ("pyproject.toml".to_string(), project(&name, M::TABLES.docs)),
+        file("__init__.py", python::source(mechanism)),
+        file("__init__.pyi", python::stub(mechanism)),
+        file("_mechanism.py", MECHANISM.to_string()),
+        file("_values.py", VALUES.to_string()),
+        file("py.typed", String::new()),
+    ];
+    let source = native::<M>(&name);
+    let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
+    let features = &["analysis", "foreign"];
+    let package = Package {
+        name: &name,
+        output: Output::Extension,
+        source: &source,
+        files: M::FILES,
+        plm,
+        features,
+        bare: None,
+    };
+    let (wheel, bytes) =
+        package.wheel(&Path::new("target/plm/packages").join(format!("{name}-python")), &texts)?;
+    let path = folder.join(wheel);
+    renew(&path, &bytes)?;
+    Ok(std::vec![path])
+}
+
+/// Modules that Python has or this one needs (`sys.stdlib_module_names` of 3.10 to 3.13).
+const TAKEN: &str = include_str!("taken.txt");
+
+/// `double_pendulum`; `platform_mechanism` where Python would not import it.
+fn package_name(name: &str) -> String {
+    let lower = Names::lower(name).to_string();
+    let is_taken = is_keyword(&lower) || TAKEN.split_whitespace().any(|taken| taken == lower);
+    if is_taken { format!("{lower}_mechanism") } else { lower }
+}
+
+/// What maturin and pip read.
+fn project(name: &str, docs: &str) -> String {
+    let about: String = docs.lines().next().unwrap_or_default().trim().replace(['"', '\\'], "'");
+    format!(
+        "[build-system]\nrequires = [\"maturin>=1.9.4,<2\"]\nbuild-backend = \"maturin\"\n\n\
+         [project]\nname = \"{name}\"\ndescription = \"{about}\"\nrequires-python = \">=3.9\"\n\
+         dependencies = [\"numpy>=1.21\"]\ndynamic = [\"version\"]\n\n\
+         [tool.maturin]\npython-source = \"python\"\nmodule-name = \"{name}._native\"\n"
+    )
+}
+
+/// The mechanism and its functions, in Rust. A parameter without default has no value until Python gives one.
+fn native<M: Foreign>(package: &str) -> String {
+    let without = M::TABLES.parameters.iter().filter(|parameter| parameter.default.is_none());
+    let required: Vec<&str> = without.map(|_| "f64::NAN").collect();
+    let text = NATIVE.replace("PREFIX", package).replace("REQUIRED", &required.join(", "));
+    format!("plm::mechanism! {{\n{}\n}}\n{}", M::DECLARATION, text.replace("NAME", M::TABLES.name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::package_name;
+
+    #[test]
+    fn packages_can_be_imported() {
+        for (name, package) in [
+            ("DoublePendulum", "double_pendulum"),
+            ("Lambda", "lambda_mechanism"),
+            ("Platform", "platform_mechanism"),
+            ("Platforms", "platforms"),
+        ] {
+            assert_eq!(package_name(name), package);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# An FMU by FMPy: validated, run in both modes, compared with Rust (tests/fmu/check.py says what it looks at). Makes a virtual
+# environment of Python in target/tools and installs FMPy there, half a minute once. Where the tests are built as CI builds them, all the
+# rest takes half a minute. What is missing is said, and not checked.
+#
+#   bash tests/fmu.sh               # a hundred thousand steps for the memory
+#   bash tests/fmu.sh 1000000       # a million
+#   bash tests/fmu.sh --second      # by another importer, fmi-sim, which takes some minutes to build once
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=$(mkdir -p "${CARGO_TARGET_DIR:-target}" && cd "${CARGO_TARGET_DIR:-target}" && pwd)
+tools=$target/tools/fmpy
+version=0.3.32
+started=$SECONDS
+if ! "$tools/bin/python" -c "import fmpy; assert fmpy.__version__ == '$version'" 2>/dev/null; then
+    if ! python3 -m venv "$tools" || ! "$tools/bin/pip" install --quiet --disable-pip-version-check "fmpy==$version"; then
+        printf 'NOT CHECKED: FMPy cannot be had on this machine (python3 with venv and pip)\n'
+        exit 0
+    fi
+fi
+
+# fmi-sim binds the standard's headers by libclang, which Python's registry has.
+second() {
+    local sim=0.7.0 own=$target/tools/fmi-sim libclang
+    if [ "$("$own/bin/fmi-sim" --version 2>/dev/null)" != "fmi-sim $sim" ]; then
+        "$tools/bin/pip" install --quiet --disable-pip-version-check libclang
+        libclang=$(find "$tools" -name 'libclang*.so*' -print -quit)
+        LIBCLANG_PATH=${libclang%/*} BINDGEN_EXTRA_CLANG_ARGS="-I$(gcc -print-file-name=include)" \
+            cargo install fmi-sim --version "$sim" --locked --debug --root "$own" --target-dir "$own/build"
+    fi
+    env -u PLM_PYTHON cargo test --workspace --features analysis,batch,lanes --test foreign -- an_fmu
+    "$tools/bin/python" tests/fmu/second.py "$own/bin/fmi-sim" "$target/tmp/fmu/press.fmu" "$target/tmp/fmu/press.csv"
+}
+if [ "${1:-}" = --second ]; then
+    second
+    exit
+fi
+
+export PLM_PYTHON=$tools/bin/python PLM_FMU_STEPS=${1:-100000}
+for test in an_fmu two_fmus; do
+    cargo test --workspace --features analysis,batch,lanes --test foreign -- "$test" --nocapture
+done
+printf 'the FMU is as FMI wants it; %d s\n' $((SECONDS - started))

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# A wheel of a mechanism in an environment of Python that is made here: what is missing is said, and not checked.
+#
+#   bash tests/python.sh            # tests/python.rs; half a minute where plm is built, four from nothing
+#   bash tests/python.sh --book     # the page of the book as its reader follows it, from an empty folder; makes its picture
+#   PYTHON=python3.9 bash tests/python.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export CARGO_TERM_COLOR=never
+
+plm=$PWD
+target=$(mkdir -p "${CARGO_TARGET_DIR:-target}" && cd "${CARGO_TARGET_DIR:-target}" && pwd)
+environment=$target/python
+packages=(maturin numpy mypy)
+if [ "${1:-}" = --book ]; then packages+=(matplotlib); fi
+if ! "${PYTHON:-python3}" -m venv --clear "$environment" ||
+    ! "$environment/bin/pip" install --quiet --disable-pip-version-check "${packages[@]}"; then
+    printf 'NOT CHECKED: Python with %s cannot be had on this machine\n' "${packages[*]}"
+    exit
+fi
+export PATH="$environment/bin:$PATH" PLM_PYTHON="$environment/bin/python"
+
+# The block of the page that begins with this fence.
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" docs/src/running/python.md | sed '1d;$d'; }
+
+book() {
+    local folder
+    folder=$(mktemp -d)
+    trap 'rm -rf "$folder"' RETURN
+    cargo new --quiet --name pendulum "$folder/pendulum"
+    block rust,no_run >"$folder/pendulum/src/main.rs"
+    cp docs/src/running/python/notebook.py "$folder/pendulum"
+    cd "$folder/pendulum"
+    cargo add --quiet plm-planar --path "$plm" --rename plm --features view
+    CARGO_TARGET_DIR=$folder/target cargo run --quiet -- --python wheels
+    pip install --quiet --disable-pip-version-check wheels/pendulum-*.whl
+    # Letters stay letters, and no day stands in the picture.
+    printf 'svg.fonttype: none\nsvg.hashsalt: plm\nfont.family: sans-serif\n' >matplotlibrc
+    SOURCE_DATE_EPOCH=0 MPLBACKEND=svg python notebook.py | tee said.txt
+    cp pendulum.svg "$plm/docs/src/images/python.svg"
+    cd "$plm"
+    if ! block text | cmp - "$folder/pendulum/said.txt"; then
+        printf 'the page says otherwise\n'
+        return 1
+    fi
+}
+
+if [ "${1:-}" = --book ]; then
+    book
+else
+    cargo test --features analysis,batch,lanes --test python -- --nocapture
+fi
