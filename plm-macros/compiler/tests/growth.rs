@@ -111,3 +111,35 @@ fn rows_that_all_meet_each_other_are_refused() {
     };
     assert_eq!(compiled(&all(25)), Err(vec!["E0413"]));
 }
+
+fn scissor_lift(stages: usize) -> String {
+    let ports = "port lo: (-0.25, 0) m; port mid: (0, 0) m; port hi: (0.25, 0) m;";
+    let at = "start x: 0.19 m; start y: (i + 0.5)*0.32 m;";
+    format!(
+        "pub Lift {{
+            gravity: 9.81 m/s^2; ground {{ port o: (0, 0) m; }}
+            repeat i in 0..{stages} {{
+                body l[i] {{ mass: 1 kg; inertia: 0.02 kg*m^2; {ports} start angle: 40 deg; {at} }}
+                body r[i] {{ mass: 1 kg; inertia: 0.02 kg*m^2; {ports} start angle: 140 deg; {at} }}
+                revolute cross[i](l[i].mid, r[i].mid);
+            }}
+            repeat i in 1..{stages} {{ revolute left[i](r[i - 1].hi, l[i].lo); revolute right[i](l[i - 1].hi, r[i].lo); }}
+            revolute foot(ground.o, l[0].lo); pin_slot slide(ground.o, r[0].lo);
+        }}"
+    )
+}
+
+/// Operations of a right-hand side, as the report counts them.
+fn operations(text: &str) -> usize {
+    let mut sources = Sources::new();
+    sources.add_text("declaration", text);
+    let report = compile(&mut sources).report.unwrap().to_string();
+    let line = report.lines().find_map(|line| line.trim().strip_prefix("One right-hand side: ")).unwrap();
+    line.split(|c: char| !c.is_ascii_digit()).filter_map(|number| number.parse::<usize>().ok()).sum()
+}
+
+#[test]
+fn operations_grow_linearly_where_loops_hang_on_loops() {
+    let [some, more, most] = [8, 16, 24].map(|stages| operations(&scissor_lift(stages)));
+    assert_eq!(most - more, more - some, "{some}, {more}, {most}");
+}

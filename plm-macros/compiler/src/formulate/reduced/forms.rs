@@ -55,8 +55,8 @@ fn difference_at(mut layout: Layout, motion: &Motion, scheme: &Scheme, states: u
         for &symbol in motion.value.iter().chain(&motion.rate) {
             values.push((symbol, 2.0 * random.unit()));
         }
-        let [dense, articulated] = [&forms[0], &forms[1]].map(|(_, form)| {
-            let roots: Vec<Expr> = form.results.iter().map(|&(_, value)| value).collect();
+        let [dense, articulated] = [&forms[0], &forms[1]].map(|form| {
+            let roots: Vec<Expr> = form.rate.results.iter().map(|&(_, value)| value).collect();
             algebra::tape(&roots).eval(&values).unwrap()
         });
         let size = dense.iter().fold(0.0_f64, |size, a| size.max(a.abs()));

@@ -113,17 +113,15 @@ impl Dense {
 
 /// The equations of the coordinates alone: `K^T M K` and `K^T Q - (M K)^T b`.
 pub(crate) fn along_independent(dense: &Dense, motion: &Motion) -> Dense {
-    let (n, independent) = (dense.force.len(), motion.independent.len());
-    let gains =
-        |coordinate: usize| (0..n).map(|unknown| motion.gain[unknown][coordinate]).collect::<Vec<Expr>>();
+    let independent = motion.independent.len();
     let (mut mass, mut force, mut turning) = (BTreeMap::new(), Vec::new(), Vec::new());
     for j in 0..independent {
-        let column = gains(j);
+        let column = motion.gains(j);
         let moved = times(dense, &column).into_iter().enumerate();
         let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
         let moved: Vec<Expr> = moved.collect();
         for i in j..independent {
-            let entry = dot(&gains(i), &moved);
+            let entry = dot(&motion.gains(i), &moved);
             if i == j || !entry.is_zero() {
                 mass.insert((i, j), entry);
             }
@@ -159,6 +157,12 @@ fn against_gravity(model: &Model) -> Term {
         _ => (Expr::ONE, against),
     };
     Term { class: 0, factor, vector }
+}
+
+/// Over how many pairs of unknowns the sums go, body by body.
+pub(crate) fn pairs(motion: &Motion) -> usize {
+    let moved_by = motion.coordinates.centres.iter().map(|place| partial_velocities(motion, place).len());
+    moved_by.map(|count| count * (count + 1) / 2).sum()
 }
 
 /// `dp/dy_i` of a place, for every coordinate that moves it, ascending.

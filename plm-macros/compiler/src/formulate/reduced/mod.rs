@@ -1,6 +1,7 @@
 //! Rungs 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
+mod bodies;
 mod charts;
 mod dense;
 #[cfg(test)]
@@ -37,6 +38,10 @@ use crate::model::Model;
 /// Coordinates up to which the dense mass matrix is set up. Of a tree with more, elimination body by body is cheaper by
 /// far; with loops, that in absolute coordinates.
 const MOST_DENSE: usize = 12;
+/// Sums over pairs of unknowns are the least work where a body has fewer on the average, ...
+const FEW_PAIRS: usize = 4;
+/// ... and partial velocities where it has more; between them both are tried.
+const MANY_PAIRS: usize = 12;
 
 /// Everything that a rung above 5 computes.
 #[derive(Debug)]
@@ -128,6 +133,14 @@ pub(crate) struct Chart {
     pub(crate) closing: Vec<String>,
 }
 
+/// A way to the accelerations.
+struct Form {
+    method: &'static str,
+    /// The equations of the coordinates, if it sets them up.
+    dense: Option<Dense>,
+    rate: Function,
+}
+
 /// Lays out rung 1, 2 or 3.
 ///
 /// # Errors
@@ -212,7 +225,10 @@ impl Layout<'_> {
         let Layout { model, coordinates, equations, .. } = *self;
         let motion = kinematics(model, coordinates, scheme, self.memory, self.length);
         let loops = scheme.loops().next().is_some();
-        let (method, rate) = self.rate(&motion, scheme);
+        let mut forms = self.forms(&motion, scheme);
+        forms.sort_by_cached_key(|form| form.rate.tape().count().total());
+        let dense = forms.iter_mut().find_map(|form| form.dense.take());
+        let Form { method, rate, .. } = forms.swap_remove(0);
         let tree = scheme.groups.is_empty();
         let large = tree.then(|| augmented(model, equations, &motion)).flatten();
         let names: Vec<String> =
@@ -241,9 +257,9 @@ impl Layout<'_> {
             .optimise();
         let linearised = match large {
             Some(augmented) => Linearised::wanted(model, augmented, true),
-            None => self.linearised(&motion, &rate, loops),
+            None => dense.as_ref().and_then(|dense| self.linearised(&motion, (dense, &rate), loops)),
         };
-        let jacobian = loops.then(|| self.by_state(&motion, &rate)).flatten();
+        let jacobian = dense.filter(|_| loops).and_then(|dense| self.by_state(&motion, &dense, &rate));
         Chart {
             parts: parts.collect(),
             names,
@@ -267,55 +283,68 @@ impl Layout<'_> {
         }
     }
 
-    /// The right-hand side: of its forms, the one with the fewest operations.
-    fn rate(&mut self, motion: &Motion, scheme: &Scheme) -> (&'static str, Function) {
-        let forms = self.forms(motion, scheme).into_iter();
-        forms.min_by_key(|(_, form)| form.tape().count().total()).unwrap_or_default()
-    }
-
     /// The linearised equations of a mechanism whose mass matrix is set up. Where loops may come to a singular pose, implicit
     /// methods take the full matrix: it can be had by rank.
-    fn linearised(&self, motion: &Motion, rate: &Function, loops: bool) -> Option<Linearised> {
+    fn linearised(
+        &self,
+        motion: &Motion,
+        (dense, rate): (&Dense, &Function),
+        loops: bool,
+    ) -> Option<Linearised> {
         if motion.independent.len() > MOST_DENSE || loops && !orders_step(self.model) {
             return None;
         }
-        let dense = self.dense(motion, &loads(self.model, motion));
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let found = linearised::laid_out(motion, &dense, &self.equations.x, &x_dot);
+        let found = linearised::laid_out(motion, dense, &self.equations.x, &x_dot);
         let sparse = !loops && found.is_cheaper(rate.tape().count().total());
         Linearised::wanted(self.model, found, sparse)
     }
 
-    /// df/dx, entry by entry, if dual numbers take more.
-    fn by_state(&self, motion: &Motion, rate: &Function) -> Option<Jacobian> {
-        let dense = self.dense(motion, &loads(self.model, motion));
+    /// df/dx, entry by entry, if dual numbers take more. Of two states they do not: a derivative of the rate by the pose takes about as
+    /// many operations as the rate.
+    fn by_state(&self, motion: &Motion, dense: &Dense, rate: &Function) -> Option<Jacobian> {
+        if 2 * motion.independent.len() + self.equations.x.len() <= 2 {
+            return None;
+        }
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let found = jacobian::jacobian(motion, &dense, &self.equations.x, &x_dot);
+        let found = jacobian::jacobian(motion, dense, &self.equations.x, &x_dot);
         found.is_cheaper(rate.tape().count().total()).then_some(found)
     }
 
-    /// `M a = Q` along the coordinates.
-    fn dense(&self, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
-        let dense = inertia::dense(self.model, motion, force);
+    /// The ways to `M a = Q` along the coordinates.
+    fn equations_along(&self, motion: &Motion, force: &[[Expr; 3]]) -> Vec<(&'static str, Dense)> {
+        let model = self.model;
+        let mut ways = Vec::new();
         let explicit = motion.independent.len() == motion.value.len();
-        if explicit { dense } else { inertia::along_independent(&dense, motion) }
+        let pairs = inertia::pairs(motion) / model.bodies.len().max(1);
+        if explicit || pairs < MANY_PAIRS {
+            let dense = inertia::dense(model, motion, force);
+            let along = if explicit { dense } else { inertia::along_independent(&dense, motion) };
+            ways.push(("a dense mass matrix", along));
+        }
+        if !explicit && pairs >= FEW_PAIRS {
+            ways.push(("partial velocities", bodies::dense(model, motion, force)));
+        }
+        ways
     }
 
-    /// The dense form of a mechanism, and elimination body by body of a tree.
-    fn forms(&mut self, motion: &Motion, scheme: &Scheme) -> Vec<(&'static str, Function)> {
+    /// The ways to the accelerations: from the equations along the coordinates, and elimination body by body of a tree.
+    fn forms(&mut self, motion: &Motion, scheme: &Scheme) -> Vec<Form> {
         let tree = scheme.groups.is_empty();
         let loops = scheme.loops().next().is_some();
         let Layout { model, .. } = *self;
         let force = loads(model, motion);
         let mut forms = Vec::new();
         if !tree || motion.independent.len() <= MOST_DENSE {
-            let dense = self.dense(motion, &force);
-            let solution = dense::accelerations(motion, &dense);
-            forms.push(("a dense mass matrix", self.right_hand_side(motion, solution, loops)));
+            for (method, dense) in self.equations_along(motion, &force) {
+                let rate = self.right_hand_side(motion, dense::accelerations(motion, &dense), loops);
+                forms.push(Form { method, dense: Some(dense), rate });
+            }
         }
         if tree {
             let solution = tree::articulated::accelerations(model, motion, &force);
-            forms.push(("elimination body by body", self.right_hand_side(motion, solution, loops)));
+            let rate = self.right_hand_side(motion, solution, loops);
+            forms.push(Form { method: "elimination body by body", dense: None, rate });
         }
         forms
     }

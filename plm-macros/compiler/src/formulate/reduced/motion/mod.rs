@@ -196,6 +196,21 @@ impl<'a> Motion<'a> {
         }
     }
 
+    /// Angular velocity of a class over the rate of a coordinate.
+    pub(crate) fn turning_by(&self, class: usize, coordinate: usize) -> Expr {
+        self.coordinates.angle_of_class[class].map_or(Expr::ZERO, |angle| self.gain[angle][coordinate])
+    }
+
+    /// Angular acceleration of a class while the second derivatives of the coordinates are zero; with a pace, over its square.
+    pub(crate) fn turning_bias(&self, class: usize) -> Expr {
+        self.coordinates.angle_of_class[class].map_or(Expr::ZERO, |angle| self.bias[angle])
+    }
+
+    /// A column of `K`.
+    pub(crate) fn gains(&self, coordinate: usize) -> Vec<Expr> {
+        self.gain.iter().map(|gains| gains[coordinate]).collect()
+    }
+
     /// Positions and velocities from the ground outwards, each from the one before.
     pub(crate) fn pose_bodies(&mut self, model: &Model) {
         let coordinates = self.coordinates;
@@ -217,30 +232,43 @@ impl<'a> Motion<'a> {
 
     /// Position and velocity of G of a body beyond a joint.
     fn beyond(&self, model: &Model, edge: &TreeEdge, joint: usize) -> (Vec2, Vec2) {
+        let mut position = edge.parent.map_or(Vec2::ZERO, |parent| self.position[parent]);
+        let mut velocity = edge.parent.map_or(Vec2::ZERO, |parent| self.velocity[parent]);
+        let way = self.way(model, edge, joint);
+        if let Some((slide, class, axis)) = way.slide {
+            velocity += self.turned(class, self.rate[slide] * axis);
+        }
+        for Arm { class, vector, at_rest } in way.arms {
+            position += vector;
+            // A port of the ground may move with the time.
+            if class == 0 {
+                velocity += at_rest.diff(model.time);
+            }
+            velocity += self.omega[class] * vector.left();
+        }
+        (position, velocity)
+    }
+
+    /// The way through a joint, from G of the body before it to G of the body beyond.
+    pub(crate) fn way(&self, model: &Model, edge: &TreeEdge, joint: usize) -> Way {
         let coordinates = self.coordinates;
         let joint = coordinates.joints[joint];
         let outward = joint.b.body == Some(edge.body);
         let signed = |vector: Vec2, positive: bool| if positive { vector } else { -vector };
-        let mut position = edge.parent.map_or(Vec2::ZERO, |parent| self.position[parent]);
-        let mut velocity = edge.parent.map_or(Vec2::ZERO, |parent| self.velocity[parent]);
         let (class, start) = coordinates.arm(model, joint.a);
-        let mut out = start;
-        if let Some(slide) = joint.slide {
+        let (mut out, mut slide) = (start, None);
+        if let Some(unknown) = joint.slide {
             let (_, axis) = coordinates.axis(model, joint.a);
-            out += self.value[slide] * axis;
-            velocity += signed(self.turned(class, self.rate[slide] * axis), outward);
+            out += self.value[unknown] * axis;
+            slide = Some((unknown, class, signed(axis, outward)));
         }
         let (other, back) = coordinates.arm(model, joint.b);
-        for (class, arm, fixed, positive) in [(class, out, start, outward), (other, back, back, !outward)] {
-            let arm = self.turned(class, arm);
-            position += signed(arm, positive);
-            // A port of the ground may move with the time.
-            if class == 0 {
-                velocity += signed(fixed.diff(model.time), positive);
-            }
-            velocity += signed(self.omega[class] * arm.left(), positive);
-        }
-        (position, velocity)
+        let arm = |class: usize, arm: Vec2, at_rest: Vec2, positive: bool| Arm {
+            class,
+            vector: signed(self.turned(class, arm), positive),
+            at_rest: signed(at_rest, positive),
+        };
+        Way { slide, arms: [arm(class, out, start, outward), arm(other, back, back, !outward)] }
     }
 
     pub(crate) fn substitute_headings(&mut self, model: &Model) {
@@ -266,6 +294,23 @@ impl<'a> Motion<'a> {
         let of_class = unknown.map_or(Expr::ZERO, |unknown| self.value[unknown]);
         of_class + heading.offset
     }
+}
+
+/// How one gets from a body to the next.
+pub(crate) struct Way {
+    /// The slide of the joint, the class with which its axis turns, and the axis in that class's axes.
+    pub(crate) slide: Option<(usize, usize, Vec2)>,
+    /// To the joint and on from it.
+    pub(crate) arms: [Arm; 2],
+}
+
+/// A vector that turns with a class.
+pub(crate) struct Arm {
+    pub(crate) class: usize,
+    /// In absolute axes.
+    pub(crate) vector: Vec2,
+    /// Without the slide, in the axes of the class.
+    pub(crate) at_rest: Vec2,
 }
 
 /// The coordinate as a function of the absolute pose: what a state on rung 5 becomes here.
