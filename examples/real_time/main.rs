@@ -42,9 +42,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let seconds = arguments.number("seconds")?.unwrap_or(5.0);
-    println!("{:>29} {:>44} {:>44}", "", "a step takes, µs", "and begins late by, µs");
-    let columns = format!("{:>9}{:>9}{:>9}{:>9}{:>9}", "mean", "median", "99 %", "99.9 %", "most");
-    println!("{:>20} {:>8}{columns}{columns} {:>8}", "", "rate, Hz", "missed");
+    println!("{:>18} {:>6} {:>26} {:>26}", "", "", "a step takes, us", "begins late by, us");
+    let columns = format!("{:>9}{:>9}{:>9}", "mean", "99 %", "most");
+    println!("{:>18} {:>6}{columns}{columns}{:>8}{:>18}", "", "Hz", "missed", "mean of a period");
     for rate in [1000, 10_000] {
         let period = 1.0 / f64::from(rate);
         report("four-bar, RK4", rate, &measured(rate, seconds, 2.0, || plants::four_bar(period))?);
@@ -56,10 +56,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn report(name: &str, rate: u32, beats: &[Beat]) {
     let period = 1.0 / f64::from(rate);
     let missed = beats.iter().filter(|beat| beat.late.as_secs_f64() >= period).count();
-    print!("{name:>20} {rate:>8}");
+    print!("{name:>18} {rate:>6}");
     let took = distribution(beats.iter().map(|beat| beat.took));
     for time in took.into_iter().chain(distribution(beats.iter().map(|beat| beat.late))) {
         print!("{time:>9.2}");
     }
-    println!(" {missed:>8}   a step is {:.2} % of the period", 100.0 * 1e-6 * took[0] / period);
+    println!("{missed:>8}{:>16.2} %", 100.0 * 1e-6 * took[0] / period);
 }
