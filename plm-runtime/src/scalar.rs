@@ -161,6 +161,11 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     /// The largest integer that is not above the number.
     #[must_use]
     fn floor(self) -> Self;
+    /// Is an angle one whose sine and cosine are computed without a branch? Asked in advance, none is compiled.
+    #[inline]
+    fn is_direct(self) -> bool {
+        true
+    }
 }
 
 /// `lanes` of N values in L >= N lanes; the last value fills up.
@@ -283,12 +288,13 @@ macro_rules! real {
             const INFINITY: Self = $real::INFINITY;
 
             #[inline]
+            fn is_direct(self) -> bool {
+                math::$real::is_direct(self)
+            }
+            #[inline]
             fn floor(self) -> Self {
-                let whole = self as i64 as $real;
-                // Beyond 2^53 every number is whole (and the conversion saturates beyond 2^63).
-                let small = $real::abs(self) < 9.0e15;
-                let below = if whole > self { whole - 1.0 } else { whole };
-                if small { below } else { self }
+                // Zero has one sign: numbers of two words, which are sums, keep none.
+                math::$real::floor(self) + 0.0
             }
         }
     };

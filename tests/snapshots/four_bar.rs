@@ -78,18 +78,34 @@ mod plm_four_bar_ {
             rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
         >;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: FourBar<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<
+                Input<S>,
+                [S; 0],
+                [i32; 3],
+                rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+            >,
             time: S,
             x: [S; 2],
-            switches: [S; 0],
-            turns: [i32; 3],
-            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -112,19 +128,19 @@ mod plm_four_bar_ {
             /// Pose and velocity of G of body `crank`: m, m, rad; m/s, m/s, rad/s.
             pub fn crank(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.held.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `coupler`: m, m, rad; m/s, m/s, rad/s.
             pub fn coupler(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.held.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `rocker`: m, m, rad; m/s, m/s, rad/s.
             pub fn rocker(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.turns[2])], [v[6], v[7], v[8]])
+                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.held.turns[2])], [v[6], v[7], v[8]])
             }
 
             /// Output `drive.force`, N.
@@ -548,13 +564,13 @@ mod plm_four_bar_ {
             /// Pose and velocity of every body.
             #[inline]
             fn pose_(&self) -> ([S; 9], [S; 9]) {
-                rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
+                rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[2], &[5], &[8]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8]]);
                 (q, v)
             }
         }
@@ -573,8 +589,7 @@ mod plm_four_bar_ {
             type M = FourBar<S>;
 
             fn new(mechanism: FourBar<S>, held: Held<S>, time: S, x: [S; 2]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &FourBar<S> {
@@ -582,8 +597,7 @@ mod plm_four_bar_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -596,11 +610,13 @@ mod plm_four_bar_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 2]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, FourBar<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -1067,10 +1083,10 @@ mod plm_four_bar_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 8]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 8]);
-                let (u, x) = (rt::Moment::held(self), self.absolute_());
-                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
+                let (u, x) = (&self.held, self.absolute_());
+                let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -1080,7 +1096,7 @@ mod plm_four_bar_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 8] {
-                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 8],
                 }
@@ -1409,7 +1425,7 @@ mod plm_four_bar_ {
             fn full(state: &State<S>) -> [S; 18] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5], &[8]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[2], &[5], &[8]]);
                     x
                 }
             }

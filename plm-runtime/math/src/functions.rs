@@ -14,6 +14,12 @@ macro_rules! functions {
                 sin_cos::sin_cos(x)
             }
 
+            /// Whether [`sin_cos`] takes no branch: where this is known, none is compiled.
+            #[inline]
+            pub fn is_direct(x: $float) -> bool {
+                sin_cos::is_direct(x)
+            }
+
             /// Sines and cosines of several angles, with the bits of [`sin_cos`]: one straight path for all of them,
             /// which compilers turn into vector instructions. Two, four or eight angles at a time fill them.
             #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]

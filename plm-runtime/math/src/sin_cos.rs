@@ -93,9 +93,15 @@ fn turn_by_table<F: Float>(quarters: usize, s: F, c: F) -> (F, F) {
     (circle[k], circle[k + 1])
 }
 
+/// Is an angle one of the direct path?
+#[inline]
+pub(crate) fn is_direct<F: Angle>(x: F) -> bool {
+    x.abs() <= F::BOUND
+}
+
 #[inline]
 pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
-    if x.abs() <= F::BOUND {
+    if is_direct(x) {
         let (sum, r) = quarter_turns(x);
         let (s, c) = kernel(r);
         turn_by_table(sum.rounded() as usize, s.value(), c.value())
@@ -108,7 +114,7 @@ pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
 #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
 #[inline(always)]
 pub(crate) fn sin_cos_lanes<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
-    let direct = x.iter().fold(true, |all, x| all & (x.abs() <= F::BOUND));
+    let direct = x.iter().fold(true, |all, x| all & is_direct(*x));
     if !direct {
         return sin_cos_each(x);
     }
@@ -116,10 +122,17 @@ pub(crate) fn sin_cos_lanes<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F;
     for lane in 0..N {
         let (sum, r) = quarter_turns(x[lane]);
         let (s, c) = kernel(r);
-        (sines[lane], cosines[lane]) = sum.turn(s.value(), c.value());
+        (sines[lane], cosines[lane]) = if VECTORS {
+            sum.turn(s.value(), c.value())
+        } else {
+            turn_by_table(sum.rounded() as usize, s.value(), c.value())
+        };
     }
     (sines, cosines)
 }
+
+/// Has the target vectors of floating-point numbers? Of 32-bit ARM none that follow IEEE 754 in all.
+const VECTORS: bool = !cfg!(target_arch = "arm");
 
 /// Lanes of which one at least leaves the direct path.
 #[cold]
@@ -160,7 +173,7 @@ fn reduce_large<F: Angle>(x: F) -> (usize, Pair<F>) {
 /// is relieved of the rounding error of r^2, its largest one.
 #[inline]
 pub(crate) fn parts<F: Angle>(x: F) -> (bool, Pair<F>, Pair<F>) {
-    let (quarters, r) = if x.abs() <= F::BOUND {
+    let (quarters, r) = if is_direct(x) {
         let (sum, r) = quarter_turns(x);
         (sum.rounded() as usize, r)
     } else {

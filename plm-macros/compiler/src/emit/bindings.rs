@@ -35,7 +35,7 @@ impl Emission<'_> {
         let Emission { model, equations, fields, .. } = self;
         let of_state = matches!(origin, Origin::State);
         let [mechanism, held, x, time] = if of_state {
-            ["self.mechanism", "self", "self.x", "self.time"]
+            ["self.mechanism", "self.held", "self.x", "self.time"]
         } else {
             ["self", "u", "x", "t"]
         };

@@ -12,7 +12,7 @@ use crate::formulate::Reduced;
 const SHORT: usize = 300;
 
 /// Is the rate copied into every stage?
-pub(super) fn is_short(emission: &Emission) -> bool {
+pub(in super::super) fn is_short(emission: &Emission) -> bool {
     emission.report.rate.total() <= SHORT
 }
 

@@ -67,7 +67,7 @@ fn poses(emission: &Emission) -> TokenStream {
         let triple = |array: &str, k: usize| [k, k + 1, k + 2].map(|k| format!("{array}[{k}]"));
         let ([x, y, mut angle], rates) = (triple(q, i), triple(v, j).join(", "));
         if let Some(count) = model.turns.iter().position(|counted| counted.bodies.contains(&k)) {
-            angle = format!("rt::turns::whole({angle}, self.turns[{count}])");
+            angle = format!("rt::turns::whole({angle}, self.held.turns[{count}])");
         }
         let body = format!("BodyState::of([{x}, {y}, {angle}], [{rates}])");
         let pose = arrays(&body, ["q", "v"], "self.pose_()");
