@@ -169,6 +169,32 @@ fn steps_that_leave_the_straight_line_have_the_bits_of_a_run() {
     assert!(charts.iter().all(|steps| *steps > 100), "{charts:?}");
 }
 
+/// An interval that is one step is made without ado; a run that is watched makes all steps one way.
+#[test]
+fn intervals_of_one_step_have_the_bits_and_the_counts_of_a_run() {
+    macro_rules! same {
+        ($mechanism:expr, $h:expr, $count:literal) => {
+            let mut alone = $mechanism.start_with(Rk4::new($h)).unwrap();
+            let mut watched = $mechanism.start_with(Rk4::new($h)).unwrap();
+            let made = (1..=$count).try_for_each(|k| alone.step_to(f64::from(k) * $h));
+            let seen = Sim::watch(&mut watched, f64::from($count) * $h, $h, |_| ());
+            let what = stringify!($mechanism);
+            assert_eq!(made, seen, "{what}");
+            assert_eq!(alone.state().time().to_bits(), watched.state().time().to_bits(), "{what}");
+            assert_eq!(bits(alone.state().x()), bits(watched.state().x()), "{what}");
+            assert_eq!(alone.stats(), watched.stats(), "{what}");
+            assert_eq!(alone.state().held(), watched.state().held(), "{what}");
+        };
+    }
+    same!(Pendulum::new(), 1e-3, 6000);
+    same!(FourBar::new(), 1e-3, 6000);
+    same!(Absolute::new(), 1e-3, 2000);
+    same!(TripleRocker::new(), 1e-3, 4000);
+    // A relay that switches every half second, a switch by the time, and a requirement that ends the run.
+    same!(Bench::new(), 5e-6, 200_000);
+    same!(Bench { bound: 0.304, ..Bench::new() }, 5e-6, 200_000);
+}
+
 #[test]
 fn linearly_implicit_steps_are_those_of_a_run() {
     let h = 1.0 / 1024.0;

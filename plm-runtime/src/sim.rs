@@ -6,13 +6,14 @@ mod clock;
 mod count;
 mod kept;
 mod samples;
+mod single;
 mod steps;
 mod times;
 mod told;
 mod watched;
 
 pub(crate) use self::clock::Clock;
-pub(crate) use self::kept::Kept;
+pub(crate) use self::kept::{Begun, Kept};
 pub use self::samples::Seen;
 use self::samples::{Observer, Sampler, Samples, Times, Unobserved};
 pub(crate) use self::steps::{Limits, alone, came_near, look};
@@ -208,11 +209,21 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     }
 
     /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
-    fn advance(&mut self, end: M::S, length: M::S, observer: &mut impl Observer<M>) -> Result<(), Fault> {
+    fn advance<O: Observer<M>>(&mut self, end: M::S, length: M::S, observer: &mut O) -> Result<(), Fault> {
         let time = self.state.time();
         if !(end >= time && end < self.latest) {
             self.begin(end, length)?;
         }
+        if I::SINGLE && !O::SEES && self.single(end) {
+            return Ok(());
+        }
+        self.many(end, observer)
+    }
+
+    /// Advances by steps that are looked at one by one; apart, so that a single step does not pay for what they need.
+    #[inline(never)]
+    fn many<O: Observer<M>>(&mut self, end: M::S, observer: &mut O) -> Result<(), Fault> {
+        let time = self.state.time();
         let Self { state, method, stats, watch, limits, longest_step, kept, .. } = self;
         let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());

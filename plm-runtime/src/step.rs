@@ -9,7 +9,7 @@ use crate::method::{Course, Formula, Rk4Formula, Ros34Pw2Formula, Trial, drift_o
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::singular::Rescue;
-use crate::system::{Health, System};
+use crate::system::{Health, Leg, System};
 use crate::vector::Vector;
 
 /// Drift that is tolerated, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if that is
@@ -49,7 +49,8 @@ where
     if !(health.is_good() && next.is_finite()) {
         return Err(unhealthy(system, held, before, next));
     }
-    if !is_uneventful(system, held, (health.0, &before), (end, &next)) {
+    let leg = Leg { system, held, from: (before.0, &before.1), to: (end, &next), health: health.0 };
+    if !is_uneventful(&leg) {
         // A copy: what is lent to a call stands in memory, and the state of a step without events stays in registers.
         next = arrive(system, held, (health.0, before), (end, next))?;
     }
@@ -60,17 +61,13 @@ where
 /// Is there nothing to do behind a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
 /// to the last one that was looked at.
 #[inline]
-fn is_uneventful<M: Pack>(
-    system: &M,
-    held: &M::U,
-    (health, before): (M::S, &(M::S, M::X)),
-    (end, x): (M::S, &M::X),
-) -> bool {
+fn is_uneventful<M: Pack>(leg: &Leg<'_, M>) -> bool {
+    let &Leg { system, held, from: (start, _), to: (end, x), .. } = leg;
     M::is_calm(end, held, x)
         && !has_drifted(system, end, x)
-        && !M::Rescue::doubts(system, health, before, &(end, *x))
+        && !M::Rescue::doubts(leg)
         && events::are_quiet(system, end, held, x)
-        && is_before_instants(system, held, (before.0, end))
+        && is_before_instants(system, held, (start, end))
 }
 
 /// Is the state farther from its constraints than it may be?
@@ -97,10 +94,8 @@ fn arrive<M: Mechanism>(
     if has_drifted(system, end, &x) {
         system.settle(end, &mut x)?;
     }
-    let (mut stats, mut longest) = (Stats::default(), end - before.0);
-    let mut course = Course::new((system, *held), (end, x), end, (&mut stats, &mut longest));
-    course.health = health;
-    if M::Rescue::is_due(&course, &before, false) {
+    let leg = Leg { system, held, from: (before.0, &before.1), to: (end, &x), health };
+    if M::Rescue::is_due(&leg, false) {
         return Err(not_regular(before.0));
     }
     let mut after = *held;
@@ -113,7 +108,9 @@ fn arrive<M: Mechanism>(
     {
         after
     } else {
-        (course.held, course.x) = (after, x);
+        let (mut stats, mut longest) = (Stats::default(), end - before.0);
+        let mut course = Course::new((system, after), (end, x), end, (&mut stats, &mut longest));
+        course.health = health;
         switched(&mut course, before.0)?
     };
     Ok(x)

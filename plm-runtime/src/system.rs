@@ -13,7 +13,7 @@ pub trait System {
     type X: Vector<Self::S>;
     /// What is held over a step: the inputs, the sides of the switching conditions, and what the formulation remembers
     /// (its chart, the branch of each loop). The rate is smooth in time and state as long as this stays.
-    type U: Copy;
+    type U: Copy + PartialEq;
     /// A number for every switching condition; `[S; 0]` costs nothing.
     type G: Vector<Self::S>;
 
@@ -165,6 +165,21 @@ pub trait System {
     fn name_of_state(&self, index: usize) -> &'static str {
         self.part_of_state(index)
     }
+}
+
+/// A step that was made, as those see it that look at steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Leg<'a, M: System> {
+    /// The equations.
+    pub system: &'a M,
+    /// What was held over it.
+    pub held: &'a M::U,
+    /// Time, s, and state where it began.
+    pub from: (M::S, &'a M::X),
+    /// Time, s, and state where it ended.
+    pub to: (M::S, &'a M::X),
+    /// The smallest pivot ratio of its rates, [`Health`].
+    pub health: M::S,
 }
 
 /// What [`System::accept`] did to a state.

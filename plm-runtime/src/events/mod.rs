@@ -7,20 +7,24 @@
 //! The step is done again, because what follows starts from that state: it has the accuracy of every other step and the
 //! constraints are kept, while the dense output is of lower order and off the constraints.
 
+mod between;
+mod calm;
 mod kinks;
 mod looks;
 mod past;
 mod root;
 mod search;
 
+use self::calm::Calm;
 use self::kinks::Kinks;
 use self::looks::Looks;
 use self::past::hold_past;
 pub(crate) use self::past::{are_quiet, switch_past};
 use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
-use crate::method::{Course, Method, Path};
+use crate::method::{Course, Method};
 use crate::scalar::{Real, Scalar};
+use crate::sim::Begun;
 use crate::system::System;
 use crate::vector::Vector;
 
@@ -68,14 +72,18 @@ pub(crate) fn switch_each<M: System<S: Real>>(
 /// What is known of the guards on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch<S, G> {
-    /// The guards at the current state, unless it may have been changed.
-    guards: Option<G>,
+    /// The sides held are those that apply, unless the state may have been changed.
+    known: bool,
     /// How far each is on the wrong side because it was switched a little before its time; zero for most.
     left_over: G,
     /// Nothing has been done yet: a condition that is on its boundary begins on the side that it goes to.
     is_new: bool,
     /// A condition without dense output that came and went within the last step, and how many did.
     brief: Option<(usize, u64)>,
+    /// Where guards need no look, with steps of fixed length.
+    calm: Calm<S>,
+    /// The last step stayed there.
+    is_calm: bool,
     /// When the present burst of switches began, and how many it has.
     since: S,
     count: u32,
@@ -84,10 +92,12 @@ pub(crate) struct Watch<S, G> {
 impl<S: Real, G: Vector<S>> Watch<S, G> {
     pub(crate) fn new() -> Self {
         Self {
-            guards: None,
+            known: false,
             left_over: G::fill(S::ZERO),
             is_new: true,
             brief: None,
+            calm: Calm::new(),
+            is_calm: false,
             since: S::ZERO,
             count: 0,
         }
@@ -95,7 +105,8 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
 
     /// State, parameters or inputs may have been changed.
     pub(crate) fn forget(&mut self) {
-        self.guards = None;
+        self.known = false;
+        self.calm.forget();
         self.left_over = G::fill(S::ZERO);
     }
 
@@ -106,10 +117,16 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         method: &mut impl Method<M>,
         course: &mut Course<'_, M>,
     ) -> Result<(), Fault> {
-        if G::LEN == 0 || self.guards.is_some() {
+        if self.is_known() {
             return Ok(());
         }
         self.switch_due(method, course, false)
+    }
+
+    /// Are the sides held those that apply?
+    #[inline]
+    pub(crate) fn is_known(&self) -> bool {
+        G::LEN == 0 || self.known
     }
 
     /// One step, ended where the first condition leaves its side; that condition.
@@ -134,13 +151,13 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         method: &mut I,
         course: &mut Course<'_, M>,
     ) -> Result<Option<usize>, Fault> {
-        let (before, start) = (*method, Start { time: course.time, held: course.held, x: course.x });
+        let (before, start) = (*method, Begun { time: course.time, held: course.held, x: course.x });
         method.advance(course)?;
-        let end = guards_here(course)?;
         if !I::DENSE {
-            self.look_between(course, &start);
-            return Ok(None);
+            return self.look_between(course, &start).map(|()| None);
         }
+        self.calm.forget();
+        let end = guards_here(course)?;
         // What would end a step so early that it hardly moves the time happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
         let (mut due, mut time) = match self.search(method, course, &start, &end)? {
@@ -183,6 +200,9 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return Ok(());
         }
         if !I::DENSE {
+            if self.is_calm {
+                return Ok(());
+            }
             if let Some((index, passed_over)) = self.brief.take() {
                 course.stats.passed_over += passed_over;
                 required(course, index)?;
@@ -198,7 +218,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         hold(course, after)?;
         method.restart();
         let here = guards_here(course)?;
-        self.guards = Some(here);
+        self.known = true;
         self.left_over.set(index, here.at(index).min(S::ZERO));
         let switched = u32::from(!core::mem::replace(&mut self.is_new, false));
         self.count(course, switched, index)
@@ -206,8 +226,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
 
     /// The state reached has these guards.
     fn arrive(&mut self, guards: G) {
-        self.is_new = false;
-        self.guards = Some(guards);
+        (self.is_new, self.known) = (false, true);
         self.left_over = self.left_over.map2(&guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
 
@@ -219,10 +238,10 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         by_step: bool,
     ) -> Result<(), Fault> {
         let here = guards_here(course)?;
-        self.guards = Some(here);
+        self.known = true;
         let Some((first, switched)) = hold_past(course, &here, by_step)? else { return Ok(()) };
         method.restart();
-        self.guards = Some(guards_here(course)?);
+        guards_here(course)?;
         self.count(course, switched, first)
     }
 
@@ -231,7 +250,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         &self,
         method: &mut I,
         course: &mut Course<'_, M>,
-        start: &Start<S, M::U, M::X>,
+        start: &Begun<M>,
         end: &G,
     ) -> Result<(Found<S>, S), Fault> {
         if G::LEN == 0 {
@@ -248,29 +267,6 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
             Found::Nothing => (found, course.time),
         })
-    }
-
-    /// Looks for conditions that come and go within a step of a method without dense output, which ends where it ends.
-    #[cold]
-    fn look_between<M: System<S = S, G = G>>(
-        &mut self,
-        course: &mut Course<'_, M>,
-        start: &Start<S, M::U, M::X>,
-    ) {
-        let path = Path::between((start.time, &start.x), (course.time, &course.x), M::NQ);
-        let search = || Search::new(course.system, course.held, path, &self.left_over);
-        self.brief = None;
-        if !matches!(search().first(), Found::Crossing(..)) {
-            return;
-        }
-        for index in 0..G::LEN {
-            let search = search().of_one(index);
-            if matches!(search.first(), Found::Crossing(..)) && !search.is_past(S::lit(1.0), index) {
-                let (first, count) = self.brief.unwrap_or((index, 0));
-                let told = if course.system.must_hold(index) { index } else { first };
-                self.brief = Some((told, count + 1));
-            }
-        }
     }
 
     /// Counts switches; too many in too short a time are a fault of the condition `index`.
@@ -321,13 +317,6 @@ fn kink<M: System<S: Real>, I: Method<M>>(
     outcome?;
     let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(course.end.abs());
     Ok(theta.map(|theta| path.time(theta)).filter(|time| *time - start > least))
-}
-
-/// Where a step began.
-struct Start<S, U, X> {
-    time: S,
-    held: U,
-    x: X,
 }
 
 /// Goes on with the sides of `after`, unless constraint rows would have to jump.

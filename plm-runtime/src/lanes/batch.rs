@@ -9,10 +9,11 @@ use super::lane::{Lane, column, set_column};
 use super::{LANES, Lanes, Pack, Rate, Unwatched};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{FixedStep, Formula, Plan, Rk4Formula};
+use crate::method::{Course, FixedStep, Formula, Plan, Rk4Formula};
 use crate::scalar::Scalar;
 use crate::sim::{Clock, Sim};
 use crate::singular::Rescue;
+use crate::system::Leg;
 use crate::vector::Vector;
 
 /// Eight simulations of one mechanism, with parameters, inputs and states of their own: their rates are computed at once,
@@ -176,8 +177,10 @@ fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     for (i, lane) in lanes.iter_mut().enumerate() {
         let healthy = side.joined[i] && f64::HEALTHY < health[i];
         let (before, after) = ((time, column(&side.x, i)), (plan.next_time, column(&next, i)));
-        let trusted =
-            healthy && all_finite && !M::Rescue::doubts(lane.course.system, health[i], &before, &after);
+        let Course { system, held, .. } = &lane.course;
+        let (from, to) = ((before.0, &before.1), (after.0, &after.1));
+        let leg = Leg { system: *system, held, from, to, health: health[i] };
+        let trusted = healthy && all_finite && !M::Rescue::doubts(&leg);
         if !lane.runs || (trusted && lane.coast(plan, &column(&next, i))) {
             continue;
         }

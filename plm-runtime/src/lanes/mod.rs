@@ -31,7 +31,7 @@ pub trait Rate {
     /// The state and its rate, as [`System::X`].
     type X: Vector<Self::S>;
     /// What is held over a step, as [`System::U`].
-    type U: Copy;
+    type U: Copy + PartialEq;
 
     /// Number of coordinates, as [`System::NQ`].
     const NQ: usize;

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::plan::Plan;
-use super::{Course, Method, Rates, Watched, drift_of_size, excess, not_finite};
+use super::{Course, Method, Rates, Single, Watched, drift_of_size, excess, not_finite};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, System};
@@ -111,7 +111,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     /// A step whose drift is not looked at, if it is not due.
     #[inline]
     pub(crate) fn coast(&mut self) -> bool {
-        let coasts = self.until_check > 1 && !self.careful;
+        let coasts = self.coasts();
         self.until_check -= u32::from(coasts);
         coasts
     }
@@ -140,23 +140,38 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         course: &mut Course<'_, M>,
         next: &mut M::X,
     ) -> Result<(), Fault> {
-        if self.coast() {
-            return Ok(());
-        }
-        let drift = course.system.drift(self.plan.next_time, next);
+        let drifts = self.drifts(course.system, self.plan.next_time, next);
+        self.keep(drifts);
+        if drifts { course.settle(self.plan.next_time, next) } else { Ok(()) }
+    }
+
+    /// Is the drift due to be looked at and too large?
+    #[inline]
+    fn drifts<M: System<S = S>>(&self, system: &M, t: S, x: &M::X) -> bool {
         let limit = if self.careful { S::lit(0.0) } else { S::lit(1.0) };
-        if excess(drift, self.drift_limit(course.system)) > limit {
-            self.until_check = 1;
-            course.settle(self.plan.next_time, next)
-        } else {
-            self.until_check = self.check_every;
-            Ok(())
-        }
+        !self.coasts() && excess(system.drift(t, x), drift_of_size(system, self.tolerance)) > limit
+    }
+
+    /// Counts a step to the next look at the drift.
+    #[inline]
+    fn keep(&mut self, drifted: bool) {
+        self.until_check = match (self.coasts(), drifted) {
+            (true, _) => self.until_check - 1,
+            (false, true) => 1,
+            (false, false) => self.check_every,
+        };
+    }
+
+    /// The drift is not looked at after the next step.
+    #[inline]
+    fn coasts(&self) -> bool {
+        self.until_check > 1 && !self.careful
     }
 }
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     const DENSE: bool = false;
+    const SINGLE: bool = true;
     const NAME: &'static str = F::NAME;
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
@@ -169,6 +184,24 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         let mut next = course.x;
         self.step(course, &mut next)?;
         self.land(course, next)
+    }
+
+    #[inline]
+    fn single(&self, system: &M, held: &M::U, (t, end): (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
+        let h = Plan::single(t, end, self.longest_step).filter(|_| !self.careful)?;
+        let health = F::plain_step(system, t, held, x, h);
+        let healthy = x.is_finite() && health.is_good();
+        healthy.then_some(Single { h, health: health.0, evaluations: F::STAGES })
+    }
+
+    #[inline]
+    fn drifts(&self, system: &M, t: M::S, x: &M::X) -> bool {
+        FixedStep::drifts(self, system, t, x)
+    }
+
+    #[inline]
+    fn keep(&mut self, drifted: bool) {
+        FixedStep::keep(self, drifted);
     }
 
     fn interpolate(&self, _time: M::S) -> M::X {

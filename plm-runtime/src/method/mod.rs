@@ -47,13 +47,15 @@ use core::cmp::Ordering;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::sim::{Kept, Stats};
-use crate::system::{Drift, System};
+use crate::system::{Drift, Leg, System};
 use crate::vector::Vector;
 
 /// A method that carries a state over an interval, step by step.
 pub trait Method<M: System>: Copy {
     /// Whether [`interpolate`](Self::interpolate) gives states inside the last step.
     const DENSE: bool;
+    /// Whether an interval may be made by [`single`](Self::single).
+    const SINGLE: bool = false;
     /// By which results tell what made them.
     const NAME: &'static str = "";
 
@@ -92,6 +94,28 @@ pub trait Method<M: System>: Copy {
         (course.held, self.interpolate(time))
     }
 
+    /// Takes the state `x` over an interval between two times by the formula alone, as [`advance`](Self::advance) would before it
+    /// looks at the step. None where that takes more than one step, or where the step is not healthy; `x` is of no use then. The
+    /// method stays as it is.
+    #[inline]
+    fn single(&self, system: &M, held: &M::U, times: (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
+        let _ = (system, held, times, x);
+        None
+    }
+
+    /// Is a state to be settled that such a step has led to?
+    #[inline]
+    fn drifts(&self, system: &M, t: M::S, x: &M::X) -> bool {
+        let _ = (system, t, x);
+        false
+    }
+
+    /// Such a step is kept; its end was settled if it `drifted`.
+    #[inline]
+    fn keep(&mut self, drifted: bool) {
+        let _ = drifted;
+    }
+
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
     fn restart(&mut self);
 
@@ -121,6 +145,17 @@ pub trait Method<M: System>: Copy {
 
     /// The drift above which a state is settled.
     fn drift_limit(&self, system: &M) -> Drift<M::S>;
+}
+
+/// A step that makes an interval alone, by [`Method::single`].
+#[derive(Clone, Copy, Debug)]
+pub struct Single<S> {
+    /// Its length, s.
+    pub h: S,
+    /// The smallest pivot ratio of its rates.
+    pub health: S,
+    /// Evaluations of the rate that it took.
+    pub evaluations: u64,
 }
 
 /// A state on its way through an interval.
@@ -167,6 +202,12 @@ impl<'a, M: System> Course<'a, M> {
             kept: None,
             rescued: None,
         }
+    }
+
+    /// The step to the state reached.
+    pub(crate) fn leg<'s>(&'s self, from: (M::S, &'s M::X)) -> Leg<'s, M> {
+        let to = (self.time, &self.x);
+        Leg { system: self.system, held: &self.held, from, to, health: self.health }
     }
 
     /// A fault at the time reached.

@@ -52,6 +52,26 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
+    /// Is all of that path `within` bounds? The hull of its control points encloses it (S. Bernstein's form of a polynomial;
+    /// G. Farin, Curves and Surfaces for CAGD, 5th edition, 4.3); it begins within them.
+    #[inline]
+    pub(crate) fn between_stays(
+        from: (S, &X),
+        to: (S, &X),
+        coordinates: usize,
+        within: impl Fn(usize, S) -> bool,
+    ) -> bool {
+        let ((start, from), (end, to)) = (from, to);
+        let (h, three) = (end - start, S::lit(3.0));
+        let third = h * S::lit(1.0 / 3.0);
+        let moves = |i: usize| {
+            let (q, v) = ((from.at(i), to.at(i)), (from.at(coordinates + i), to.at(coordinates + i)));
+            let between = three * (q.1 - q.0) / h - (v.0 + v.1);
+            within(i, q.0 + third * v.0) && within(i, q.1 - third * v.1) && within(coordinates + i, between)
+        };
+        (0..coordinates).all(moves) && (0..X::LEN).all(|i| within(i, to.at(i)))
+    }
+
     /// The time at a fraction of the step, s.
     pub(crate) fn time(&self, theta: S) -> S {
         self.start + theta * self.h
@@ -142,6 +162,39 @@ mod tests {
                     (path.slope(theta)[i] - slope).abs() < 1e-13,
                     "{i} at {theta}: {:?}",
                     path.slope(theta)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_motion_stays_within_the_hull_of_its_control_points() {
+        for k in 0..40 {
+            let number = |i: u32| f64::sin(f64::from(7 * k + i) * 1.7) * 3.0;
+            let (from, to) = ([0, 1, 2].map(number), [3, 4, 5].map(number));
+            let ends = ((1.0, &from), (1.0 + 0.01 * f64::from(k + 1), &to));
+            let hull = core::cell::RefCell::new(from.map(|s| (s, s)));
+            let grow = |i: usize, s: f64| {
+                let (low, high) = hull.borrow()[i];
+                hull.borrow_mut()[i] = (low.min(s), high.max(s));
+                true
+            };
+            assert!(Path::between_stays(ends.0, ends.1, 1, grow));
+            let path = Path::between(ends.0, ends.1, 1);
+            for part in 0..=100 {
+                let x: [f64; 3] = path.at(0.01 * f64::from(part));
+                for (i, (low, high)) in hull.borrow().iter().enumerate() {
+                    let rounding = 1e-13 * (low.abs() + high.abs());
+                    assert!(low - rounding <= x[i] && x[i] <= high + rounding, "{k}, {i} at {part}: {x:?}");
+                }
+            }
+            // A bound between what is within them is noticed for each.
+            for bound in 0..3 {
+                let high = hull.borrow()[bound].1;
+                let inside = |i: usize, s: f64| i != bound || s < high;
+                assert!(
+                    from[bound] == high || !Path::between_stays(ends.0, ends.1, 1, inside),
+                    "{k}, {bound}"
                 );
             }
         }

@@ -60,13 +60,32 @@ impl<S: Real> Plan<S> {
         Ok(drifted)
     }
 
+    /// The length of the step that makes an interval alone; none where that takes several, or cannot be.
+    #[inline]
+    pub(super) fn single(start: S, end: S, longest: S) -> Option<S> {
+        let (length, rounding) = Self::length(start, end);
+        let fits = Self::least(length, rounding) <= longest && longest > S::ZERO && end > start;
+        fits.then(|| if (length - longest).abs() <= rounding { longest } else { length })
+    }
+
+    /// The length of an interval, and what rounding of the times makes of it.
+    #[inline]
+    fn length(start: S, end: S) -> (S, S) {
+        (end - start, S::lit(2.0) * S::EPSILON * start.abs().max(end.abs()))
+    }
+
+    /// What of an interval has to be divided: not what may be rounding, nor a millionth.
+    #[inline]
+    fn least(length: S, rounding: S) -> S {
+        (length - rounding.max(S::lit(1e-6) * length)).max(S::ZERO)
+    }
+
     /// Divides an interval into whole steps of at most `longest` (and a millionth, and what rounding of the times makes of
     /// the interval's length, so that neither costs another step). An interval of whole steps gets steps of exactly that
     /// length. None if such steps do not move the time or cannot be counted.
     fn new(start: S, end: S, longest: S) -> Option<Self> {
-        let (one, length) = (S::lit(1.0), end - start);
-        let rounding = S::lit(2.0) * S::EPSILON * start.abs().max(end.abs());
-        let ratio = (length - rounding.max(S::lit(1e-6) * length)).max(S::ZERO) / longest;
+        let (one, (length, rounding)) = (S::lit(1.0), Self::length(start, end));
+        let ratio = Self::least(length, rounding) / longest;
         // False for a step that is negative or not a number.
         let counts = longest > S::ZERO && ratio < one / S::EPSILON;
         if !counts {

@@ -1,4 +1,4 @@
-//! What a simulation keeps of its steps: where the last one began, and which states limited them.
+//! What a simulation keeps of its steps: where one began, and which states limited them.
 
 use crate::method::Method;
 use crate::scalar::{Real, Scalar};
@@ -7,18 +7,19 @@ use crate::vector::Vector;
 
 /// Where a step began, and what was held there.
 #[derive(Clone, Copy)]
-pub(super) struct Begun<M: System> {
+pub(crate) struct Begun<M: System> {
     /// s.
-    pub(super) time: M::S,
-    pub(super) held: M::U,
-    pub(super) x: M::X,
+    pub(crate) time: M::S,
+    pub(crate) held: M::U,
+    pub(crate) x: M::X,
 }
 
 /// What a simulation keeps of its steps.
 #[derive(Clone, Copy)]
 pub(crate) struct Kept<M: System> {
-    /// Where the last step of a method with dense output began; nothing is known of it after a change from outside.
-    pub(super) begun: Option<Begun<M>>,
+    /// Where the last step of a method with dense output began; nothing is known of it after a change from outside. With steps
+    /// of fixed length, a state around which no guard can come to zero (`events::calm`).
+    pub(crate) begun: Option<Begun<M>>,
     /// How many steps each state has limited, where they are counted.
     pub(super) counts: Option<M::X>,
 }

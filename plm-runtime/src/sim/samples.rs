@@ -8,6 +8,8 @@ use crate::scalar::{Real, Scalar};
 
 /// Who sees the steps of a run.
 pub(super) trait Observer<M: Mechanism> {
+    /// Does it see anything at all?
+    const SEES: bool = true;
     /// Does it see what switches? Who does not pays nothing for it.
     const SWITCHES: bool = false;
 
@@ -36,6 +38,8 @@ pub(super) enum What {
 pub(super) struct Unobserved;
 
 impl<M: Mechanism> Observer<M> for Unobserved {
+    const SEES: bool = false;
+
     #[inline]
     fn see<I: Method<M>>(&mut self, _method: &mut I, _course: &mut Course<'_, M>) -> Result<(), Fault> {
         Ok(())

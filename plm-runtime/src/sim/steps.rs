@@ -239,7 +239,7 @@ pub(crate) fn came_near<M: Mechanism, I: Method<M>>(
     before: (M::S, M::X),
     watch: &mut Watch<M::S, M::G>,
 ) -> bool {
-    let due = M::Rescue::is_due(course, &before, I::DENSE);
+    let due = M::Rescue::is_due(&course.leg((before.0, &before.1)), I::DENSE);
     if due {
         let until = course.time;
         refuse(course, before, watch);

@@ -29,7 +29,7 @@ use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::method::{Course, Method};
 use crate::scalar::Real;
-use crate::system::Drift;
+use crate::system::{Drift, Leg};
 use crate::twofold::Twofold;
 
 /// A method that takes over from another one near singular poses.
@@ -40,12 +40,12 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// Is the state one that only this method can go on from?
     fn holds(course: &Course<'_, M>) -> bool;
 
-    /// May a step between two states have led over poses that are nearly singular? `health` is its smallest pivot ratio.
-    fn doubts(system: &M, health: M::S, before: &(M::S, M::X), after: &(M::S, M::X)) -> bool;
+    /// May a step have led over poses that are nearly singular?
+    fn doubts(leg: &Leg<'_, M>) -> bool;
 
-    /// Did the last step, from `before`, lead over poses that are so nearly singular that only this method can be trusted? More
+    /// Did a step lead over poses that are so nearly singular that only this method can be trusted? More
     /// are, where the step was not `controlled` by an estimate of its error.
-    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X), controlled: bool) -> bool;
+    fn is_due(leg: &Leg<'_, M>, controlled: bool) -> bool;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
     fn take(course: &mut Course<'_, M>) -> bool;
@@ -110,11 +110,11 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         false
     }
     #[inline]
-    fn doubts(_system: &M, _health: M::S, _before: &(M::S, M::X), _after: &(M::S, M::X)) -> bool {
+    fn doubts(_leg: &Leg<'_, M>) -> bool {
         false
     }
     #[inline]
-    fn is_due(_course: &Course<'_, M>, _before: &(M::S, M::X), _controlled: bool) -> bool {
+    fn is_due(_leg: &Leg<'_, M>, _controlled: bool) -> bool {
         false
     }
     fn take(_course: &mut Course<'_, M>) -> bool {

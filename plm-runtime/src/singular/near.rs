@@ -9,7 +9,7 @@ use super::{Fine, Rescue};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
-use crate::system::Drift;
+use crate::system::{Drift, Leg};
 use crate::vector::Vector;
 
 /// Relative tolerance of the steps around a pose ...
@@ -276,17 +276,16 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     }
 
     #[inline]
-    fn doubts(system: &M, health: M::S, before: &(M::S, M::X), after: &(M::S, M::X)) -> bool {
-        !M::CHARTED && is_doubtful(system, health, before, after)
+    fn doubts(leg: &Leg<'_, M>) -> bool {
+        !M::CHARTED && is_doubtful(leg)
     }
 
     #[inline]
-    fn is_due(course: &Course<'_, M>, before: &(M::S, M::X), controlled: bool) -> bool {
+    fn is_due(leg: &Leg<'_, M>, controlled: bool) -> bool {
         if M::CHARTED {
-            return !controlled && course.system.is_sharp(course.time, &course.held, &before.1, &course.x);
+            return !controlled && leg.system.is_sharp(leg.to.0, leg.held, leg.from.1, leg.to.1);
         }
-        let after = (course.time, course.x);
-        Self::doubts(course.system, course.health, before, &after) && is_poor(course, before)
+        is_doubtful(leg) && is_poor(leg)
     }
 
     fn take(course: &mut Course<'_, M>) -> bool {

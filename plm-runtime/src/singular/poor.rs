@@ -3,9 +3,9 @@
 use super::Fine;
 use crate::absolute::{beside, smallest_pivot, split};
 use crate::mechanism::Mechanism;
-use crate::method::{Course, Path};
+use crate::method::Path;
 use crate::scalar::{Real, Scalar};
-use crate::system::Health;
+use crate::system::{Health, Leg};
 use crate::vector::Vector;
 
 /// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
@@ -40,28 +40,25 @@ fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 /// Has the last step come to poses that are far more singular than others? Where rows always depend on each other, none is.
 #[cold]
 pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    course: &Course<'_, M>,
-    before: &(M::S, M::X),
+    leg: &Leg<'_, M>,
 ) -> bool {
-    let full = course.system.full(course.time, &course.held, &course.x);
-    let usual = usual(course.system, course.time, &full);
+    let full = leg.system.full(leg.to.0, leg.held, leg.to.1);
+    let usual = usual(leg.system, leg.to.0, &full);
     let poor = M::S::lit(POOR) * usual;
-    Health(usual).is_good() && (course.health < poor || lowest(course, before, M::S::lit(LOW) * usual) < poor)
+    Health(usual).is_good() && (leg.health < poor || lowest(leg, M::S::lit(LOW) * usual) < poor)
 }
 
 /// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
 fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    course: &Course<'_, M>,
-    before: &(M::S, M::X),
+    leg: &Leg<'_, M>,
     low: M::S,
 ) -> M::S {
-    let after = (course.time, course.x);
-    let path = Path::between((before.0, &before.1), (after.0, &after.1), M::NQ);
+    let path = Path::between(leg.from, leg.to, M::NQ);
     let pivot = |part: M::S| {
-        let full = course.system.full(path.time(part), &course.held, &path.at(part));
-        smallest_pivot(course.system, path.time(part), &split::<_, NX, NQ>(&full).0)
+        let full = leg.system.full(path.time(part), leg.held, &path.at(part));
+        smallest_pivot(leg.system, path.time(part), &split::<_, NX, NQ>(&full).0)
     };
-    let looks = (travel(course.system, before, &after) / M::S::lit(APART)).to_f64() as usize;
+    let looks = (travel(leg) / M::S::lit(APART)).to_f64() as usize;
     let looks = looks.clamp(LOOKS, MOST_LOOKS);
     let (mut place, mut least) = (M::S::ZERO, M::S::INFINITY);
     for k in 0..=looks {
@@ -94,13 +91,13 @@ fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize
 
 /// How far a step leads, rad.
 #[inline]
-fn travel<M: Mechanism>(system: &M, before: &(M::S, M::X), after: &(M::S, M::X)) -> M::S {
-    let typical = system.typical();
+fn travel<M: Mechanism>(leg: &Leg<'_, M>) -> M::S {
+    let typical = leg.system.typical();
     let speed = (0..M::NQ).fold(M::S::ZERO, |most: M::S, i| {
         let of = |x: &M::X| x.at(M::NQ + i).abs();
-        most.max(of(&before.1).max(of(&after.1)) / typical.at(i))
+        most.max(of(leg.from.1).max(of(leg.to.1)) / typical.at(i))
     });
-    (after.0 - before.0) * speed
+    (leg.to.0 - leg.from.0) * speed
 }
 
 /// Is a state away from singular poses?
@@ -115,11 +112,6 @@ pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, 
 
 /// May a step have led over poses that are nearly singular?
 #[inline]
-pub(super) fn is_doubtful<M: Mechanism>(
-    system: &M,
-    health: M::S,
-    before: &(M::S, M::X),
-    after: &(M::S, M::X),
-) -> bool {
-    health < M::S::lit(LOW) || travel(system, before, after) > M::S::lit(LONG)
+pub(super) fn is_doubtful<M: Mechanism>(leg: &Leg<'_, M>) -> bool {
+    leg.health < M::S::lit(LOW) || travel(leg) > M::S::lit(LONG)
 }

@@ -259,6 +259,26 @@ fn steps_of_equal_length_count_what_they_pass_over() {
     assert!(sim.notice().is_none());
 }
 
+/// Each edge that is passed switches, or comes to nothing together with the next one within the same step; far from edges
+/// most steps have no look at guards.
+#[test]
+fn steps_of_equal_length_account_for_every_edge() {
+    let seed = 20_261_123;
+    let mut random = Random(seed);
+    for case in 0..gates() / 4 {
+        let (gate, edges, _) = random_gate(&mut random);
+        // Shorter than every period.
+        let h = 0.3 * 1e-2_f64.powf(0.5 + 0.5 * random.unit());
+        for interval in [RUN, h] {
+            let what =
+                format!("seed {seed}, case {case}: {gate:?}, steps of {h} s, intervals of {interval} s");
+            let sim = run(gate, Rk4::new(h), interval).unwrap_or_else(|fault| panic!("{what}: {fault}"));
+            let stats = sim.stats();
+            assert_eq!(stats.switches + 2 * stats.passed_over, edges, "{what}: {stats:?}");
+        }
+    }
+}
+
 #[test]
 fn what_touches_its_boundary_ends_no_run() {
     // At its crest the sine comes as near to the threshold as rounding goes, or passes it by as little.

@@ -19,7 +19,7 @@ struct Scene {
 }
 
 /// A side of each condition, and how many of the known times have passed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Held {
     side: [f64; 2],
     passed: usize,
