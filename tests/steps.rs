@@ -94,6 +94,19 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// The same beside another wheel, so that angles are looked at in each stage.
+    SpunTwo {
+        gravity: 9.81 m/s^2;
+        emit: step(rk4);
+        ground { port o: (0, 0) m; port p: (1, 0) m; }
+        body slow { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.1, 0) m; start omega: 1 rad/s, locked; start angle: 0 deg, locked; }
+        body fast { mass: 1 kg; inertia: 0.1 kg*m^2; port p: (-0.1, 0) m; start omega: 1e9 rad/s, locked; start angle: 0 deg, locked; }
+        revolute axle(ground.o, slow.o);
+        revolute other(ground.p, fast.p);
+    }
+}
+
 /// The states of a run after `count` intervals of `h`.
 fn run<M: Mechanism<S = f64>>(method: impl Method<M>, mechanism: M, h: f64, count: usize) -> M::X {
     let mut sim = mechanism.start_with(method).unwrap();
@@ -154,6 +167,9 @@ fn steps_that_leave_the_straight_line_have_the_bits_of_a_run() {
         let by_run = run(Rk4::new(h), Spun::new(), h, count);
         let by_step = alone(Spun::new(), count, |state| state.step_rk4(h)).unwrap();
         assert_eq!(bits(&by_run), bits(&by_step), "{count} steps of a wheel");
+        let by_run = run(Rk4::new(h), SpunTwo::new(), h, count);
+        let by_step = alone(SpunTwo::new(), count, |state| state.step_rk4(h)).unwrap();
+        assert_eq!(bits(&by_run), bits(&by_step), "{count} steps of two wheels");
     }
     // The crank comes to a dead point, so that the chart changes, and comes back.
     let mut charts = [0; 2];

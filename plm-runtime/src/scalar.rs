@@ -58,9 +58,28 @@ pub trait Scalar:
     fn sin_cos(self) -> (Self, Self);
     /// Sines and cosines of several angles, the same bits as one by one, in vector instructions where there are some.
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+    /// [`sin_cos`](Self::sin_cos); with `DIRECT` no branch is compiled, and angles must be [`Real::are_direct`].
+    #[inline]
+    #[must_use]
+    fn sin_cos_by<const DIRECT: bool>(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    /// [`sin_cos_all`](Self::sin_cos_all), in the same way.
+    #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
+    #[inline(always)]
+    #[must_use]
+    fn sin_cos_all_by<const DIRECT: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        Self::sin_cos_all(angles)
+    }
     /// Square root, correctly rounded; NaN below zero.
     #[must_use]
     fn sqrt(self) -> Self;
+    /// The root of a number, or of zero if that is larger; with `DIRECT` NaN below zero.
+    #[inline]
+    #[must_use]
+    fn root_by<const DIRECT: bool>(self) -> Self {
+        if DIRECT { self.sqrt() } else { Self::lit(0.0).max(self).sqrt() }
+    }
     /// Tangent of an angle in rad.
     #[must_use]
     fn tan(self) -> Self;
@@ -161,9 +180,10 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     /// The largest integer that is not above the number.
     #[must_use]
     fn floor(self) -> Self;
-    /// Is an angle one whose sine and cosine are computed without a branch? Asked in advance, none is compiled.
+    /// Can sine and cosine of these angles be computed without a branch, by [`Scalar::sin_cos_by`]? False if it is not sure.
     #[inline]
-    fn is_direct(self) -> bool {
+    fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
+        let _ = angles;
         true
     }
 }
@@ -195,7 +215,7 @@ macro_rules! real {
             #[allow(clippy::cast_lossless, reason = "lossless in f64 alone")]
             #[inline]
             fn of_turns(turns: i32) -> Self {
-                Self::lit(turns.into())
+                turns as $real
             }
             #[inline]
             fn to_turns(self) -> i32 {
@@ -229,6 +249,18 @@ macro_rules! real {
                     5..=7 => padded::<_, N, 8>(angles, math::$real::sin_cos_lanes),
                     _ => math::$real::sin_cos_lanes(angles),
                 }
+            }
+            #[inline]
+            fn sin_cos_by<const DIRECT: bool>(self) -> (Self, Self) {
+                // By its path: numbers have a method of that name in std, with other bits.
+                if DIRECT { math::$real::sin_cos_direct(self) } else { math::$real::sin_cos(self) }
+            }
+            #[allow(clippy::inline_always, reason = "as `sin_cos_lanes`")]
+            #[inline(always)]
+            fn sin_cos_all_by<const DIRECT: bool, const N: usize>(
+                angles: [Self; N],
+            ) -> ([Self; N], [Self; N]) {
+                if DIRECT { math::$real::sin_cos_lanes_direct(angles) } else { Self::sin_cos_all(angles) }
             }
             #[inline]
             fn sqrt(self) -> Self {
@@ -288,8 +320,8 @@ macro_rules! real {
             const INFINITY: Self = $real::INFINITY;
 
             #[inline]
-            fn is_direct(self) -> bool {
-                math::$real::is_direct(self)
+            fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
+                math::$real::are_direct(angles)
             }
             #[inline]
             fn floor(self) -> Self {

@@ -17,7 +17,7 @@ mod plm_four_bar_ {
     /// Accelerations by a dense mass matrix.
     /// State: 2 numbers, 16 bytes in f64.
     /// A solution by rank, where one is needed: 1088 bytes of stack in f64.
-    /// One right-hand side: 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+    /// One right-hand side: 26 add, 50 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
@@ -118,7 +118,7 @@ mod plm_four_bar_ {
         pub const NDOF: isize = 1;
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
-            Operations { add: 29, mul: 49, div: 3, sqrt: 1, sin_cos: 1, other: 3 };
+            Operations { add: 28, mul: 50, div: 3, sqrt: 1, sin_cos: 1, other: 3 };
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -1710,7 +1710,7 @@ mod plm_four_bar_ {
             /// The right-hand side in the coordinates crank.angle.
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+            /// 26 add, 50 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(always)]
             fn motion_0(
                 &self,
@@ -1731,8 +1731,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -1774,7 +1774,7 @@ mod plm_four_bar_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 26 add, 50 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
+            /// 26 add, 51 mul, 2 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
             fn pose_0(
                 &self,
                 t: S,
@@ -1798,10 +1798,10 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let last_area_0 = m.areas[0];
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let way_0_y = area_0 * inverse_0;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let coupler_arm_x = -(loop_0_x + rocker_arm_x);
@@ -1861,7 +1861,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -1874,14 +1874,14 @@ mod plm_four_bar_ {
                 let crank_angle = x[0];
                 memory.coordinates[0].last = crank_angle;
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let last_area_0 = m.areas[0];
                 let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
                 let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let last_area_0 = m.areas[0];
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -1970,7 +1970,7 @@ mod plm_four_bar_ {
             /// The right-hand side in the coordinates rocker.angle.
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 26 add, 51 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+            /// 26 add, 52 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
             fn motion_1(
                 &self,
@@ -1991,8 +1991,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -2030,7 +2030,7 @@ mod plm_four_bar_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 26 add, 52 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
+            /// 26 add, 53 mul, 2 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
             fn pose_1(
                 &self,
                 t: S,
@@ -2051,8 +2051,8 @@ mod plm_four_bar_ {
                 let way_0_x = along_0 * inverse_0;
                 let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_x = lit(0.5) * crank_arm_x;
@@ -2117,7 +2117,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn remember_1(
                 &self,
                 t: S,
@@ -2136,8 +2136,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -2226,7 +2226,7 @@ mod plm_four_bar_ {
             /// The right-hand side in the coordinates coupler.angle.
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+            /// 26 add, 50 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
             fn motion_2(
                 &self,
@@ -2249,8 +2249,8 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let dot_0_0 = -sin_coupler_angle.mul_add(way_0_y, t1 * way_0_x);
                 let cross_0_0 = (-t1).mul_add(way_0_y, sin_coupler_angle * way_0_x);
@@ -2291,7 +2291,7 @@ mod plm_four_bar_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 26 add, 51 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
+            /// 26 add, 52 mul, 2 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
             fn pose_2(
                 &self,
                 t: S,
@@ -2312,8 +2312,8 @@ mod plm_four_bar_ {
                 let way_0_x = along_0 * inverse_0;
                 let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_x = lit(0.5) * crank_arm_x;
@@ -2378,7 +2378,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn remember_2(
                 &self,
                 t: S,
@@ -2397,8 +2397,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;

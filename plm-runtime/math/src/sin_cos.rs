@@ -95,19 +95,27 @@ fn turn_by_table<F: Float>(quarters: usize, s: F, c: F) -> (F, F) {
 
 /// Is an angle one of the direct path?
 #[inline]
-pub(crate) fn is_direct<F: Angle>(x: F) -> bool {
+fn is_direct<F: Angle>(x: F) -> bool {
     x.abs() <= F::BOUND
+}
+
+/// Are all angles of the direct path? Their magnitudes are no more than the sum of all, in any rounding.
+#[inline]
+pub(crate) fn are_direct<F: Angle, const N: usize>(x: [F; N]) -> bool {
+    let sum = x.iter().map(|x| x.abs()).reduce(|sum, x| sum + x);
+    sum.is_none_or(|sum| sum <= F::BOUND)
 }
 
 #[inline]
 pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
-    if is_direct(x) {
-        let (sum, r) = quarter_turns(x);
-        let (s, c) = kernel(r);
-        turn_by_table(sum.rounded() as usize, s.value(), c.value())
-    } else {
-        sin_cos_large(x)
-    }
+    if is_direct(x) { sin_cos_direct(x) } else { sin_cos_large(x) }
+}
+
+#[inline]
+pub(crate) fn sin_cos_direct<F: Angle>(x: F) -> (F, F) {
+    let (sum, r) = quarter_turns(x);
+    let (s, c) = kernel(r);
+    turn_by_table(sum.rounded() as usize, s.value(), c.value())
 }
 
 /// One path for all lanes; each operation is written for one lane, and compilers join them.
@@ -115,9 +123,12 @@ pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
 #[inline(always)]
 pub(crate) fn sin_cos_lanes<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
     let direct = x.iter().fold(true, |all, x| all & is_direct(*x));
-    if !direct {
-        return sin_cos_each(x);
-    }
+    if direct { sin_cos_lanes_direct(x) } else { sin_cos_each(x) }
+}
+
+#[allow(clippy::inline_always, reason = "as above")]
+#[inline(always)]
+pub(crate) fn sin_cos_lanes_direct<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
     let (mut sines, mut cosines) = ([F::ZERO; N], [F::ZERO; N]);
     for lane in 0..N {
         let (sum, r) = quarter_turns(x[lane]);

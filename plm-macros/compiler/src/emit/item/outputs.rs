@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
-use super::super::lower::{Bindings, statements};
+use super::super::lower::{Around, Bindings, statements};
 use super::super::{Emission, docs, families, number};
 use crate::formulate::Function;
 use crate::model::Output;
@@ -133,7 +133,8 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let (text, _) = statements(function, bindings, (&reserved, false));
+    let around = Around { reserved: &reserved, by_reference: false, direct: None };
+    let (text, _) = statements(function, bindings, &around);
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
     let pose = arrays(&text, ["q", "v"], "self.pose_()");
     emission.text(solved + &pose + &text)
