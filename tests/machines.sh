@@ -53,7 +53,8 @@ emulate() {
 build() {
     local package=$1 bin=$2 machine=$3 program
     shift 3
-    program=$(env -u RUSTFLAGS cargo build --release --manifest-path "$package/Cargo.toml" --target-dir "$built" --bin "$bin" \
+    # What is built in steps is optimised in smaller parts, and has other counts.
+    program=$(env -u RUSTFLAGS CARGO_INCREMENTAL=0 cargo build --release --manifest-path "$package/Cargo.toml" --target-dir "$built" --bin "$bin" \
         --message-format json-render-diagnostics "$@" | sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1)
     cp "$program" "$results/$(basename "$package")-$machine"
 }
@@ -73,7 +74,7 @@ run_on() {
     x86_64*) "$program" ;;
     i686) emulate qemu-i386 "$program" ;;
     aarch64) emulate qemu-aarch64 "$program" ;;
-    riscv64) emulate qemu-riscv64 "$program" ;;
+    riscv64*) emulate qemu-riscv64 "$program" ;;
     wasm32) node tests/wasm.mjs "$program" ;;
     cortex-m*)
         board=mps2-an386
@@ -125,7 +126,7 @@ boards() {
     for chosen in m4:f32 m7:f64; do
         machine=cortex-${chosen%:*}-${chosen#*:}
         build examples/firmware bare "$machine" --target thumbv7em-none-eabihf --no-default-features \
-            --features "${chosen#*:}" --config "$(processor "cortex-${chosen%:*}")"
+            --features "${chosen#*:},processor-sqrt-${chosen#*:}" --config "$(processor "cortex-${chosen%:*}")"
         same examples/firmware "$machine" "${chosen#*:}"
     done
     make_table >"$results/table.md"
@@ -179,6 +180,7 @@ everywhere() {
         on "$1" i686 i686-unknown-linux-musl twin --features std --config "$(musl i686-unknown-linux-musl)"
         on "$1" aarch64 aarch64-unknown-linux-musl twin --features std --config "$(musl aarch64-unknown-linux-musl)"
         on "$1" riscv64 riscv64gc-unknown-none-elf bare
+        [[ $1 != *firmware ]] || on "$1" riscv64-roots riscv64gc-unknown-none-elf bare --features processor-sqrt-f64
         on "$1" cortex-m4 thumbv7em-none-eabihf bare --config "$(processor cortex-m4)"
         on "$1" cortex-m7 thumbv7em-none-eabihf bare --config "$(processor cortex-m7)"
     fi

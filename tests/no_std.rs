@@ -18,6 +18,8 @@ fn build(program: &str, features: &str) -> Result<PathBuf, String> {
         .arg("--target-dir")
         .arg(&target)
         .env_remove("RUSTFLAGS")
+        // What is built in steps is optimised in smaller parts, in which more panics seem to be reachable.
+        .env_remove("CARGO_INCREMENTAL")
         .output()
         .unwrap();
     if output.status.success() {

@@ -1,6 +1,7 @@
 //! Steps that a declaration orders, `emit: step(…)`: by themselves they do what a run does.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+use plm::runtime::held::Loops;
 use plm::runtime::{Moment, System, Vector};
 use plm::{Cause, Dop853, Fault, Mechanism, Method, Rk4, Ros34Pw2, SemiImplicitEuler, Sim};
 
@@ -82,6 +83,30 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// Half a million radians in half a step: no straight line is made for that.
+    Spun {
+        gravity: 9.81 m/s^2;
+        emit: step(rk4);
+        ground { port o: (0, 0) m; }
+        body wheel { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.1, 0) m; start omega: 1e9 rad/s, locked; start angle: 0 deg, locked; }
+        revolute axle(ground.o, wheel.o);
+    }
+}
+
+plm::mechanism! {
+    /// The same beside another wheel, so that angles are looked at in each stage.
+    SpunTwo {
+        gravity: 9.81 m/s^2;
+        emit: step(rk4);
+        ground { port o: (0, 0) m; port p: (1, 0) m; }
+        body slow { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.1, 0) m; start omega: 1 rad/s, locked; start angle: 0 deg, locked; }
+        body fast { mass: 1 kg; inertia: 0.1 kg*m^2; port p: (-0.1, 0) m; start omega: 1e9 rad/s, locked; start angle: 0 deg, locked; }
+        revolute axle(ground.o, slow.o);
+        revolute other(ground.p, fast.p);
+    }
+}
+
 /// The states of a run after `count` intervals of `h`.
 fn run<M: Mechanism<S = f64>>(method: impl Method<M>, mechanism: M, h: f64, count: usize) -> M::X {
     let mut sim = mechanism.start_with(method).unwrap();
@@ -132,6 +157,32 @@ fn explicit_steps_have_the_bits_of_a_run() {
     same!(FourBar, 3000);
     // A run looks at the drift every eighth step.
     same!(Absolute, 8);
+}
+
+/// Where a step is no straight line, in another chart and with angles of many turns, it is the formula all the same.
+#[test]
+fn steps_that_leave_the_straight_line_have_the_bits_of_a_run() {
+    let h = 1.0 / 1024.0;
+    for count in [1, 2, 100] {
+        let by_run = run(Rk4::new(h), Spun::new(), h, count);
+        let by_step = alone(Spun::new(), count, |state| state.step_rk4(h)).unwrap();
+        assert_eq!(bits(&by_run), bits(&by_step), "{count} steps of a wheel");
+        let by_run = run(Rk4::new(h), SpunTwo::new(), h, count);
+        let by_step = alone(SpunTwo::new(), count, |state| state.step_rk4(h)).unwrap();
+        assert_eq!(bits(&by_run), bits(&by_step), "{count} steps of two wheels");
+    }
+    // The crank comes to a dead point, so that the chart changes, and comes back.
+    let mut charts = [0; 2];
+    let mut sim = TripleRocker::new().start_with(Rk4::new(h)).unwrap();
+    let mut state = *sim.state();
+    for count in 0..3000 {
+        sim.step(h).unwrap();
+        state.step_rk4(h).unwrap();
+        assert_eq!(bits(sim.state().x()), bits(state.x()), "step {count} of a triple rocker");
+        let chart = state.of_loops.chart().unwrap();
+        charts[usize::from(chart > 0)] += 1;
+    }
+    assert!(charts.iter().all(|steps| *steps > 100), "{charts:?}");
 }
 
 /// An interval that is one step is made without ado; a run that is watched makes all steps one way.

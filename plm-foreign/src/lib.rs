@@ -5,7 +5,7 @@
 //! [`Described::TABLES`], nothing by hand for each mechanism. `plm::view::library` builds a
 //! library of any mechanism.
 //!
-//! This is the one crate with unsafe code: what it dereferences it looks at first, as far as a pointer can be looked at.
+//! This crate has unsafe code: what it dereferences it looks at first, as far as a pointer can be looked at.
 #![no_std]
 
 #[cfg(feature = "fmi")]

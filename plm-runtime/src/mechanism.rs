@@ -34,6 +34,20 @@ pub trait Moment: Copy {
         held: &<Self::M as System>::U,
         x: &<Self::M as System>::X,
     );
+    /// The same by reference, for what moves it on without a copy.
+    fn in_place(&mut self) -> InPlace<'_, Self::M>;
+}
+
+/// A [`Moment`] that is moved on where it stands.
+pub struct InPlace<'a, M: System> {
+    /// The mechanism and its parameters.
+    pub system: &'a M,
+    /// What is held over a step.
+    pub held: &'a mut M::U,
+    /// The time, s.
+    pub time: &'a mut M::S,
+    /// The state.
+    pub x: &'a mut M::X,
 }
 
 /// What is at a moment: a [`Moment`] itself, as `run` gives it, and a [`Sim`], which is at one. So functions that look at a

@@ -58,9 +58,28 @@ pub trait Scalar:
     fn sin_cos(self) -> (Self, Self);
     /// Sines and cosines of several angles, the same bits as one by one, in vector instructions where there are some.
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
+    /// [`sin_cos`](Self::sin_cos); with `DIRECT` no branch is compiled, and angles must be [`Real::are_direct`].
+    #[inline]
+    #[must_use]
+    fn sin_cos_by<const DIRECT: bool>(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    /// [`sin_cos_all`](Self::sin_cos_all), in the same way.
+    #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
+    #[inline(always)]
+    #[must_use]
+    fn sin_cos_all_by<const DIRECT: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        Self::sin_cos_all(angles)
+    }
     /// Square root, correctly rounded; NaN below zero.
     #[must_use]
     fn sqrt(self) -> Self;
+    /// The root of a number, or of zero if that is larger; with `DIRECT` NaN below zero.
+    #[inline]
+    #[must_use]
+    fn root_by<const DIRECT: bool>(self) -> Self {
+        if DIRECT { self.sqrt() } else { Self::lit(0.0).max(self).sqrt() }
+    }
     /// Tangent of an angle in rad.
     #[must_use]
     fn tan(self) -> Self;
@@ -161,6 +180,12 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     /// The largest integer that is not above the number.
     #[must_use]
     fn floor(self) -> Self;
+    /// Can sine and cosine of these angles be computed without a branch, by [`Scalar::sin_cos_by`]? False if it is not sure.
+    #[inline]
+    fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
+        let _ = angles;
+        true
+    }
 }
 
 /// `lanes` of N values in L >= N lanes; the last value fills up.
@@ -190,7 +215,7 @@ macro_rules! real {
             #[allow(clippy::cast_lossless, reason = "lossless in f64 alone")]
             #[inline]
             fn of_turns(turns: i32) -> Self {
-                Self::lit(turns.into())
+                turns as $real
             }
             #[inline]
             fn to_turns(self) -> i32 {
@@ -224,6 +249,18 @@ macro_rules! real {
                     5..=7 => padded::<_, N, 8>(angles, math::$real::sin_cos_lanes),
                     _ => math::$real::sin_cos_lanes(angles),
                 }
+            }
+            #[inline]
+            fn sin_cos_by<const DIRECT: bool>(self) -> (Self, Self) {
+                // By its path: numbers have a method of that name in std, with other bits.
+                if DIRECT { math::$real::sin_cos_direct(self) } else { math::$real::sin_cos(self) }
+            }
+            #[allow(clippy::inline_always, reason = "as `sin_cos_lanes`")]
+            #[inline(always)]
+            fn sin_cos_all_by<const DIRECT: bool, const N: usize>(
+                angles: [Self; N],
+            ) -> ([Self; N], [Self; N]) {
+                if DIRECT { math::$real::sin_cos_lanes_direct(angles) } else { Self::sin_cos_all(angles) }
             }
             #[inline]
             fn sqrt(self) -> Self {
@@ -283,12 +320,13 @@ macro_rules! real {
             const INFINITY: Self = $real::INFINITY;
 
             #[inline]
+            fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
+                math::$real::are_direct(angles)
+            }
+            #[inline]
             fn floor(self) -> Self {
-                let whole = self as i64 as $real;
-                // Beyond 2^53 every number is whole (and the conversion saturates beyond 2^63).
-                let small = $real::abs(self) < 9.0e15;
-                let below = if whole > self { whole - 1.0 } else { whole };
-                if small { below } else { self }
+                // Zero has one sign: numbers of two words, which are sums, keep none.
+                math::$real::floor(self) + 0.0
             }
         }
     };

@@ -3,12 +3,13 @@
 
 use crate::events;
 use crate::fault::{Cause, Fault};
-use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Ros34Pw2Formula, Trial, drift_of_size, excess, not_finite};
+use crate::lanes::Pack;
+use crate::mechanism::{InPlace, Mechanism, Moment};
+use crate::method::{Course, Formula, Rk4Formula, Ros34Pw2Formula, Trial, drift_of_size, excess, not_finite};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::singular::Rescue;
-use crate::system::{Health, System};
+use crate::system::{Health, Leg, System};
 use crate::vector::Vector;
 
 /// Drift that is tolerated, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if that is
@@ -30,65 +31,109 @@ pub fn step<T, M>(
     formula: impl FnOnce(&M, M::S, &M::U, &mut M::X) -> Result<Health<M::S>, Fault>,
 ) -> Result<(), Fault>
 where
-    M: Mechanism,
+    M: Pack,
     T: Moment<M = M>,
 {
-    let (system, held, before) = (moment.mechanism(), moment.held(), (moment.time(), *moment.x()));
-    let (time, mut x) = before;
-    let end = time + h;
-    if !system.is_regular(&held) {
-        return Err(not_regular(time));
+    let InPlace { system, held, time, x } = moment.in_place();
+    let (before, end) = ((*time, *x), *time + h);
+    if !system.is_regular(held) {
+        return Err(not_regular(before.0));
     }
     // False for what is not a number.
-    let moves = end > time;
+    let moves = end > before.0;
     if !moves {
-        return Err(Fault::new(time.to_f64(), Cause::StepTooSmall { step: h.to_f64() }));
+        return Err(Fault::new(before.0.to_f64(), Cause::StepTooSmall { step: h.to_f64() }));
     }
-    let health = formula(system, time, &held, &mut x)?;
-    if !(health.is_good() && x.is_finite()) {
-        return Err(unhealthy(system, &held, before, &x));
+    let mut next = before.1;
+    let health = formula(system, before.0, held, &mut next)?;
+    if !(health.is_good() && next.is_finite()) {
+        return Err(unhealthy(system, held, before, next));
     }
-    let (mut stats, mut longest) = (Stats::default(), h);
-    let mut course = Course::new((system, held), (end, x), end, (&mut stats, &mut longest));
-    course.health = health.0;
-    arrive(&mut course, before)?;
-    let (held, x) = (course.held, course.x);
-    moment.set(end, &held, &x);
+    let leg = Leg { system, held, from: (before.0, &before.1), to: (end, &next), health: health.0 };
+    if !is_uneventful(&leg) {
+        // A copy: what is lent to a call stands in memory, and the state of a step without events stays in registers.
+        next = arrive(system, held, (health.0, before), (end, next))?;
+    }
+    (*time, *x) = (end, next);
     Ok(())
 }
 
-/// What is looked at behind a step.
+/// Is there nothing to do behind a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
+/// to the last one that was looked at.
 #[inline]
-fn arrive<M: Mechanism>(course: &mut Course<'_, M>, before: (M::S, M::X)) -> Result<(), Fault> {
-    let (system, end) = (course.system, course.time);
+fn is_uneventful<M: Pack>(leg: &Leg<'_, M>) -> bool {
+    let &Leg { system, held, from: (start, _), to: (end, x), .. } = leg;
+    M::is_calm(end, held, x)
+        && !has_drifted(system, end, x)
+        && !M::Rescue::doubts(leg)
+        && events::are_quiet(system, end, held, x)
+        && is_before_instants(system, held, (start, end))
+}
+
+/// Is the state farther from its constraints than it may be?
+#[inline]
+fn has_drifted<M: System<S: Real>>(system: &M, end: M::S, x: &M::X) -> bool {
     let fraction = M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON);
-    let drift = system.drift(end, &course.x);
-    if excess(drift, drift_of_size(system, fraction)) > M::S::lit(1.0) {
-        system.settle(end, &mut course.x)?;
+    excess(system.drift(end, x), drift_of_size(system, fraction)) > M::S::lit(1.0)
+}
+
+/// Does no condition change in a step that the time alone decides?
+#[inline]
+fn is_before_instants<M: System<S: Real>>(system: &M, held: &M::U, (before, end): (M::S, M::S)) -> bool {
+    system.next_instant(before, held).is_none_or(|instant| instant > end)
+}
+
+/// What is done behind a step where something is; the state then.
+#[cold]
+fn arrive<M: Mechanism>(
+    system: &M,
+    held: &mut M::U,
+    (health, before): (M::S, (M::S, M::X)),
+    (end, mut x): (M::S, M::X),
+) -> Result<M::X, Fault> {
+    if has_drifted(system, end, &x) {
+        system.settle(end, &mut x)?;
     }
-    if M::Rescue::is_due(&course.leg((before.0, &before.1)), false) {
+    let leg = Leg { system, held, from: (before.0, &before.1), to: (end, &x), health };
+    if M::Rescue::is_due(&leg, false) {
         return Err(not_regular(before.0));
     }
-    system.accept(end, &mut course.held, &mut course.x)?;
-    if !system.is_regular(&course.held) {
+    let mut after = *held;
+    system.accept(end, &mut after, &mut x)?;
+    if !system.is_regular(&after) {
         return Err(not_regular(before.0));
     }
+    *held = if events::are_quiet(system, end, &after, &x)
+        && is_before_instants(system, &after, (before.0, end))
+    {
+        after
+    } else {
+        let (mut stats, mut longest) = (Stats::default(), end - before.0);
+        let mut course = Course::new((system, after), (end, x), end, (&mut stats, &mut longest));
+        course.health = health;
+        switched(&mut course, before.0)?
+    };
+    Ok(x)
+}
+
+/// What is held behind a step where conditions switch.
+fn switched<M: Mechanism>(course: &mut Course<'_, M>, before: M::S) -> Result<M::U, Fault> {
     events::switch_past(course)?;
-    if system.next_instant(before.0, &course.held).is_some_and(|instant| instant <= end) {
+    if !is_before_instants(course.system, &course.held, (before, course.time)) {
         let mut after = course.held;
-        system.pass(end, &mut after);
+        course.system.pass(course.time, &mut after);
         events::hold(course, after)?;
     }
-    Ok(())
+    Ok(course.held)
 }
 
 /// Why the rates of a step are of no use.
 #[cold]
-fn unhealthy<M: System<S: Real>>(system: &M, held: &M::U, (time, x): (M::S, M::X), next: &M::X) -> Fault {
+fn unhealthy<M: System<S: Real>>(system: &M, held: &M::U, (time, x): (M::S, M::X), next: M::X) -> Fault {
     let mut rate = x;
     match system.rate_by_rank(time, held, &x, &mut rate) {
         Err(fault) => fault,
-        Ok(()) if !next.is_finite() => not_finite(system, time, next),
+        Ok(()) if !next.is_finite() => not_finite(system, time, &next),
         Ok(()) => not_regular(time),
     }
 }
@@ -96,6 +141,14 @@ fn unhealthy<M: System<S: Real>>(system: &M, held: &M::U, (time, x): (M::S, M::X
 #[cold]
 fn not_regular<S: Real>(time: S) -> Fault {
     Fault::new(time.to_f64(), Cause::NotRegular)
+}
+
+/// W. Kutta's step where it is no straight line: in another chart than the first, or with angles of many turns.
+#[cold]
+#[inline(never)]
+pub fn rk4<M: System>(system: &M, t: M::S, u: &M::U, mut x: M::X, h: M::S) -> (M::X, Health<M::S>) {
+    let health = Rk4Formula::plain_step(system, t, u, &mut x, h);
+    (x, health)
 }
 
 /// Whether linearised equations can be solved, whose pivots were taken from products that were larger by `growth`.

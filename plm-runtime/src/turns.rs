@@ -37,7 +37,13 @@ pub fn add<S: Real, const K: usize>(turns: &[i32; K], numbers: &mut impl Vector<
 #[inline]
 pub(crate) fn due<S: Real>(angle: S) -> i32 {
     let is_far = angle.abs() > S::lit(FARTHEST) && angle.abs() < S::lit(MOST);
-    if is_far { (angle * S::lit(1.0 / TAU) + S::lit(0.5)).floor().to_turns() } else { 0 }
+    if !is_far {
+        return 0;
+    }
+    // The floor by way of an integer, which rounds to zero: so many turns fit into it.
+    let turns = angle * S::lit(1.0 / TAU) + S::lit(0.5);
+    let whole = turns.to_turns();
+    if S::of_turns(whole) > turns { whole - 1 } else { whole }
 }
 
 /// An angle less whole turns: the difference is exact for one turn (Sterbenz), its rest is rounded once.

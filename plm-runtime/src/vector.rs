@@ -122,9 +122,10 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn is_finite(&self) -> bool {
-        // Zero times NaN or infinity is NaN; four sums, so that the additions do not wait for each other.
+        // Zero times NaN or infinity is NaN; four sums, so that the additions do not wait for each other. They begin with what
+        // is neutral: the first addition is none.
         let zero = S::lit(0.0);
-        let mut probe = [zero; 4];
+        let mut probe = [S::lit(-0.0); 4];
         let (quads, rest) = self.as_chunks::<4>();
         for quad in quads {
             for (sum, s) in probe.iter_mut().zip(quad) {

@@ -9,7 +9,7 @@ mod pressures;
 mod settings;
 mod stabilise;
 
-use plm::runtime::{Dual, Health, Linear, Ports, System, Vector};
+use plm::runtime::{Dual, Health, InPlace, Linear, Ports, System, Vector};
 use plm::{Fault, Linearisation, Mechanism, Moment, Real, linearise};
 
 /// A mechanism at one moment.
@@ -41,6 +41,10 @@ impl<M: System + Copy> Moment for State<M> {
     }
     fn set(&mut self, time: M::S, held: &M::U, x: &M::X) {
         (self.time, self.held, self.x) = (time, *held, *x);
+    }
+    fn in_place(&mut self) -> InPlace<'_, M> {
+        let Self { mechanism, held, time, x } = self;
+        InPlace { system: mechanism, held, time, x }
     }
 }
 

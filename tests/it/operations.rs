@@ -20,8 +20,8 @@ fn right_hand_sides_cost_no_more_than_committed() {
     }
 }
 
-/// S1, S2, S6, S5.
-const COMMITTED: [u32; 4] = [30, 86, 60, 255];
+/// S1, S2, S6, S5. The side of a loop is a factor: an operation more in S5, and 62 instructions fewer in its step on a Cortex-M4F.
+const COMMITTED: [u32; 4] = [30, 86, 60, 256];
 
 #[test]
 fn the_reactions_of_a_tree_cost_a_few_dozen_operations_more_than_its_motion() {

@@ -89,18 +89,29 @@ mod plm_arm_on_jack_ {
         /// What is held over a step.
         type Held<S> = rt::Held<Input<S>, [S; 8], [<S as Scalar>::Turns; 1], ()>;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: ArmOnJack<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<Input<S>, [S; 8], [i32; 1], ()>,
             time: S,
             x: [S; 10],
-            switches: [S; 8],
-            turns: [i32; 1],
-            of_loops: (),
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -123,7 +134,7 @@ mod plm_arm_on_jack_ {
             /// Pose and velocity of G of body `arm`: m, m, rad; m/s, m/s, rad/s.
             pub fn arm(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.held.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Output `press.chamber1.pressure`, Pa.
@@ -501,14 +512,14 @@ mod plm_arm_on_jack_ {
             #[inline]
             fn pose_(&self) -> ([S; 3], [S; 3]) {
                 let (mut q, mut v) = ([S::lit(0.0); 3], [S::lit(0.0); 3]);
-                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &self.held, &self.x, &mut q, &mut v);
                 (q, v)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 3], [S; 3]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[2]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[2]]);
                 (q, v)
             }
         }
@@ -530,8 +541,7 @@ mod plm_arm_on_jack_ {
             type M = ArmOnJack<S>;
 
             fn new(mechanism: ArmOnJack<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &ArmOnJack<S> {
@@ -539,8 +549,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -553,11 +562,13 @@ mod plm_arm_on_jack_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, ArmOnJack<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -1247,7 +1258,7 @@ mod plm_arm_on_jack_ {
             fn full(state: &State<S>) -> [S; 14] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[2]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[2]]);
                     x
                 }
             }

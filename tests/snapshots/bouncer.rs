@@ -69,18 +69,29 @@ mod plm_bouncer_ {
         /// What is held over a step.
         type Held<S> = rt::Held<Input<S>, [S; 4], [<S as Scalar>::Turns; 0], ()>;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: Bouncer<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<Input<S>, [S; 4], [i32; 0], ()>,
             time: S,
             x: [S; 4],
-            switches: [S; 4],
-            turns: [i32; 0],
-            of_loops: (),
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -143,10 +154,10 @@ mod plm_bouncer_ {
             pub fn load_power(&self) -> S {
                 let (q, v) = self.pose_();
                 let [_, _, _, clock_x, ..] = q;
-                let [_, switch_1, switch_2, switch_3, ..] = self.switches;
+                let [_, switch_1, switch_2, switch_3, ..] = self.held.switches;
                 let [block_vx, _, _, clock_vx, ..] = v;
                 let lit = S::lit;
-                let push = self.input.push;
+                let push = self.held.input.push;
                 let t1 = S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
                     + (push
                         + S::select(
@@ -406,7 +417,7 @@ mod plm_bouncer_ {
             #[inline]
             fn pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
-                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &self.held, &self.x, &mut q, &mut v);
                 (q, v)
             }
         }
@@ -425,8 +436,7 @@ mod plm_bouncer_ {
             type M = Bouncer<S>;
 
             fn new(mechanism: Bouncer<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &Bouncer<S> {
@@ -434,8 +444,7 @@ mod plm_bouncer_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -448,11 +457,13 @@ mod plm_bouncer_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, Bouncer<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 

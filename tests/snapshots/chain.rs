@@ -77,18 +77,29 @@ mod plm_chain_ {
         /// What is held over a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 5], ()>;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: Chain<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<Input<S>, [S; 0], [i32; 5], ()>,
             time: S,
             x: [S; 10],
-            switches: [S; 0],
-            turns: [i32; 5],
-            of_loops: (),
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -111,31 +122,37 @@ mod plm_chain_ {
             /// Pose and velocity of G of body `bar[0]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_0(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.held.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `bar[1]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_1(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.held.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `bar[2]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_2(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.turns[2])], [v[6], v[7], v[8]])
+                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.held.turns[2])], [v[6], v[7], v[8]])
             }
 
             /// Pose and velocity of G of body `bar[3]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_3(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[9], q[10], rt::turns::whole(q[11], self.turns[3])], [v[9], v[10], v[11]])
+                BodyState::of(
+                    [q[9], q[10], rt::turns::whole(q[11], self.held.turns[3])],
+                    [v[9], v[10], v[11]],
+                )
             }
 
             /// Pose and velocity of G of body `bar[4]`: m, m, rad; m/s, m/s, rad/s.
             pub fn bar_4(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[12], q[13], rt::turns::whole(q[14], self.turns[4])], [v[12], v[13], v[14]])
+                BodyState::of(
+                    [q[12], q[13], rt::turns::whole(q[14], self.held.turns[4])],
+                    [v[12], v[13], v[14]],
+                )
             }
 
             /// Output `bar[4].b.y`, m.
@@ -500,14 +517,14 @@ mod plm_chain_ {
             #[inline]
             fn pose_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, mut v) = ([S::lit(0.0); 15], [S::lit(0.0); 15]);
-                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &self.held, &self.x, &mut q, &mut v);
                 (q, v)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[2], &[5], &[8], &[11], &[14]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8], &[11], &[14]]);
                 (q, v)
             }
         }
@@ -526,8 +543,7 @@ mod plm_chain_ {
             type M = Chain<S>;
 
             fn new(mechanism: Chain<S>, held: Held<S>, time: S, x: [S; 10]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &Chain<S> {
@@ -535,8 +551,7 @@ mod plm_chain_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -549,11 +564,13 @@ mod plm_chain_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 10]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, Chain<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -1485,7 +1502,7 @@ mod plm_chain_ {
             fn full(state: &State<S>) -> [S; 30] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5], &[8], &[11], &[14]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[2], &[5], &[8], &[11], &[14]]);
                     x
                 }
             }

@@ -65,18 +65,29 @@ mod plm_double_pendulum_ {
         /// What is held over a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: DoublePendulum<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<Input<S>, [S; 0], [i32; 2], ()>,
             time: S,
             x: [S; 4],
-            switches: [S; 0],
-            turns: [i32; 2],
-            of_loops: (),
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -99,13 +110,13 @@ mod plm_double_pendulum_ {
             /// Pose and velocity of G of body `arm`: m, m, rad; m/s, m/s, rad/s.
             pub fn arm(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.held.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `forearm`: m, m, rad; m/s, m/s, rad/s.
             pub fn forearm(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.held.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Output `arm.angle`, rad.
@@ -113,7 +124,7 @@ mod plm_double_pendulum_ {
                 let (q, _) = self.pose_();
                 let [_, _, arm_angle, ..] = q;
                 let lit = S::lit;
-                let arm_turns = S::of_turns(self.turns[0]);
+                let arm_turns = S::of_turns(self.held.turns[0]);
                 lit(6.283185307179586).mul_add(arm_turns, arm_angle)
             }
 
@@ -122,7 +133,7 @@ mod plm_double_pendulum_ {
                 let (q, _) = self.pose_();
                 let forearm_angle = q[5];
                 let lit = S::lit;
-                let forearm_turns = S::of_turns(self.turns[1]);
+                let forearm_turns = S::of_turns(self.held.turns[1]);
                 lit(6.283185307179586).mul_add(forearm_turns, forearm_angle)
             }
 
@@ -391,14 +402,14 @@ mod plm_double_pendulum_ {
             #[inline]
             fn pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, mut v) = ([S::lit(0.0); 6], [S::lit(0.0); 6]);
-                self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
+                self.mechanism.pose(self.time, &self.held, &self.x, &mut q, &mut v);
                 (q, v)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[2], &[5]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5]]);
                 (q, v)
             }
         }
@@ -417,8 +428,7 @@ mod plm_double_pendulum_ {
             type M = DoublePendulum<S>;
 
             fn new(mechanism: DoublePendulum<S>, held: Held<S>, time: S, x: [S; 4]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &DoublePendulum<S> {
@@ -426,8 +436,7 @@ mod plm_double_pendulum_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -440,11 +449,13 @@ mod plm_double_pendulum_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 4]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, DoublePendulum<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -689,7 +700,7 @@ mod plm_double_pendulum_ {
             #[inline]
             fn solved_(&self) -> ([S; 6], [S; 4]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); 6], [S::lit(0.0); 4]);
-                self.mechanism.reactions(self.time, &rt::Moment::held(self), &self.x, &mut a, &mut lambda);
+                self.mechanism.reactions(self.time, &self.held, &self.x, &mut a, &mut lambda);
                 (a, lambda)
             }
 
@@ -994,7 +1005,7 @@ mod plm_double_pendulum_ {
             fn full(state: &State<S>) -> [S; 12] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[2], &[5]]);
                     x
                 }
             }

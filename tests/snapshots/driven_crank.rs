@@ -78,18 +78,34 @@ mod plm_driven_crank_ {
             rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
         >;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: DrivenCrank<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<
+                Input<S>,
+                [S; 0],
+                [i32; 1],
+                rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
+            >,
             time: S,
             x: [S; 0],
-            switches: [S; 0],
-            turns: [i32; 1],
-            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -118,7 +134,7 @@ mod plm_driven_crank_ {
             /// Pose and velocity of G of body `rod`: m, m, rad; m/s, m/s, rad/s.
             pub fn rod(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[0])], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.held.turns[0])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `slider`: m, m, rad; m/s, m/s, rad/s.
@@ -494,13 +510,13 @@ mod plm_driven_crank_ {
             /// Pose and velocity of every body.
             #[inline]
             fn pose_(&self) -> ([S; 9], [S; 9]) {
-                rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
+                rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[5]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[5]]);
                 (q, v)
             }
         }
@@ -519,8 +535,7 @@ mod plm_driven_crank_ {
             type M = DrivenCrank<S>;
 
             fn new(mechanism: DrivenCrank<S>, held: Held<S>, time: S, x: [S; 0]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &DrivenCrank<S> {
@@ -528,8 +543,7 @@ mod plm_driven_crank_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -542,11 +556,13 @@ mod plm_driven_crank_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 0]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, DrivenCrank<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -1012,10 +1028,10 @@ mod plm_driven_crank_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 9]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 9]);
-                let (u, x) = (rt::Moment::held(self), self.absolute_());
-                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
+                let (u, x) = (&self.held, self.absolute_());
+                let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -1025,7 +1041,7 @@ mod plm_driven_crank_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 9] {
-                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 9],
                 }
@@ -1379,7 +1395,7 @@ mod plm_driven_crank_ {
             fn full(state: &State<S>) -> [S; 18] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[5]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[5]]);
                     x
                 }
             }
@@ -1662,7 +1678,7 @@ mod plm_driven_crank_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 19 add, 29 mul, 1 div, 2 neg, 1 sqrt, 2 sin_cos, 3 select, 1 other.
+            /// 19 add, 30 mul, 1 div, 1 neg, 1 sqrt, 2 sin_cos, 3 select, 1 other.
             fn pose_0(
                 &self,
                 t: S,
@@ -1685,11 +1701,11 @@ mod plm_driven_crank_ {
                 let crank_y = t2 + t3;
                 q[1] = crank_y;
                 q[2] = crank_angle;
-                let last_area_0 = m.areas[0];
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let last_area_0 = m.areas[0];
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let t4 = lit(0.5) * area_0;
                 q[3] = crank_x + t4 + crank_x;
                 let t5 = lit(0.5) * loop_0_y;
@@ -1731,7 +1747,7 @@ mod plm_driven_crank_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 7 add, 17 mul, 3 div, 1 neg, 2 sqrt, 3 sin_cos, 5 select, 1 other.
+            /// 7 add, 18 mul, 3 div, 2 sqrt, 3 sin_cos, 5 select, 1 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -1750,8 +1766,8 @@ mod plm_driven_crank_ {
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, amplitude * sin_t1);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let t2 = (lit(1.0) / area_0
                     * lit(-0.6).mul_add(cos_crank_angle, lit(-20.0) * amplitude * cos_t1))
                 .abs();

@@ -17,7 +17,7 @@ mod plm_four_bar_ {
     /// Accelerations by a dense mass matrix.
     /// State: 2 numbers, 16 bytes in f64.
     /// A solution by rank, where one is needed: 1088 bytes of stack in f64.
-    /// One right-hand side: 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+    /// One right-hand side: 26 add, 50 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
@@ -78,18 +78,34 @@ mod plm_four_bar_ {
             rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
         >;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: FourBar<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<
+                Input<S>,
+                [S; 0],
+                [i32; 3],
+                rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+            >,
             time: S,
             x: [S; 2],
-            switches: [S; 0],
-            turns: [i32; 3],
-            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -102,7 +118,7 @@ mod plm_four_bar_ {
         pub const NDOF: isize = 1;
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
-            Operations { add: 29, mul: 49, div: 3, sqrt: 1, sin_cos: 1, other: 3 };
+            Operations { add: 28, mul: 50, div: 3, sqrt: 1, sin_cos: 1, other: 3 };
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -112,19 +128,19 @@ mod plm_four_bar_ {
             /// Pose and velocity of G of body `crank`: m, m, rad; m/s, m/s, rad/s.
             pub fn crank(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.turns[0])], [v[0], v[1], v[2]])
+                BodyState::of([q[0], q[1], rt::turns::whole(q[2], self.held.turns[0])], [v[0], v[1], v[2]])
             }
 
             /// Pose and velocity of G of body `coupler`: m, m, rad; m/s, m/s, rad/s.
             pub fn coupler(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.turns[1])], [v[3], v[4], v[5]])
+                BodyState::of([q[3], q[4], rt::turns::whole(q[5], self.held.turns[1])], [v[3], v[4], v[5]])
             }
 
             /// Pose and velocity of G of body `rocker`: m, m, rad; m/s, m/s, rad/s.
             pub fn rocker(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.turns[2])], [v[6], v[7], v[8]])
+                BodyState::of([q[6], q[7], rt::turns::whole(q[8], self.held.turns[2])], [v[6], v[7], v[8]])
             }
 
             /// Output `drive.force`, N.
@@ -548,13 +564,13 @@ mod plm_four_bar_ {
             /// Pose and velocity of every body.
             #[inline]
             fn pose_(&self) -> ([S; 9], [S; 9]) {
-                rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
+                rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[2], &[5], &[8]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8]]);
                 (q, v)
             }
         }
@@ -573,8 +589,7 @@ mod plm_four_bar_ {
             type M = FourBar<S>;
 
             fn new(mechanism: FourBar<S>, held: Held<S>, time: S, x: [S; 2]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &FourBar<S> {
@@ -582,8 +597,7 @@ mod plm_four_bar_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -596,11 +610,13 @@ mod plm_four_bar_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 2]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, FourBar<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -1067,10 +1083,10 @@ mod plm_four_bar_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 8]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 8]);
-                let (u, x) = (rt::Moment::held(self), self.absolute_());
-                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
+                let (u, x) = (&self.held, self.absolute_());
+                let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -1080,7 +1096,7 @@ mod plm_four_bar_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 8] {
-                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 8],
                 }
@@ -1410,7 +1426,7 @@ mod plm_four_bar_ {
             fn full(state: &State<S>) -> [S; 18] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5], &[8]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[2], &[5], &[8]]);
                     x
                 }
             }
@@ -1695,7 +1711,7 @@ mod plm_four_bar_ {
             /// The right-hand side in the coordinates crank.angle.
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+            /// 26 add, 50 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(always)]
             fn motion_0(
                 &self,
@@ -1716,8 +1732,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -1759,7 +1775,7 @@ mod plm_four_bar_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 26 add, 50 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
+            /// 26 add, 51 mul, 2 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
             fn pose_0(
                 &self,
                 t: S,
@@ -1783,10 +1799,10 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let last_area_0 = m.areas[0];
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let way_0_y = area_0 * inverse_0;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let coupler_arm_x = -(loop_0_x + rocker_arm_x);
@@ -1846,7 +1862,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -1859,14 +1875,14 @@ mod plm_four_bar_ {
                 let crank_angle = x[0];
                 memory.coordinates[0].last = crank_angle;
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let last_area_0 = m.areas[0];
                 let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
                 let loop_0_y = lit(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let last_area_0 = m.areas[0];
+                let area_0 =
+                    lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -1955,7 +1971,7 @@ mod plm_four_bar_ {
             /// The right-hand side in the coordinates rocker.angle.
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 26 add, 51 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+            /// 26 add, 52 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
             fn motion_1(
                 &self,
@@ -1976,8 +1992,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -2015,7 +2031,7 @@ mod plm_four_bar_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 26 add, 52 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
+            /// 26 add, 53 mul, 2 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
             fn pose_1(
                 &self,
                 t: S,
@@ -2036,8 +2052,8 @@ mod plm_four_bar_ {
                 let way_0_x = along_0 * inverse_0;
                 let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_x = lit(0.5) * crank_arm_x;
@@ -2102,7 +2118,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn remember_1(
                 &self,
                 t: S,
@@ -2121,8 +2137,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
@@ -2211,7 +2227,7 @@ mod plm_four_bar_ {
             /// The right-hand side in the coordinates coupler.angle.
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 26 add, 49 mul, 3 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select.
+            /// 26 add, 50 mul, 3 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select.
             #[inline(never)]
             fn motion_2(
                 &self,
@@ -2234,8 +2250,8 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let dot_0_0 = -sin_coupler_angle.mul_add(way_0_y, t1 * way_0_x);
                 let cross_0_0 = (-t1).mul_add(way_0_y, sin_coupler_angle * way_0_x);
@@ -2276,7 +2292,7 @@ mod plm_four_bar_ {
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 26 add, 51 mul, 2 div, 3 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
+            /// 26 add, 52 mul, 2 div, 2 neg, 1 sqrt, 1 sin_cos, 3 select, 2 other.
             fn pose_2(
                 &self,
                 t: S,
@@ -2297,8 +2313,8 @@ mod plm_four_bar_ {
                 let way_0_x = along_0 * inverse_0;
                 let last_area_0 = m.areas[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_x = lit(0.5) * crank_arm_x;
@@ -2363,7 +2379,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 33 mul, 4 div, 3 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
             fn remember_2(
                 &self,
                 t: S,
@@ -2382,8 +2398,8 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
-                let root_0 = lit(0.0).max(square_0).sqrt();
-                let area_0 = S::select(last_area_0.lt(lit(0.0)), -root_0, root_0);
+                let area_0 =
+                    S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;

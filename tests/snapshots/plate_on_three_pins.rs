@@ -81,18 +81,34 @@ mod plm_plate_on_three_pins_ {
             rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
         >;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: PlateOnThreePins<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<
+                Input<S>,
+                [S; 0],
+                [i32; 1],
+                rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
+            >,
             time: S,
             x: [S; 0],
-            switches: [S; 0],
-            turns: [i32; 1],
-            of_loops: rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -133,7 +149,10 @@ mod plm_plate_on_three_pins_ {
             /// Pose and velocity of G of body `plate`: m, m, rad; m/s, m/s, rad/s.
             pub fn plate(&self) -> BodyState<S> {
                 let (q, v) = self.pose_();
-                BodyState::of([q[9], q[10], rt::turns::whole(q[11], self.turns[0])], [v[9], v[10], v[11]])
+                BodyState::of(
+                    [q[9], q[10], rt::turns::whole(q[11], self.held.turns[0])],
+                    [v[9], v[10], v[11]],
+                )
             }
 
             /// Output `slot[2].force`, N.
@@ -587,13 +606,13 @@ mod plm_plate_on_three_pins_ {
             /// Pose and velocity of every body.
             #[inline]
             fn pose_(&self) -> ([S; 12], [S; 12]) {
-                rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x)
+                rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 12], [S; 12]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[11]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[11]]);
                 (q, v)
             }
         }
@@ -612,8 +631,7 @@ mod plm_plate_on_three_pins_ {
             type M = PlateOnThreePins<S>;
 
             fn new(mechanism: PlateOnThreePins<S>, held: Held<S>, time: S, x: [S; 0]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &PlateOnThreePins<S> {
@@ -621,8 +639,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -635,11 +652,13 @@ mod plm_plate_on_three_pins_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 0]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, PlateOnThreePins<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -1375,10 +1394,10 @@ mod plm_plate_on_three_pins_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 12], [S; 12]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 24], [S::lit(0.0); 12]);
-                let (u, x) = (rt::Moment::held(self), self.absolute_());
-                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
+                let (u, x) = (&self.held, self.absolute_());
+                let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -1388,7 +1407,7 @@ mod plm_plate_on_three_pins_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 12] {
-                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 12],
                 }
@@ -1795,7 +1814,7 @@ mod plm_plate_on_three_pins_ {
             fn full(state: &State<S>) -> [S; 24] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[11]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[11]]);
                     x
                 }
             }

@@ -69,18 +69,29 @@ mod plm_slider_crank_ {
         /// What is held over a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: SliderCrank<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<Input<S>, [S; 0], [i32; 2], ()>,
             time: S,
             x: [S; 18],
-            switches: [S; 0],
-            turns: [i32; 2],
-            of_loops: (),
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
 
         /// Coordinates: (x, y, theta) of each body.
@@ -103,7 +114,7 @@ mod plm_slider_crank_ {
             /// Pose and velocity of G of body `crank`: m, m, rad; m/s, m/s, rad/s.
             pub fn crank(&self) -> BodyState<S> {
                 BodyState::of(
-                    [self.x[0], self.x[1], rt::turns::whole(self.x[2], self.turns[0])],
+                    [self.x[0], self.x[1], rt::turns::whole(self.x[2], self.held.turns[0])],
                     [self.x[9], self.x[10], self.x[11]],
                 )
             }
@@ -111,7 +122,7 @@ mod plm_slider_crank_ {
             /// Pose and velocity of G of body `rod`: m, m, rad; m/s, m/s, rad/s.
             pub fn rod(&self) -> BodyState<S> {
                 BodyState::of(
-                    [self.x[3], self.x[4], rt::turns::whole(self.x[5], self.turns[1])],
+                    [self.x[3], self.x[4], rt::turns::whole(self.x[5], self.held.turns[1])],
                     [self.x[12], self.x[13], self.x[14]],
                 )
             }
@@ -464,7 +475,7 @@ mod plm_slider_crank_ {
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &[&[2], &[5]]);
+                rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5]]);
                 (q, v)
             }
         }
@@ -483,8 +494,7 @@ mod plm_slider_crank_ {
             type M = SliderCrank<S>;
 
             fn new(mechanism: SliderCrank<S>, held: Held<S>, time: S, x: [S; 18]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
 
             fn mechanism(&self) -> &SliderCrank<S> {
@@ -492,8 +502,7 @@ mod plm_slider_crank_ {
             }
 
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
 
             fn time(&self) -> S {
@@ -506,11 +515,13 @@ mod plm_slider_crank_ {
 
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; 18]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+
+            fn in_place(&mut self) -> rt::InPlace<'_, SliderCrank<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
 
@@ -892,10 +903,10 @@ mod plm_slider_crank_ {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; 9], [S; 8]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 8]);
-                let (u, x) = (rt::Moment::held(self), self.absolute_());
-                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
+                let (u, x) = (&self.held, self.absolute_());
+                let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -905,7 +916,7 @@ mod plm_slider_crank_ {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; 8] {
-                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; 8],
                 }
@@ -1225,7 +1236,7 @@ mod plm_slider_crank_ {
             fn full(state: &State<S>) -> [S; 18] {
                 {
                     let mut x = state.absolute_();
-                    rt::turns::add(&state.turns, &mut x, &[&[2], &[5]]);
+                    rt::turns::add(&state.held.turns, &mut x, &[&[2], &[5]]);
                     x
                 }
             }

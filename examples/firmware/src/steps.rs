@@ -17,6 +17,8 @@ andrews!(s5: emit: step(rk4););
 
 /// Steps of each run.
 const STEPS: u32 = 10_000;
+/// Square roots that are compared beside them.
+const ROOTS: u64 = 20_000;
 
 /// What is known of a run.
 #[cfg_attr(feature = "std", expect(dead_code, reason = "an ordinary program counts nothing"))]
@@ -69,7 +71,27 @@ fn precision<S: Real>(
     mechanism!("slider-crank", s6::SliderCrank::<S>, 1e-3);
     mechanism!("Andrews", s5::Andrews::<S>, 1e-5);
     mechanism!("arm on a jack", Arm::<S>, 1e-5);
+    emit(roots::<S>());
     Ok(())
+}
+
+/// A number in which each bit of many square roots counts: of numbers of all exponents and signs, of subnormal ones, squares and
+/// their neighbours, zeros, infinities, and what is not a number.
+fn roots<S: Real>() -> u64 {
+    let special = [0.0, -0.0, 1.0, f64::INFINITY, -1.0, f64::NAN, f64::MAX, 5e-324].map(f64::to_bits);
+    // Multiples of the golden ratio meet all exponents.
+    let all = (1..ROOTS).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let subnormal = all.clone().map(|bits| bits >> 12);
+    let numbers = special.into_iter().chain(all).chain(subnormal).map(|bits| S::lit(f64::from_bits(bits)));
+    numbers.fold(0xcbf2_9ce4_8422_2325, |sum, x| {
+        let square = x * x;
+        let near = S::EPSILON * square;
+        [x, square, square - near, square + near].into_iter().fold(sum, |sum, x| {
+            let root = x.sqrt();
+            // Which bits of what is not a number come out is left open.
+            fnv(sum, if root == root { root.to_f64().to_bits() } else { 1 })
+        })
+    })
 }
 
 /// Makes the steps of one run. Emits the last state, and a number in which each bit of all states counts.

@@ -14,12 +14,31 @@ macro_rules! functions {
                 sin_cos::sin_cos(x)
             }
 
+            /// [`sin_cos`] where [`are_direct`] says that it takes no branch: none is compiled. Of larger angles something else.
+            #[inline]
+            pub fn sin_cos_direct(x: $float) -> ($float, $float) {
+                sin_cos::sin_cos_direct(x)
+            }
+
+            /// Whether all angles are so small that [`sin_cos`] takes no branch: their sum is, which is looked at once.
+            #[inline]
+            pub fn are_direct<const N: usize>(x: [$float; N]) -> bool {
+                sin_cos::are_direct(x)
+            }
+
             /// Sines and cosines of several angles, with the bits of [`sin_cos`]: one straight path for all of them,
             /// which compilers turn into vector instructions. Two, four or eight angles at a time fill them.
             #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
             #[inline(always)]
             pub fn sin_cos_lanes<const N: usize>(x: [$float; N]) -> ([$float; N], [$float; N]) {
                 sin_cos::sin_cos_lanes(x)
+            }
+
+            /// [`sin_cos_lanes`] where [`are_direct`] says that it takes no branch, as [`sin_cos_direct`].
+            #[allow(clippy::inline_always, reason = "as above")]
+            #[inline(always)]
+            pub fn sin_cos_lanes_direct<const N: usize>(x: [$float; N]) -> ([$float; N], [$float; N]) {
+                sin_cos::sin_cos_lanes_direct(x)
             }
 
             /// Sine of an angle in radians; see [`sin_cos`].

@@ -14,7 +14,8 @@
 //! [`exact`] has the rounding errors of sums and products, for numbers of twice the precision.
 //!
 //! With the feature `std` square roots come from the processor; without it they are found and corrected in integers, with
-//! the same bits. With the feature `fma` polynomials are evaluated with one rounding a term: other bits, within the same
+//! the same bits, unless `processor-sqrt-f32` or `processor-sqrt-f64` says that the processor has an instruction (in the crate
+//! plm-processor, whose assembly is unsafe). With the feature `fma` polynomials are evaluated with one rounding a term: other bits, within the same
 //! bounds of error.
 #![no_std]
 #![forbid(unsafe_code)]

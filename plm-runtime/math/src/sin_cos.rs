@@ -93,33 +93,57 @@ fn turn_by_table<F: Float>(quarters: usize, s: F, c: F) -> (F, F) {
     (circle[k], circle[k + 1])
 }
 
+/// Is an angle one of the direct path?
+#[inline]
+fn is_direct<F: Angle>(x: F) -> bool {
+    x.abs() <= F::BOUND
+}
+
+/// Are all angles of the direct path? Their magnitudes are no more than the sum of all, in any rounding.
+#[inline]
+pub(crate) fn are_direct<F: Angle, const N: usize>(x: [F; N]) -> bool {
+    let sum = x.iter().map(|x| x.abs()).reduce(|sum, x| sum + x);
+    sum.is_none_or(|sum| sum <= F::BOUND)
+}
+
 #[inline]
 pub(crate) fn sin_cos<F: Angle>(x: F) -> (F, F) {
-    if x.abs() <= F::BOUND {
-        let (sum, r) = quarter_turns(x);
-        let (s, c) = kernel(r);
-        turn_by_table(sum.rounded() as usize, s.value(), c.value())
-    } else {
-        sin_cos_large(x)
-    }
+    if is_direct(x) { sin_cos_direct(x) } else { sin_cos_large(x) }
+}
+
+#[inline]
+pub(crate) fn sin_cos_direct<F: Angle>(x: F) -> (F, F) {
+    let (sum, r) = quarter_turns(x);
+    let (s, c) = kernel(r);
+    turn_by_table(sum.rounded() as usize, s.value(), c.value())
 }
 
 /// One path for all lanes; each operation is written for one lane, and compilers join them.
 #[allow(clippy::inline_always, reason = "a call would end the vectors of its caller")]
 #[inline(always)]
 pub(crate) fn sin_cos_lanes<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
-    let direct = x.iter().fold(true, |all, x| all & (x.abs() <= F::BOUND));
-    if !direct {
-        return sin_cos_each(x);
-    }
+    let direct = x.iter().fold(true, |all, x| all & is_direct(*x));
+    if direct { sin_cos_lanes_direct(x) } else { sin_cos_each(x) }
+}
+
+#[allow(clippy::inline_always, reason = "as above")]
+#[inline(always)]
+pub(crate) fn sin_cos_lanes_direct<F: Angle, const N: usize>(x: [F; N]) -> ([F; N], [F; N]) {
     let (mut sines, mut cosines) = ([F::ZERO; N], [F::ZERO; N]);
     for lane in 0..N {
         let (sum, r) = quarter_turns(x[lane]);
         let (s, c) = kernel(r);
-        (sines[lane], cosines[lane]) = sum.turn(s.value(), c.value());
+        (sines[lane], cosines[lane]) = if VECTORS {
+            sum.turn(s.value(), c.value())
+        } else {
+            turn_by_table(sum.rounded() as usize, s.value(), c.value())
+        };
     }
     (sines, cosines)
 }
+
+/// Has the target vectors of floating-point numbers? Of 32-bit ARM none that follow IEEE 754 in all.
+const VECTORS: bool = !cfg!(target_arch = "arm");
 
 /// Lanes of which one at least leaves the direct path.
 #[cold]
@@ -160,7 +184,7 @@ fn reduce_large<F: Angle>(x: F) -> (usize, Pair<F>) {
 /// is relieved of the rounding error of r^2, its largest one.
 #[inline]
 pub(crate) fn parts<F: Angle>(x: F) -> (bool, Pair<F>, Pair<F>) {
-    let (quarters, r) = if x.abs() <= F::BOUND {
+    let (quarters, r) = if is_direct(x) {
         let (sum, r) = quarter_turns(x);
         (sum.rounded() as usize, r)
     } else {

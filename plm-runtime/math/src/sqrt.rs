@@ -1,19 +1,16 @@
-//! Square root, correctly rounded: by the processor with the feature `std`, else by a first guess that integers correct.
+//! Square root, correctly rounded: by the processor through std or plm-processor, else by a first guess that integers correct.
 
-#[cfg(feature = "std")]
 macro_rules! root {
     ($float:ident) => {
         #[inline]
         pub(crate) fn $float(x: $float) -> $float {
-            x.sqrt()
+            #[cfg(feature = "std")]
+            return x.sqrt();
+            #[cfg(all(not(feature = "std"), feature = "processor-sqrt-f32"))]
+            return plm_processor::$float(x).unwrap_or_else(|| integer::$float(x));
+            #[cfg(not(any(feature = "std", feature = "processor-sqrt-f32")))]
+            return integer::$float(x);
         }
-    };
-}
-
-#[cfg(not(feature = "std"))]
-macro_rules! root {
-    ($float:ident) => {
-        pub(crate) use integer::$float;
     };
 }
 

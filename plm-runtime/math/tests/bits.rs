@@ -25,12 +25,21 @@ macro_rules! bits {
 
             #[test]
             fn all_forms_of_sine_and_cosine_agree() {
-                fn lanes<const N: usize>(random: &mut Random, within: $float) {
+                fn lanes<const N: usize>(random: &mut Random, within: $float) -> bool {
                     let angles: [$float; N] = core::array::from_fn(|_| number(random) % within);
                     let (sines, cosines) = m::sin_cos_lanes(angles);
+                    let direct = m::are_direct(angles);
+                    if direct {
+                        let (s, c) = m::sin_cos_lanes_direct(angles);
+                        assert_eq!((s.map(bits), c.map(bits)), (sines.map(bits), cosines.map(bits)));
+                    }
                     for lane in 0..N {
                         let (s, c) = m::sin_cos(angles[lane]);
                         let both = (bits(s), bits(c));
+                        if direct {
+                            let (s, c) = m::sin_cos_direct(angles[lane]);
+                            assert_eq!((bits(s), bits(c)), both, "without a branch: {:e}", angles[lane]);
+                        }
                         assert_eq!(
                             (bits(sines[lane]), bits(cosines[lane])),
                             both,
@@ -41,16 +50,22 @@ macro_rules! bits {
                         let (s, c) = m::sin_cos(-angles[lane]);
                         assert_eq!((bits(-s), bits(c)), both, "symmetry: {:e}", angles[lane]);
                     }
+                    direct
                 }
-                let mut random = Random(1);
+                let (mut random, mut direct) = (Random(1), 0);
                 for _ in 0..5000 {
                     for within in [400.0, $float::INFINITY] {
-                        lanes::<1>(&mut random, within);
-                        lanes::<2>(&mut random, within);
-                        lanes::<3>(&mut random, within);
-                        lanes::<8>(&mut random, within);
+                        direct += u32::from(lanes::<1>(&mut random, within));
+                        direct += u32::from(lanes::<2>(&mut random, within));
+                        direct += u32::from(lanes::<3>(&mut random, within));
+                        direct += u32::from(lanes::<8>(&mut random, within));
                     }
                 }
+                assert!((10_000..30_000).contains(&direct), "{direct} of 40 000 are direct");
+                for far in [1e9, $float::INFINITY, $float::NAN] {
+                    assert!(!m::are_direct([0.5, far]) && !m::are_direct([-far]), "{far}");
+                }
+                assert!(m::are_direct([0.5, -300.0, 100.0]) && m::are_direct([]));
             }
 
             #[test]

@@ -20,7 +20,7 @@ use self::calm::Calm;
 use self::kinks::Kinks;
 use self::looks::Looks;
 use self::past::hold_past;
-pub(crate) use self::past::switch_past;
+pub(crate) use self::past::{are_quiet, switch_past};
 use self::search::{Found, Search};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, Method};

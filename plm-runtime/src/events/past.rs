@@ -1,6 +1,6 @@
 //! Conditions that are past their guards.
 
-use super::{guards_here, hold, is_past, required, switch_where_due};
+use super::{guards, guards_here, hold, is_past, required, switch_where_due};
 use crate::fault::Fault;
 use crate::method::Course;
 use crate::scalar::Real;
@@ -35,4 +35,11 @@ pub(crate) fn switch_past<M: System<S: Real>>(course: &mut Course<'_, M>) -> Res
     }
     let here = guards_here(course)?;
     hold_past(course, &here, true).map(|_| ())
+}
+
+/// Is no condition past its guard at a state?
+#[inline]
+pub(crate) fn are_quiet<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
+    let here = guards(system, t, held, x);
+    here.is_finite() && (0..M::G::LEN).all(|i| !is_past(system, &here, i))
 }

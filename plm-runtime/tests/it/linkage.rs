@@ -228,6 +228,10 @@ impl<M: plm_runtime::System + Copy> plm_runtime::Moment for At<M> {
     fn set(&mut self, time: M::S, held: &M::U, x: &M::X) {
         (self.time, self.held, self.x) = (time, *held, *x);
     }
+    fn in_place(&mut self) -> plm_runtime::InPlace<'_, M> {
+        let Self { mechanism, held, time, x } = self;
+        plm_runtime::InPlace { system: mechanism, held, time, x }
+    }
 }
 
 /// Implements the contract of generated code for a linkage with names.

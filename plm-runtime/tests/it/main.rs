@@ -28,6 +28,7 @@ mod redundant;
 mod references;
 mod resume;
 mod ros34pw2;
+mod scalar;
 mod single;
 mod smooth;
 mod tube;

@@ -17,6 +17,8 @@ pub(super) enum Origin<'a> {
     State,
     /// `self` is the mechanism; `x` is the state in this chart, `m` what is remembered.
     Chart(&'a Chart),
+    /// The same; the argument `DIRECT` tells of angles among it.
+    Rate(&'a Chart),
     /// Absolute coordinates, with their rate `dx` and the multipliers `lambda`.
     Linearised,
     /// What linear algebra works on: `c`, `e`, `r`, `lambda`, `inverse`.
@@ -35,7 +37,7 @@ impl Emission<'_> {
         let Emission { model, equations, fields, .. } = self;
         let of_state = matches!(origin, Origin::State);
         let [mechanism, held, x, time] = if of_state {
-            ["self.mechanism", "self", "self.x", "self.time"]
+            ["self.mechanism", "self.held", "self.x", "self.time"]
         } else {
             ["self", "u", "x", "t"]
         };
@@ -79,7 +81,7 @@ impl Emission<'_> {
             }
             Origin::State => bind(&equations.x, x, self.sizes.second_order),
             Origin::Arguments | Origin::Linearised => bind(&equations.x, x, 2 * nq),
-            Origin::Chart(chart) => {
+            Origin::Chart(chart) | Origin::Rate(chart) => {
                 let freedom = chart.y.len();
                 bind(&chart.y, x, 0);
                 bind(&chart.y_dot, x, freedom);
@@ -92,7 +94,7 @@ impl Emission<'_> {
                 }
             }
         }
-        if !matches!(origin, Origin::Chart(_)) {
+        if !matches!(origin, Origin::Chart(_) | Origin::Rate(_)) {
             bind(&equations.q, q.0, q.1);
             bind(&equations.v, v.0, v.1);
         }

@@ -1,11 +1,14 @@
 //! The straight-line functions of a mechanism.
 
+use plm_cas::Expr;
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::bindings::Origin;
+use super::contract::rate::is_short;
 use super::{Emission, Form, Sizes, docs, lower, memory, number};
 use crate::formulate::{Chart, Function, Reduced};
+use crate::model::Step;
 
 /// A straight-line function: its documentation, what stands before its body, what it computes and from what.
 pub(super) fn function(
@@ -33,7 +36,12 @@ pub(super) fn body(
     (function, origin): (&Function, Origin),
 ) -> (TokenStream, TokenStream) {
     let reserved = [arguments, &["lit"]].concat();
-    let (body, count) = lower::statements(function, &emission.bindings(origin), (&reserved, true));
+    let direct: Option<Vec<Expr>> = match origin {
+        Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect()),
+        _ => None,
+    };
+    let around = lower::Around { reserved: &reserved, by_reference: true, direct: direct.as_deref() };
+    let (body, count) = lower::statements(function, &emission.bindings(origin), &around);
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))
 }
@@ -142,14 +150,16 @@ fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
     let Sizes { nq, nc, length, .. } = &emission.sizes;
     let state = quote!(t: S, u: &Held<S>, x: &[S; #length]);
     let origin = Origin::Chart(chart);
+    let direct = is_straight(emission).then(|| quote!(<const DIRECT: bool>));
+    let of_rate = if direct.is_some() { Origin::Rate(chart) } else { origin };
     let motion = function(
         emission,
         "The right-hand side in joint coordinates.",
         &quote! {
             #[inline(always)]
-            fn motion(&self, #state, dx: &mut [S; #length])
+            fn motion #direct(&self, #state, dx: &mut [S; #length])
         },
-        (&chart.rate, origin),
+        (&chart.rate, of_rate),
     );
     let pose = function(
         emission,
@@ -174,6 +184,19 @@ fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
     let project = projection(emission, &quote!(project), chart);
     let switching = switching(emission, &quote!(switching), &state, (&chart.guards, origin));
     quote!(#motion #pose #reactions #project #switching)
+}
+
+/// Is a step by itself one straight line, in the first chart? Its stages have copies of the rate, which is a function
+/// `<const DIRECT: bool>`: of angles in the state whose sines and cosines need no branch, and of loops that are closed.
+pub(super) fn is_straight(emission: &Emission) -> bool {
+    let is_reduced = !matches!(emission.form, Form::Absolute);
+    is_reduced && emission.model.steps.contains(&Step::Rk4) && is_short(emission)
+}
+
+/// The coordinates that are angles, by their places in the state: `DIRECT` tells of these.
+pub(super) fn direct_angles(chart: &Chart) -> impl Iterator<Item = (usize, Expr)> {
+    let all = chart.y.iter().copied().enumerate().zip(&chart.turning);
+    all.filter_map(|(place, body)| body.map(|_| place))
 }
 
 const POSE: &str = "Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.";
@@ -201,14 +224,16 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
     // The first chart is the one that runs, the others hardly ever do.
     let attribute = if index == 0 { quote!(#[inline(always)]) } else { quote!(#[inline(never)]) };
     let name = named("motion");
+    let direct = (index == 0 && is_straight(emission)).then(|| quote!(<const DIRECT: bool>));
+    let of_rate = if direct.is_some() { Origin::Rate(chart) } else { origin };
     let motion = function(
         emission,
         &format!(
             "The right-hand side in the coordinates {}.\nReturns the smallest square of a dyad's measure.",
             chart.names.join(", ")
         ),
-        &quote!(#attribute fn #name(&self, #state, dx: &mut [S; #length]) -> S),
-        (&chart.rate, origin),
+        &quote!(#attribute fn #name #direct(&self, #state, dx: &mut [S; #length]) -> S),
+        (&chart.rate, of_rate),
     );
     let name = named("pose");
     let pose = function(

@@ -14,15 +14,13 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
             type M = #name<S>;
 
             fn new(mechanism: #name<S>, held: Held<S>, time: S, x: [S; #length]) -> Self {
-                let rt::Held { input, switches, turns, of_loops } = held;
-                State { mechanism, input, time, x, switches, turns, of_loops }
+                State { mechanism, held, time, x }
             }
             fn mechanism(&self) -> &#name<S> {
                 &self.mechanism
             }
             fn held(&self) -> Held<S> {
-                let Self { input, switches, turns, of_loops, .. } = *self;
-                rt::Held { input, switches, turns, of_loops }
+                self.held
             }
             fn time(&self) -> S {
                 self.time
@@ -32,11 +30,12 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
             }
             fn set(&mut self, time: S, held: &Held<S>, x: &[S; #length]) {
                 self.time = time;
-                self.input = held.input;
-                self.switches = held.switches;
-                self.turns = held.turns;
-                self.of_loops = held.of_loops;
+                self.held = *held;
                 self.x = *x;
+            }
+            fn in_place(&mut self) -> rt::InPlace<'_, #name<S>> {
+                let Self { mechanism, held, time, x } = self;
+                rt::InPlace { system: mechanism, held, time, x }
             }
         }
     }

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};
 use super::charted::in_held;
 use crate::formulate::Reduced;
@@ -12,7 +13,7 @@ use crate::formulate::Reduced;
 const SHORT: usize = 300;
 
 /// Is the rate copied into every stage?
-pub(super) fn is_short(emission: &Emission) -> bool {
+pub(in super::super) fn is_short(emission: &Emission) -> bool {
     emission.report.rate.total() <= SHORT
 }
 
@@ -25,16 +26,17 @@ pub(super) fn inlined(emission: &Emission) -> TokenStream {
 pub(crate) fn rate(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nc, length, second_order, .. }, .. } = emission;
     let (inlined, freedom) = (inlined(emission), number(second_order / 2));
+    let direct = is_straight(emission).then(|| quote!(::<false>));
     let rate = match emission.form {
         Form::Absolute => quote! {
             let mut lambda = [S::lit(0.0); #nc];
             rt::Health(self.dynamics(t, u, x, dx, &mut lambda))
         },
         Form::Tree(_) => quote! {
-            self.motion(t, u, x, dx);
+            self.motion #direct(t, u, x, dx);
             rt::Health::perfect()
         },
-        Form::Loops(reduced) => in_chart(reduced),
+        Form::Loops(reduced) => in_chart(reduced, direct.as_ref()),
     };
     quote! {
         impl<S: Scalar> rt::lanes::Rate for #name<S> {
@@ -52,10 +54,10 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
 }
 
 /// The rate in the chart that is held; without one there is none.
-fn in_chart(reduced: &Reduced) -> TokenStream {
+fn in_chart(reduced: &Reduced, direct: Option<&TokenStream>) -> TokenStream {
     let rate = in_held(reduced, &quote!(u), &quote!(S::lit(0.0)), |k| {
         if k == 0 {
-            return quote!(self.motion_0(t, u, m, x, dx));
+            return quote!(self.motion_0 #direct(t, u, m, x, dx));
         }
         // A copy goes through memory, so that the arrays of the first chart stay in registers.
         let motion = format_ident!("motion_{k}");

@@ -5,6 +5,7 @@ pub(super) mod implicit;
 pub(super) mod input;
 pub(super) mod mechanism;
 pub(super) mod outputs;
+mod rk4;
 pub(super) mod solved;
 pub(super) mod start;
 pub(super) mod state;

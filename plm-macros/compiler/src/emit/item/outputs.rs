@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::super::bindings::Origin;
-use super::super::lower::{Bindings, statements};
+use super::super::lower::{Around, Bindings, statements};
 use super::super::{Emission, docs, families, number};
 use crate::formulate::Function;
 use crate::model::Output;
@@ -67,7 +67,7 @@ fn poses(emission: &Emission) -> TokenStream {
         let triple = |array: &str, k: usize| [k, k + 1, k + 2].map(|k| format!("{array}[{k}]"));
         let ([x, y, mut angle], rates) = (triple(q, i), triple(v, j).join(", "));
         if let Some(count) = model.turns.iter().position(|counted| counted.bodies.contains(&k)) {
-            angle = format!("rt::turns::whole({angle}, self.turns[{count}])");
+            angle = format!("rt::turns::whole({angle}, self.held.turns[{count}])");
         }
         let body = format!("BodyState::of([{x}, {y}, {angle}], [{rates}])");
         let pose = arrays(&body, ["q", "v"], "self.pose_()");
@@ -133,7 +133,8 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let (text, _) = statements(function, bindings, (&reserved, false));
+    let around = Around { reserved: &reserved, by_reference: false, direct: None };
+    let (text, _) = statements(function, bindings, &around);
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
     let pose = arrays(&text, ["q", "v"], "self.pose_()");
     emission.text(solved + &pose + &text)

@@ -20,7 +20,7 @@ fn of_tree(emission: &Emission) -> TokenStream {
             #[inline]
             fn solved_(&self) -> ([S; #nq], [S; #nc]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
-                self.mechanism.reactions(self.time, &rt::Moment::held(self), &self.x, &mut a, &mut lambda);
+                self.mechanism.reactions(self.time, &self.held, &self.x, &mut a, &mut lambda);
                 (a, lambda)
             }
         }
@@ -62,10 +62,10 @@ fn of_absolute(emission: &Emission) -> TokenStream {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; #nq], [S; #nc]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); #full], [S::lit(0.0); #nc]);
-                let (u, x) = (rt::Moment::held(self), self.absolute_());
-                let health = self.mechanism.dynamics(self.time, &u, &x, &mut dx, &mut lambda);
+                let (u, x) = (&self.held, self.absolute_());
+                let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
-                    if let Ok(solution) = self.mechanism.accelerate(self.time, &u, &x) {
+                    if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
                         return (solution.a, solution.lambda);
                     }
                 }
@@ -75,7 +75,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; #nc] {
-                match self.mechanism.accelerate(self.time, &rt::Moment::held(self), &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; #nc],
                 }

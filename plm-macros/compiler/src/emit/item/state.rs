@@ -13,18 +13,29 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
     let of_loops = of_loops(emission);
     let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map(number);
     quote! {
-        /// The mechanism at one moment; its methods read poses and outputs.
+        /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: #name<S>,
-            /// The inputs.
-            pub input: Input<S>,
+            held: rt::Held<Input<S>, [S; #switches], [i32; #turns], #of_loops>,
             time: S,
             x: [S; #length],
-            switches: [S; #switches],
-            turns: [i32; #turns],
-            of_loops: #of_loops,
+        }
+
+        /// Gives the `input` of a moment, and all else that is held over a step.
+        impl<S: Real> core::ops::Deref for State<S> {
+            type Target = Held<S>;
+
+            fn deref(&self) -> &Held<S> {
+                &self.held
+            }
+        }
+
+        impl<S: Real> core::ops::DerefMut for State<S> {
+            fn deref_mut(&mut self) -> &mut Held<S> {
+                &mut self.held
+            }
         }
     }
 }
@@ -42,7 +53,7 @@ pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStre
     let places = turns::in_pose(emission);
     quote! {{
         let mut x = #state.absolute_();
-        rt::turns::add(&#state.turns, &mut x, &#places);
+        rt::turns::add(&#state.held.turns, &mut x, &#places);
         x
     }}
 }
@@ -54,11 +65,11 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
         Form::Absolute => quote!(absolute::split(&self.x)),
         Form::Tree(_) => quote! {
             let (mut q, mut v) = ([S::lit(0.0); #nq], [S::lit(0.0); #nq]);
-            self.mechanism.pose(self.time, &rt::Moment::held(self), &self.x, &mut q, &mut v);
+            self.mechanism.pose(self.time, &self.held, &self.x, &mut q, &mut v);
             (q, v)
         },
         Form::Loops(_) => {
-            quote!(rt::charts::pose(&self.mechanism, self.time, &rt::Moment::held(self), &self.x))
+            quote!(rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x))
         }
     };
     let (to, from) = (number(2 * emission.equations.q.len()), number(*second_order));
@@ -75,7 +86,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; #nq], [S; #nq]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.turns, &mut q, &#places);
+                rt::turns::add(&self.held.turns, &mut q, &#places);
                 (q, v)
             }
         }

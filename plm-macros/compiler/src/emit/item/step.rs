@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::super::lower::names::Names;
 use super::super::{Emission, Form, Sizes, docs};
-use super::implicit;
+use super::{implicit, rk4};
 use crate::model::Step;
 
 /// The ordered steps.
@@ -16,7 +16,7 @@ pub(crate) fn steps(emission: &Emission) -> TokenStream {
 /// What a step says of itself, and its formula.
 fn one(emission: &Emission, step: Step) -> TokenStream {
     let (method, source, formula) = match step {
-        Step::Rk4 => ("step_rk4", "the classical Runge-Kutta method of order 4", rk4(emission)),
+        Step::Rk4 => ("step_rk4", "the classical Runge-Kutta method of order 4", rk4::rk4(emission)),
         Step::SemiImplicitEuler => (
             "step_semi_implicit_euler",
             "the semi-implicit Euler method, of order 1",
@@ -51,49 +51,6 @@ fn one(emission: &Emission, step: Step) -> TokenStream {
     }
 }
 
-/// W. Kutta's formula, to the bit that of `plm_runtime::Rk4Formula`. The rates of positions are the velocities of the stages,
-/// whose sum is 6 v + h (k1 + k2 + k3).
-fn rk4(emission: &Emission) -> TokenStream {
-    let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
-    let names = locals(emission);
-    let n = second_order / 2;
-    let stage = |factor: &str, k: &str| {
-        let entry = |(i, x): (usize, &Ident)| format!("{factor}.mul_add({k}[{i}], {x})");
-        emission.lines(names.iter().enumerate().map(entry))
-    };
-    let [second, third, fourth] =
-        [("half", "k1"), ("half", "k2"), ("h", "k3")].map(|(factor, k)| stage(factor, k));
-    let end = names.iter().enumerate().map(|(i, x)| match names.get(n + i) {
-        Some(v) if i < n => {
-            let k = n + i;
-            format!("h.mul_add(sixth.mul_add(k1[{k}] + (k2[{k}] + k3[{k}]), {v}), {x})")
-        }
-        _ => format!("sixth.mul_add(two.mul_add(k2[{i}] + k3[{i}], k1[{i}] + k4[{i}]), {x})"),
-    });
-    let end = emission.lines(end);
-    quote! {
-        impl<S: Scalar> #name<S> {
-            /// The formula of W. Kutta.
-            fn step_rk4(&self, t: S, u: &Held<S>, x: &mut [S; #length], h: S) -> rt::Health<S> {
-                use rt::lanes::Rate;
-                let (half, two, sixth) = (S::lit(0.5) * h, S::lit(2.0), S::lit(1.0 / 6.0) * h);
-                let [#(#names),*] = *x;
-                let zero = [S::lit(0.0); #length];
-                let (mut k1, mut k2, mut k3, mut k4) = (zero, zero, zero, zero);
-                let health = self.rate(t, u, x, &mut k1);
-                let stage = [#second];
-                let health = health.worst(self.rate(t + half, u, &stage, &mut k2));
-                let stage = [#third];
-                let health = health.worst(self.rate(t + half, u, &stage, &mut k3));
-                let stage = [#fourth];
-                let health = health.worst(self.rate(t + h, u, &stage, &mut k4));
-                *x = [#end];
-                health
-            }
-        }
-    }
-}
-
 /// v by its rate, q by the new v, first-order states by their rate.
 fn semi_implicit_euler(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
@@ -124,8 +81,11 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
 }
 
 /// Names for the numbers of the state.
-fn locals(emission: &Emission) -> Vec<Ident> {
-    let reserved = ["t", "u", "x", "h", "k", "k1", "k2", "k3", "k4", "half", "two", "sixth", "zero", "stage"];
+pub(super) fn locals(emission: &Emission) -> Vec<Ident> {
+    let reserved = [
+        "t", "u", "x", "h", "k", "k1", "k2", "k3", "k4", "half", "two", "sixth", "zero", "x2", "x3", "x4",
+        "m", "end", "health",
+    ];
     let mut names = Names::with_reserved(&reserved);
     let is_one_chart = !matches!(emission.form, Form::Loops(reduced) if reduced.charts.len() > 1);
     let of_state = super::super::contract::system::names_of_state(emission).into_iter();

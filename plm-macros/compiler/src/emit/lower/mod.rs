@@ -30,16 +30,21 @@ const SHORT: usize = 40;
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = BTreeMap<Expr, String>;
 
-/// The statements of a function and its operations; `reserved` are the names of its arguments, arrays among which are
-/// references or values.
-pub(super) fn statements(
-    function: &Function,
-    bindings: &Bindings,
-    (reserved, by_reference): (&[&str], bool),
-) -> (String, Count) {
-    let lines = lower(function, bindings, reserved);
+/// What surrounds the statements of a function.
+pub(super) struct Around<'a> {
+    /// The names of its arguments.
+    pub(super) reserved: &'a [&'a str],
+    /// Arrays among them are references, or values.
+    pub(super) by_reference: bool,
+    /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
+    pub(super) direct: Option<&'a [Expr]>,
+}
+
+/// The statements of a function and its operations.
+pub(super) fn statements(function: &Function, bindings: &Bindings, around: &Around) -> (String, Count) {
+    let lines = lower(function, bindings, around);
     let count = lines.count;
-    (blocks::with_literals(lines, by_reference), count)
+    (blocks::with_literals(lines, around.by_reference), count)
 }
 
 /// An expression as one of Rust: a block where it needs locals.
@@ -49,18 +54,19 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
-    let lines = lower(&function, bindings, &reserved);
+    let around = Around { reserved: &reserved, by_reference: true, direct: None };
+    let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
         _ => format!("{{\n{}}}", blocks::body(&lines, 4)),
     }
 }
 
-/// Lowers a function; `reserved` are the names of its arguments.
-fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
+/// Lowers a function.
+fn lower(function: &Function, bindings: &Bindings, around: &Around) -> Lines {
     let tape = function.tape();
     let first_result = tape.outputs.len() - function.results.len();
-    let mut lowering = Lowering::new(&tape, first_result, bindings, reserved);
+    let mut lowering = Lowering::new(&tape, first_result, bindings, around);
     let mut root = 0;
     let mut done = 0;
     for section in &function.sections {
@@ -86,6 +92,8 @@ fn lower(function: &Function, bindings: &Bindings, reserved: &[&str]) -> Lines {
 struct Lowering<'a> {
     tape: &'a Tape,
     bindings: &'a Bindings,
+    /// Angles that `DIRECT` tells of.
+    direct: Option<&'a [Expr]>,
     names: Names,
     /// How often a result needs each instruction.
     uses: Vec<u32>,
@@ -101,7 +109,8 @@ struct Lowering<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    fn new(tape: &'a Tape, first_result: usize, bindings: &'a Bindings, reserved: &[&str]) -> Self {
+    fn new(tape: &'a Tape, first_result: usize, bindings: &'a Bindings, around: &Around<'a>) -> Self {
+        let &Around { reserved, direct, .. } = around;
         let uses = uses(tape, &tape.outputs[first_result..]);
         let groups = angle_groups(tape, &uses);
         let needed =
@@ -114,7 +123,8 @@ impl<'a> Lowering<'a> {
             is_result[result.index()] = true;
         }
         let pieces = Vec::with_capacity(tape.ops.len());
-        Lowering { tape, bindings, names, uses, is_result, pieces, groups, early: BTreeMap::new(), lines }
+        let early = BTreeMap::new();
+        Lowering { tape, bindings, direct, names, uses, is_result, pieces, groups, early, lines }
     }
 
     /// Announces a section; a section without statements leaves no title.
@@ -162,10 +172,11 @@ impl<'a> Lowering<'a> {
             self.bind_group(&sines);
             return;
         }
+        let by = if self.is_direct(angle) { "sin_cos_by::<DIRECT>" } else { "sin_cos" };
         let angle = self.pieces[angle.index()].clone();
         let (sine, cosine) = self.local_pair(&angle);
         let pattern = format!("({}, {})", sine.text, cosine.text);
-        let value = format!("{}.sin_cos()", angle.within(4));
+        let value = format!("{}.{by}()", angle.within(4));
         let makes = vec![sine.reads[0], cosine.reads[0]];
         self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
         self.early.insert(index, sine);
@@ -175,6 +186,12 @@ impl<'a> Lowering<'a> {
     /// `let ([sin_a, sin_b], [cos_a, cos_b]) = S::sin_cos_all([a, b]);`
     fn bind_group(&mut self, sines: &[usize]) {
         let (mut makes, mut reads) = (Vec::new(), Vec::new());
+        let mut angles = sines.iter().filter_map(|&index| self.tape.ops[index].op.operands().next());
+        let by = if angles.all(|angle| self.is_direct(angle)) {
+            "sin_cos_all_by::<DIRECT, _>"
+        } else {
+            "sin_cos_all"
+        };
         let mut texts: [Vec<String>; 3] = Default::default();
         for &index in sines {
             let Some(angle) = self.tape.ops[index].op.operands().next() else { continue };
@@ -190,8 +207,25 @@ impl<'a> Lowering<'a> {
         }
         let [sines, cosines, angles] = texts.map(|list| list.join(", "));
         let pattern = format!("([{sines}], [{cosines}])");
-        let value = format!("S::sin_cos_all([{angles}])");
+        let value = format!("S::{by}([{angles}])");
         self.lines.statements.push(Statement::Let { makes, pattern, value, reads });
+    }
+
+    /// Is an angle one that `DIRECT` tells of?
+    fn is_direct(&self, angle: Ref) -> bool {
+        let angles = self.direct.unwrap_or_default();
+        matches!(self.tape.ops[angle.index()].op, Op::Symbol(symbol) if angles.contains(&symbol))
+    }
+
+    /// What the root of `max(0, a)` is the root of, where numbers below zero are refused by `DIRECT`.
+    fn above_zero(&self, root: Ref) -> Option<Ref> {
+        let is_zero = |at: Ref| matches!(self.tape.ops[at.index()].op, Op::Number(0.0));
+        match self.tape.ops[root.index()].op {
+            Op::Max(zero, a) if self.direct.is_some() && is_zero(zero) && self.uses[root.index()] == 1 => {
+                Some(a)
+            }
+            _ => None,
+        }
     }
 
     /// A coordinate, before its turn if need be.
@@ -261,7 +295,10 @@ impl<'a> Lowering<'a> {
             Op::Mul(a, b) => at(a).joined(" * ", at(b), 2),
             Op::Div(a, b) => at(a).joined(" / ", at(b), 2),
             Op::Neg(a) => self.negative(a),
-            Op::Sqrt(a) => at(a).called("sqrt", &[]),
+            Op::Sqrt(a) => match self.above_zero(a) {
+                Some(a) => at(a).called("root_by::<DIRECT>", &[]),
+                None => at(a).called("sqrt", &[]),
+            },
             Op::Sin(a) => at(a).called("sin", &[]),
             Op::Cos(a) => at(a).called("cos", &[]),
             Op::Asin(a) => at(a).called("asin", &[]),

@@ -271,8 +271,10 @@ impl Solving<'_, '_> {
     fn root(&self, square: Expr) -> (Expr, Expr) {
         let square = self.named("square", square);
         let root = self.named("root", square.max(Expr::ZERO).sqrt());
-        let Some(side) = self.side else { return (square, root) };
-        (square, self.named("area", side.less(Expr::ZERO).select(-root, root)))
+        let Some(area) = self.side else { return (square, root) };
+        // The side is held over a step: what tells it is the same in all stages.
+        let side = self.named("side", area.less(Expr::ZERO).select(-Expr::ONE, Expr::ONE));
+        (square, self.named("area", side * root))
     }
 
     /// The direction in which a slide moves, in absolute axes.
