@@ -17,11 +17,11 @@ const PERIODS: u32 = 1000;
 #[test]
 fn thin_lines_step_at_1_khz_where_rk4_needs_20() {
     let known = reference(PERIODS).unwrap();
-    let implicit = run(PERIODS, 1, |state, h| state.step_linearly_implicit(h)).unwrap();
+    let implicit = run(PERIODS, 1, plants::arm::State::step_linearly_implicit).unwrap();
     let largest = errors(&implicit, &known).into_iter().fold(0.0, f64::max);
     assert!(largest < 0.01, "{largest}");
 
-    let explicit = |division| run(PERIODS, division, |state, h| state.step_rk4(h));
+    let explicit = |division| run(PERIODS, division, plants::arm::State::step_rk4);
     for division in [1, 5, 10] {
         let found = explicit(division).map(|found| errors(&found, &known).into_iter().fold(0.0, f64::max));
         assert!(!found.is_ok_and(|error| error < 0.1), "{division}");

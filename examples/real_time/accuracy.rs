@@ -87,7 +87,7 @@ pub fn chart(periods: u32) -> Result<(Chart, String), Fault> {
     let mut chart = Chart::new(Axis::log("step", "s"), Axis::log("largest error, of the range", ""))
         .titled("An arm on a hydraulic jack with thin lines")
         .with_rule(Rule::vertical(PERIOD, "1 kHz"));
-    let mut text = String::new();
+    let mut lines = Vec::new();
     let explicit: &dyn Fn(&mut arm::State, f64) -> Result<(), Fault> = &|state, h| state.step_rk4(h);
     let implicit: &dyn Fn(&mut arm::State, f64) -> Result<(), Fault> =
         &|state, h| state.step_linearly_implicit(h);
@@ -101,11 +101,11 @@ pub fn chart(periods: u32) -> Result<(Chart, String), Fault> {
                     let pressure = pressures.into_iter().fold(0.0, f64::max);
                     curves[0].push((h, angle));
                     curves[1].push((h, pressure));
-                    text += &format!(
-                        "{name}, h = {h:e} s: angle {angle:.1e}, pressures {pressure:.1e} of the range\n"
-                    );
+                    lines.push(format!(
+                        "{name}, h = {h:e} s: angle {angle:.1e}, pressures {pressure:.1e} of the range"
+                    ));
                 }
-                Err(fault) => text += &format!("{name}, h = {h:e} s: {fault}\n"),
+                Err(fault) => lines.push(format!("{name}, h = {h:e} s: {fault}")),
             }
         }
         let family = usize::from(name == "RK4");
@@ -114,5 +114,5 @@ pub fn chart(periods: u32) -> Result<(Chart, String), Fault> {
             chart = chart.with(series.of_family(family, variant));
         }
     }
-    Ok((chart, text))
+    Ok((chart, lines.join("\n")))
 }

@@ -115,8 +115,8 @@ fn wait_for(due: Instant) {
     const AWAKE: Duration = Duration::from_micros(300);
 
     let left = due.saturating_duration_since(Instant::now());
-    if left > AWAKE {
-        sleep(left - AWAKE);
+    if let Some(asleep) = left.checked_sub(AWAKE) {
+        sleep(asleep);
     }
     while Instant::now() < due {
         spin_loop();

@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(file) = arguments.value("accuracy") {
         let (chart, text) = accuracy::chart(2000)?;
         chart.write_svg(file)?;
-        print!("{text}");
+        println!("{text}");
         return Ok(());
     }
     let seconds = arguments.number("seconds")?.unwrap_or(5.0);
