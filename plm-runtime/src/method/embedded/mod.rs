@@ -3,9 +3,11 @@
 mod control;
 mod dense;
 mod pair;
+mod stages;
 mod start;
 
 pub use self::pair::{Limits, Pair};
+pub(super) use self::stages::{Rows, stages};
 
 use self::control::Control;
 use self::dense::Span;
