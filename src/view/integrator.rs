@@ -6,7 +6,9 @@ use std::str::FromStr;
 use std::vec::Vec;
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System};
+use plm_runtime::{
+    Dop853, Dopri5, Fault, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System, Vern9,
+};
 
 use super::arguments::{BadOption, nearest};
 
@@ -24,6 +26,8 @@ use super::arguments::{BadOption, nearest};
 pub enum Integrator {
     /// [`Dop853`] with its relative tolerance.
     Dop853(f64),
+    /// [`Vern9`] with its relative tolerance.
+    Vern9(f64),
     /// [`Dopri5`] with its relative tolerance.
     Dopri5(f64),
     /// [`RadauIia5`] with its relative tolerance.
@@ -53,8 +57,9 @@ struct Named {
     tolerance: Option<f64>,
 }
 
-const NAMED: [Named; 8] = [
+const NAMED: [Named; 9] = [
     Named { name: "Dop853", make: Integrator::Dop853, tolerance: Some(1e-9) },
+    Named { name: "Vern9", make: Integrator::Vern9, tolerance: Some(1e-9) },
     Named { name: "Dopri5", make: Integrator::Dopri5, tolerance: Some(1e-8) },
     Named { name: "RadauIia5", make: Integrator::RadauIia5, tolerance: Some(1e-8) },
     Named { name: "Rk4", make: Integrator::Rk4, tolerance: None },
@@ -117,6 +122,7 @@ impl Integrator {
     {
         Ok(match self {
             Self::Dop853(rtol) => then.with(mechanism.start_with(Dop853::new(rtol))?),
+            Self::Vern9(rtol) => then.with(mechanism.start_with(Vern9::new(rtol))?),
             Self::Dopri5(rtol) => then.with(mechanism.start_with(Dopri5::new(rtol))?),
             Self::RadauIia5(rtol) => then.with(mechanism.start_with(RadauIia5::new(rtol))?),
             Self::Rk4(h) => then.with(mechanism.start_with(Rk4::new(h))?),
@@ -130,7 +136,7 @@ impl Integrator {
 
 /// The names for help.
 pub(super) const METHODS: &str =
-    "Dop853[:TOLERANCE], Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
+    "Dop853[:TOLERANCE], Vern9, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
 
 #[cfg(test)]
 mod tests {
@@ -152,7 +158,7 @@ mod tests {
         let said =
             |text: &str| text.parse::<Integrator>().err().map_or(String::new(), |error| error.to_string());
         assert!(
-            said("rk5:1e-3").starts_with("there is no method `rk5`; is Rk4 meant? There are Dop853, Dopri5")
+            said("rk5:1e-3").starts_with("there is no method `rk5`; is Rk4 meant? There are Dop853, Vern9")
         );
         assert_eq!(said("rk4"), "Rk4 wants its longest step in seconds, as in Rk4:1e-3");
         assert_eq!(

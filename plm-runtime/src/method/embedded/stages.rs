@@ -8,6 +8,9 @@ use crate::scalar::Scalar;
 use crate::system::System;
 use crate::vector::Vector;
 
+/// Stages of more numbers than that do not stay in registers, and are copied for nothing: in a chain of six bars.
+const FEW_STATES: usize = 8;
+
 /// The rows of an explicit formula of `N` stages, up to 16 of them.
 pub(in crate::method) trait Rows<const N: usize> {
     /// When the stages are, as fractions of the step.
@@ -33,10 +36,19 @@ pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
     first: &M::X,
     rates: &mut impl Rates<M>,
 ) -> ([M::X; N], M::X) {
-    let (coordinates, rest) = (0..M::NQ, M::NQ..M::X::LEN);
     let (mut k, mut at) = ([*first; N], *x);
+    let time = |stage: usize| M::S::lit(R::NODES[stage]).mul_add(h, t);
+    if !(M::SHORT && M::X::LEN <= FEW_STATES) {
+        for stage in 1..N {
+            R::row(stage, 0..M::X::LEN, (x, h), &k, &mut at);
+            rates.at(time(stage), &at, &mut k[stage]);
+        }
+        R::row(N, 0..M::X::LEN, (x, h), &k, &mut at);
+        return (k, at);
+    }
+    let (coordinates, rest) = (0..M::NQ, M::NQ..M::X::LEN);
     R::row(1, coordinates.clone(), (x, h), &k, &mut at);
-    each_stage!(M::SHORT, stage in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15] {
+    each_stage!(true, stage in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15] {
         if stage < N {
             R::row(stage, rest.clone(), (x, h), &k, &mut at);
             for i in coordinates.clone() {
@@ -44,7 +56,7 @@ pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
             }
             let mut next = at;
             R::row(stage + 1, coordinates.clone(), (x, h), &k, &mut next);
-            rates.at(M::S::lit(R::NODES[stage]).mul_add(h, t), &at, &mut k[stage]);
+            rates.at(time(stage), &at, &mut k[stage]);
             at = next;
         }
     });
