@@ -1,12 +1,13 @@
 //! A run whose method is known when the program runs.
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Dop853, Dopri5, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System};
+use plm_runtime::{Dop853, Dopri5, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System, Vern9};
 
 /// A run by one of the methods of [`Integrator`](crate::integrator::Integrator), which starts it.
 #[derive(Clone, Copy)]
 pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
     Dop853(Sim<M, Dop853<M>>),
+    Vern9(Sim<M, Vern9<M>>),
     Dopri5(Sim<M, Dopri5<M>>),
     RadauIia5(Sim<M, RadauIia5<M>>),
     Rk4(Sim<M, Rk4<f64>>),
@@ -28,6 +29,7 @@ macro_rules! each {
     ($any:expr, $sim:ident => $value:expr) => {
         match $any {
             Self::Dop853($sim) => $value,
+            Self::Vern9($sim) => $value,
             Self::Dopri5($sim) => $value,
             Self::RadauIia5($sim) => $value,
             Self::Rk4($sim) => $value,

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use std::vec::Vec;
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Rk4, SemiImplicitEuler, System};
+use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Rk4, SemiImplicitEuler, System, Vern9};
 
 use crate::any_sim::AnySim;
 use crate::mistake::{BadOption, nearest};
@@ -25,6 +25,8 @@ use crate::mistake::{BadOption, nearest};
 pub enum Integrator {
     /// [`Dop853`] with its relative tolerance.
     Dop853(f64),
+    /// [`Vern9`] with its relative tolerance.
+    Vern9(f64),
     /// [`Dopri5`] with its relative tolerance.
     Dopri5(f64),
     /// [`RadauIia5`] with its relative tolerance.
@@ -54,8 +56,9 @@ struct Named {
     tolerance: Option<f64>,
 }
 
-const NAMED: [Named; 8] = [
+const NAMED: [Named; 9] = [
     Named { name: "Dop853", make: Integrator::Dop853, tolerance: Some(1e-9) },
+    Named { name: "Vern9", make: Integrator::Vern9, tolerance: Some(1e-9) },
     Named { name: "Dopri5", make: Integrator::Dopri5, tolerance: Some(1e-8) },
     Named { name: "RadauIia5", make: Integrator::RadauIia5, tolerance: Some(1e-8) },
     Named { name: "Rk4", make: Integrator::Rk4, tolerance: None },
@@ -103,7 +106,7 @@ impl Integrator {
     /// Has it a longest step, not a tolerance?
     #[cfg(feature = "analysis")]
     pub(crate) fn is_fixed(self) -> bool {
-        !matches!(self, Self::Dop853(_) | Self::Dopri5(_) | Self::RadauIia5(_))
+        !matches!(self, Self::Dop853(_) | Self::Vern9(_) | Self::Dopri5(_) | Self::RadauIia5(_))
     }
 
     /// Assembles a mechanism at a time, s, and gives its run by this method.
@@ -116,6 +119,7 @@ impl Integrator {
     {
         Ok(match self {
             Self::Dop853(rtol) => AnySim::Dop853(mechanism.start_at(time, Dop853::new(rtol))?),
+            Self::Vern9(rtol) => AnySim::Vern9(mechanism.start_at(time, Vern9::new(rtol))?),
             Self::Dopri5(rtol) => AnySim::Dopri5(mechanism.start_at(time, Dopri5::new(rtol))?),
             Self::RadauIia5(rtol) => AnySim::RadauIia5(mechanism.start_at(time, RadauIia5::new(rtol))?),
             Self::Rk4(h) => AnySim::Rk4(mechanism.start_at(time, Rk4::new(h))?),
@@ -132,7 +136,7 @@ impl Integrator {
 /// The names for help.
 #[cfg(any(feature = "view", test))]
 pub(crate) const METHODS: &str =
-    "Dop853[:TOLERANCE], Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
+    "Dop853[:TOLERANCE], Vern9, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
 
 #[cfg(test)]
 mod tests {
@@ -154,7 +158,7 @@ mod tests {
         let said =
             |text: &str| text.parse::<Integrator>().err().map_or(String::new(), |error| error.to_string());
         assert!(
-            said("rk5:1e-3").starts_with("there is no method `rk5`; is Rk4 meant? There are Dop853, Dopri5")
+            said("rk5:1e-3").starts_with("there is no method `rk5`; is Rk4 meant? There are Dop853, Vern9")
         );
         assert_eq!(said("rk4"), "Rk4 wants its longest step in seconds, as in Rk4:1e-3");
         assert_eq!(

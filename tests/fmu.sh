@@ -22,7 +22,7 @@ fi
 
 # fmi-sim binds the standard's headers by libclang, which Python's registry has.
 second() {
-    local sim=0.7.0 own=$target/tools/fmi-sim libclang
+    local sim=0.7.0 own=$target/tools/fmi-sim made=$target/tmp libclang
     if [ "$("$own/bin/fmi-sim" --version 2>/dev/null)" != "fmi-sim $sim" ]; then
         "$tools/bin/pip" install --quiet --disable-pip-version-check libclang
         libclang=$(find "$tools" -name 'libclang*.so*' -print -quit)
@@ -30,7 +30,7 @@ second() {
             cargo install fmi-sim --version "$sim" --locked --debug --root "$own" --target-dir "$own/build"
     fi
     env -u PLM_PYTHON cargo test --workspace --features analysis,batch,lanes --test foreign -- an_fmu
-    "$tools/bin/python" tests/fmu/second.py "$own/bin/fmi-sim" "$target/tmp/fmu/press.fmu" "$target/tmp/fmu/press.csv"
+    "$tools/bin/python" tests/fmu/second.py "$own/bin/fmi-sim" "$made/fmu/press.fmu" "$made/fmu/press.csv"
 }
 if [ "${1:-}" = --second ]; then
     second

@@ -3,6 +3,7 @@
 
 use plm::{
     Cause, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, RadauIia5, Rk4, Ros34Pw2, SemiImplicitEuler, Sim,
+    Vern9,
 };
 
 plm::mechanism! {
@@ -91,6 +92,7 @@ fn is_sampled<I: Method<Pendulum>>(method: I, least: usize) {
 #[test]
 fn the_last_step_can_be_looked_at() {
     is_sampled(Dop853::new(1e-9), 50);
+    is_sampled(Vern9::new(1e-9), 20);
     is_sampled(Dopri5::new(1e-7), 20);
     is_sampled(RadauIia5::new(1e-7), 20);
 }
@@ -185,6 +187,7 @@ fn begins_again<I: Method<Pendulum>>(method: I) {
 #[test]
 fn a_reset_run_has_the_bits_of_a_fresh_one() {
     begins_again(Dop853::new(1e-8).with_longest_step(0.1));
+    begins_again(Vern9::new(1e-8));
     begins_again(Dopri5::new(1e-7));
     begins_again(RadauIia5::new(1e-7).with_longest_step(0.1));
     begins_again(Rk4::new(0.01).with_tolerance(1e-8));

@@ -1,7 +1,7 @@
 //! A case run by `plm`.
 
 use plm::runtime::Linear;
-use plm::{Dop853, Dopri5, Fault, Gauss, Method, Moment, RadauIia5, Rk4, Ros34Pw2, Scalar, Sim};
+use plm::{Dop853, Dopri5, Fault, Gauss, Method, Moment, RadauIia5, Rk4, Ros34Pw2, Scalar, Sim, Vern9};
 
 use crate::mechanisms::Build;
 
@@ -9,6 +9,7 @@ use crate::mechanisms::Build;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     Dop853,
+    Vern9,
     Dopri5,
     Rk4,
     Gauss,
@@ -17,8 +18,8 @@ pub enum By {
 }
 
 impl By {
-    pub const ALL: [Self; 6] =
-        [Self::Dop853, Self::Dopri5, Self::Rk4, Self::Gauss, Self::Radau, Self::Ros34Pw2];
+    pub const ALL: [Self; 7] =
+        [Self::Dop853, Self::Vern9, Self::Dopri5, Self::Rk4, Self::Gauss, Self::Radau, Self::Ros34Pw2];
 
     /// Whether its steps have a fixed length, which decides how exact it is.
     pub fn fixed(self) -> bool {
@@ -88,6 +89,7 @@ const MOST_STEPS: u64 = 20_000;
 pub fn any<M: Build<S = f64> + Linear>(order: &Order) -> Outcome {
     let short = 1e-3 / order.finer;
     match order.by {
+        By::Vern9 => with::<M, _>(order, Vern9::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
         By::Dopri5 => with::<M, _>(order, Dopri5::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
         By::Rk4 => with::<M, _>(order, Rk4::new(short)),
         By::Gauss => with::<M, _>(order, Gauss::<M, 3>::new(short)),

@@ -1,7 +1,7 @@
 //! The methods of the charts: one line each.
 
 use plm::runtime::{Linear, Ports};
-use plm::{Dop853, Dopri5, Gauss, Mechanism, RadauIia5, Rk4};
+use plm::{Dop853, Dopri5, Gauss, Mechanism, RadauIia5, Rk4, Vern9};
 use plm_peers::Setting::{Step, Tolerance};
 
 use crate::measure::{Line, Rung};
@@ -15,5 +15,6 @@ pub fn every<M: Mechanism<S = f64> + Linear + Ports>(rung: &Rung<M>) -> Vec<Line
         rung.line(3, "Gauss 4", Step, Gauss::<M, 2>::new),
         rung.line(4, "Gauss 6", Step, Gauss::<M, 3>::new),
         rung.line(5, "Radau IIA 5", Tolerance, RadauIia5::new),
+        rung.line(6, "Verner 9(8)", Tolerance, Vern9::new),
     ]
 }

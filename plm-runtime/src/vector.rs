@@ -4,6 +4,7 @@
 //! reach the components through [`Vector`]. Every loop has a constant bound, and no index can fail.
 
 use core::fmt::Debug;
+use core::ops::Range;
 
 use crate::scalar::Scalar;
 
@@ -36,6 +37,14 @@ pub trait Vector<S: Scalar>: Copy + Debug {
     /// `self + h * weighted(...)`, in one pass.
     #[must_use]
     fn moved<const K: usize>(&self, h: S, weights: [f64; K], vectors: [&Self; K]) -> Self;
+    /// The components of `part` become those of `x + h * weighted(...)`.
+    fn shift<const K: usize>(
+        &mut self,
+        part: Range<usize>,
+        from: (&Self, S),
+        weights: [f64; K],
+        vectors: [&Self; K],
+    );
     /// Adds `sum of factor * vector`, in the order of the terms.
     fn add<const K: usize>(&mut self, terms: [(S, &Self); K]);
     /// Neither infinite nor NaN in any component.
@@ -109,6 +118,21 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
     #[inline]
     fn moved<const K: usize>(&self, h: S, weights: [f64; K], vectors: [&Self; K]) -> Self {
         Self::from_fn(|i| h.mul_add(weighted(weights, vectors, i), self[i]))
+    }
+
+    #[inline]
+    fn shift<const K: usize>(
+        &mut self,
+        part: Range<usize>,
+        (x, h): (&Self, S),
+        weights: [f64; K],
+        vectors: [&Self; K],
+    ) {
+        for i in 0..N {
+            if part.contains(&i) {
+                self[i] = h.mul_add(weighted(weights, vectors, i), x[i]);
+            }
+        }
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! The method that eigenvalues ask for.
 
-use plm::{Choice, Dop853, Mode, Pace, RadauIia5, StartAuto};
+use plm::{Choice, Dop853, Mode, Pace, RadauIia5, StartAuto, Vern9};
 
 /// Eigenvalues, complex ones once.
 fn modes(eigenvalues: &[(f64, f64)]) -> Vec<Mode> {
@@ -41,6 +41,16 @@ fn what_swings_fast_is_followed_and_what_dies_out_fast_is_not() {
         "DOP853: the slowest takes 2.00e0 s, and nothing dies out 100 times faster (at most 5.00e-1 1/s)"
     );
     assert_eq!(choice(&[(0.0, 0.0)]).to_string(), "DOP853: no eigenvalue tells of motion at the start");
+    // What only swings, to a tight tolerance, is followed with order 9.
+    let swings = modes(&[(-0.1, 5.0)]);
+    assert!(
+        !Choice::by(&swings, 1e-8).ninth_order
+            && !Choice::by(&modes(&[(-0.1, 5.0), (-6.0, 0.0)]), 1e-9).ninth_order
+    );
+    assert_eq!(
+        Choice::by(&swings, 1e-9).to_string(),
+        "Verner 9(8): what has to be followed swings or grows with 5.00e0 1/s, and nothing dies out"
+    );
     // The tighter the tolerance, the later it pays.
     let edge = modes(&[(-1.0, 0.0), (-200.0, 0.0)]);
     assert!(Choice::by(&edge, 1e-8).stiff && !Choice::by(&edge, 1e-12).stiff);
@@ -55,6 +65,17 @@ mod damped {
             prismatic rail(ground.rail, mass.slide) { stiffness: 1e6 N/m; damping: damping; }
         }
     }
+}
+
+#[test]
+fn a_tight_tolerance_takes_order_9() {
+    let mass = damped::Damped { damping: 10.0, ..damped::Damped::new() };
+    let mut auto = mass.start_auto_with(1e-11).unwrap();
+    let mut known = mass.start_with(Vern9::new(1e-11)).unwrap();
+    assert!(auto.method().choice().ninth_order);
+    auto.step(0.1).unwrap();
+    known.step(0.1).unwrap();
+    assert_eq!((auto.stats(), auto.mass().x), (known.stats(), known.mass().x));
 }
 
 #[test]

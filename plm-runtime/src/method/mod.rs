@@ -6,6 +6,7 @@
 //! | [`Rk4`] | 4 | fixed |
 //! | [`Dopri5`] | 5, dense output of order 4 | by error control |
 //! | [`Dop853`] | 8, dense output of order 7 | by error control |
+//! | [`Vern9`] | 9, dense output of order 8 | by error control |
 //! | [`Gauss`] with 2 or 3 stages | 4, 6; symplectic and time-reversible | fixed |
 //! | [`Ros34Pw2`] | 3; L-stable | fixed |
 //! | [`RadauIia5`] | 5, dense output of order 3; L-stable | by error control |
@@ -27,6 +28,7 @@ mod radau;
 mod rates;
 mod rk4;
 mod ros34pw2;
+mod vern9;
 
 pub use dop853::{Dop853, DormandPrince853};
 pub use dopri5::{Dopri5, DormandPrince5};
@@ -41,6 +43,7 @@ pub use rates::Rates;
 pub(crate) use rates::Watched;
 pub use rk4::{Rk4, Rk4Formula};
 pub use ros34pw2::{Ros34Pw2, Ros34Pw2Formula, Trial};
+pub use vern9::{Vern9, Verner98};
 
 use core::cmp::Ordering;
 

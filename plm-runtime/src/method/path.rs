@@ -4,6 +4,9 @@ use crate::scalar::Real;
 use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
 
+/// Powers of the highest degree that a dense output has, 8, and below.
+pub(super) const POWERS: usize = 9;
+
 /// The state over a step, as polynomials of the fraction of it that has passed.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<S, X> {
@@ -12,13 +15,13 @@ pub struct Path<S, X> {
     /// The length of the step, s.
     pub h: S,
     /// Coefficients of the powers of the fraction from 0 up; no method has a higher degree.
-    pub coefficients: [X; 8],
+    pub coefficients: [X; POWERS],
 }
 
 impl<S: Real, X: Vector<S>> Path<S, X> {
     /// Of functions that give each component's coefficients.
-    pub(crate) fn new(start: S, h: S, mut component: impl FnMut(usize) -> [S; 8]) -> Self {
-        let mut coefficients = [X::fill(S::ZERO); 8];
+    pub(crate) fn new(start: S, h: S, mut component: impl FnMut(usize) -> [S; POWERS]) -> Self {
+        let mut coefficients = [X::fill(S::ZERO); POWERS];
         for i in 0..X::LEN {
             for (power, coefficient) in coefficients.iter_mut().zip(component(i)) {
                 power.set(i, coefficient);
@@ -48,7 +51,7 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
             } else {
                 [from.at(i), to.at(i) - from.at(i), zero, zero]
             };
-            [a, b, c, d, zero, zero, zero, zero]
+            [a, b, c, d, zero, zero, zero, zero, zero]
         })
     }
 
@@ -106,10 +109,10 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
 
     /// The coefficients of a component about another fraction of the step, by repeated synthetic division (D. E. Knuth,
     /// The Art of Computer Programming 2, 4.6.4, "shifting").
-    fn shifted(&self, i: usize, middle: S) -> [S; 8] {
+    fn shifted(&self, i: usize, middle: S) -> [S; POWERS] {
         let mut c = self.coefficients.map(|power| power.at(i));
-        for first in 0..7 {
-            for k in (first..7).rev() {
+        for first in 0..POWERS - 1 {
+            for k in (first..POWERS - 1).rev() {
                 c[k] = c[k + 1].mul_add(middle, c[k]);
             }
         }
@@ -118,22 +121,25 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
 }
 
 /// Ranges of a polynomial and of its derivative up to `radius` from zero, term by term: even powers have one sign.
-fn enclose<S: Real>(c: [S; 8], radius: S) -> Tube<S> {
+fn enclose<S: Real>(c: [S; POWERS], radius: S) -> Tube<S> {
     let (mut value, mut slope) = (Interval::point(c[0]), Interval::point(c[1]));
     let mut power = radius;
-    for k in 1..8 {
-        value = value + reach(c[k] * power, k % 2 == 0);
-        if k < 7 {
-            slope = slope + reach(S::lit((k + 1) as f64) * c[k + 1] * power, k % 2 == 0);
+    for k in 1..POWERS {
+        value = reach(value, c[k] * power, k % 2 == 0);
+        if k + 1 < POWERS {
+            slope = reach(slope, S::lit((k + 1) as f64) * c[k + 1] * power, k % 2 == 0);
         }
         power = power * radius;
     }
     Tube { middle: c[0], value, slope }
 }
 
-/// From nothing to `size` if `one_sided`, else to both sides.
-fn reach<S: Real>(size: S, one_sided: bool) -> Interval<S> {
-    Interval::between(if one_sided { S::ZERO } else { -size }, size)
+/// A range and a term from nothing to `size` if `one_sided`, else to both sides; zero is not rounded outwards.
+fn reach<S: Real>(range: Interval<S>, size: S, one_sided: bool) -> Interval<S> {
+    if size == S::ZERO {
+        return range;
+    }
+    range + Interval::between(if one_sided { S::ZERO } else { -size }, size)
 }
 
 #[cfg(test)]
@@ -202,7 +208,7 @@ mod tests {
 
     #[test]
     fn what_is_around_a_place_is_enclosed() {
-        let path = Path::new(3.0, 0.2, |_: usize| [1.0, -2.0, 0.7, 1.5, -0.3, 0.9, -1.1, 0.4]);
+        let path = Path::new(3.0, 0.2, |_: usize| [1.0, -2.0, 0.7, 1.5, -0.3, 0.9, -1.1, 0.4, -0.2]);
         for (middle, radius) in [(0.5, 0.5), (0.25, 0.125), (0.9, 0.01)] {
             let (time, x) = path.around(middle, radius);
             let tube = x(0);
@@ -229,8 +235,8 @@ mod tests {
     /// Of one power alone nothing is too wide, but for the sums that are rounded outwards.
     #[test]
     fn powers_are_enclosed_exactly() {
-        for k in 1..8 {
-            let mut c = [0.0; 8];
+        for k in 1..POWERS {
+            let mut c = [0.0; POWERS];
             c[k] = -3.0;
             let (tube, radius) = (enclose(c, 0.5), 0.5_f64);
             let (size, steepest) = (3.0 * radius.powi(k as i32), 3.0 * k as f64 * radius.powi(k as i32 - 1));

@@ -1,9 +1,10 @@
 //! Samples, intervals and the steps between them.
 
-use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4};
+use plm_runtime::method::Method;
+use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, Vern9};
 
 use crate::mechanisms::double_pendulum;
-use crate::oscillator::{error, oscillator};
+use crate::oscillator::{Oscillator, error, oscillator};
 
 #[test]
 fn samples_do_not_shorten_steps() {
@@ -20,15 +21,20 @@ fn samples_do_not_shorten_steps() {
 
 #[test]
 fn samples_cost_the_extra_stages_only_where_they_are() {
+    cost_so_many_stages(3, Dop853::new(1e-6));
+    cost_so_many_stages(4, Vern9::new(1e-6));
+}
+
+fn cost_so_many_stages(stages: u64, method: impl Method<Oscillator<f64>>) {
     let run = |every: f64| {
-        let mut sim = oscillator().start_with(Dop853::new(1e-6)).unwrap();
+        let mut sim = oscillator().start_with(method).unwrap();
         sim.run(2.0, every, |_| ()).unwrap();
         (sim.x, sim.stats())
     };
     let ((x, plain), (x_few, few), (x_many, many)) = (run(2.0), run(1.0), run(0.001));
     assert_eq!((x, x), (x_few, x_many));
-    assert_eq!(few.evaluations, plain.evaluations + 3);
-    assert_eq!(many.evaluations, plain.evaluations + 3 * plain.steps);
+    assert_eq!(few.evaluations, plain.evaluations + stages);
+    assert_eq!(many.evaluations, plain.evaluations + stages * plain.steps);
 }
 
 #[test]

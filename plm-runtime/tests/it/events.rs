@@ -3,7 +3,9 @@
 use core::f64::consts::{LN_2, PI, SQRT_2};
 
 use plm_runtime::method::{Embedded, Gauss, Method, Pair};
-use plm_runtime::{Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, SemiImplicitEuler, Sim, System};
+use plm_runtime::{
+    Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, SemiImplicitEuler, Sim, System, Vern9,
+};
 
 use crate::linkage::At;
 
@@ -121,6 +123,7 @@ fn a_switched_force_keeps_its_period<P: Pair>(method: Embedded<Scene, P>) {
 #[test]
 fn switched_forces_are_located_to_rounding() {
     a_switched_force_keeps_its_period(Dop853::new(1e-6));
+    a_switched_force_keeps_its_period(Vern9::new(1e-6));
     a_switched_force_keeps_its_period(Dopri5::new(1e-6));
 }
 
@@ -384,6 +387,7 @@ fn known_times_are_hit_by_every_method() {
         assert_eq!((sim.time, sim.held.passed), (4.0, 2));
     }
     passes(Dop853::new(1e-4));
+    passes(Vern9::new(1e-4));
     passes(Dopri5::new(1e-4));
     passes(Rk4::new(0.7));
     passes(SemiImplicitEuler::new(0.7));

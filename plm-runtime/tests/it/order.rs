@@ -1,7 +1,7 @@
 //! Orders of convergence, by halving the step.
 
-use plm_runtime::method::{DormandPrince5, DormandPrince853, Embedded, Method, Pair};
-use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, SemiImplicitEuler};
+use plm_runtime::method::{DormandPrince5, DormandPrince853, Embedded, Method, Pair, Verner98};
+use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, SemiImplicitEuler, Vern9};
 
 use crate::oscillator::{Oscillator, error, oscillator};
 
@@ -47,6 +47,12 @@ fn dop853_has_order_8() {
     assert!((order - 8.0).abs() < 0.3, "{order}");
 }
 
+#[test]
+fn vern9_has_order_9() {
+    let order = order(|h| error_with(fixed::<Verner98>(10.0 * h)));
+    assert!((order - 9.0).abs() < 0.3, "{order}");
+}
+
 /// Observed order of the worst error inside the steps, between `2 h` and `h`.
 fn dense_order<P: Pair>(h: f64) -> f64 {
     let worst = |h: f64| {
@@ -61,15 +67,19 @@ fn dense_order<P: Pair>(h: f64) -> f64 {
 
 #[test]
 fn dense_output_has_the_order_of_its_polynomial_or_more() {
-    // The error inside a step is that of its ends (order 5, 8) and of the polynomial (local error of order 5, 8).
+    // The error inside a step is that of its ends (order 5, 8, 9) and of the polynomial (local error of order 5, 8, 9).
     let (fifth, eighth) = (dense_order::<DormandPrince5>(0.02), dense_order::<DormandPrince853>(0.08));
     assert!((4.8..5.3).contains(&fifth), "{fifth}");
     assert!((7.7..8.4).contains(&eighth), "{eighth}");
+    // Of Verner's polynomial the term of order 9 is small beside the next.
+    let ninth = dense_order::<Verner98>(0.1);
+    assert!((8.7..10.2).contains(&ninth), "{ninth}");
 }
 
 #[test]
 fn the_pairs_keep_their_tolerance() {
-    for (rtol, of_5, of_853) in [(1e-4, 150, 150), (1e-8, 700, 350), (1e-12, 4000, 1000)] {
+    for (rtol, of_5, of_853, of_9) in [(1e-4, 150, 150, 200), (1e-8, 700, 350, 300), (1e-12, 4000, 1000, 700)]
+    {
         let mut sim = oscillator().start_with(Dopri5::new(rtol)).unwrap();
         sim.step(2.0).unwrap();
         // The tolerance is per step; the solution neither grows nor decays.
@@ -79,6 +89,10 @@ fn the_pairs_keep_their_tolerance() {
         sim.step(2.0).unwrap();
         assert!(error(2.0, &sim.x) < 30.0 * rtol, "{rtol}: {}", error(2.0, &sim.x));
         assert!(sim.stats().evaluations < of_853, "{rtol}: {:?}", sim.stats());
+        let mut sim = oscillator().start_with(Vern9::new(rtol)).unwrap();
+        sim.step(2.0).unwrap();
+        assert!(error(2.0, &sim.x) < 30.0 * rtol, "{rtol}: {}", error(2.0, &sim.x));
+        assert!(sim.stats().evaluations < of_9, "{rtol}: {:?}", sim.stats());
     }
 }
 

@@ -3,7 +3,7 @@
 use plm::runtime::Vector;
 use plm::{
     Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, RadauIia5, Real, Rk4, Ros34Pw2, Scalar,
-    SemiImplicitEuler,
+    SemiImplicitEuler, Vern9,
 };
 
 plm::mechanism! {
@@ -126,11 +126,12 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
     moments(Plate::new(), Rk4::new(1e-2), &mut emit)
 }
 
-/// Implicit methods, conditions and iterations run in double precision alone: twice the code takes twice the time to link.
+/// Implicit methods, the highest order, conditions and iterations run in double precision alone: twice the code takes twice the time to link.
 fn implicit(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     let pendulum = DoublePendulum::new();
     moments(pendulum, Gauss::<_, 3>::new(1e-2), emit)?;
     moments(pendulum, RadauIia5::new(1e-4), emit)?;
+    moments(pendulum, Vern9::new(1e-9), emit)?;
     moments(pendulum, Ros34Pw2::new(1e-3), emit)
 }
 

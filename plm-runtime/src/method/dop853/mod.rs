@@ -5,12 +5,13 @@ mod conditions;
 mod tableau;
 
 use core::fmt::Debug;
+use core::ops::Range;
 
 use self::tableau::{
     A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, A14, A15, A16, B, C2, C3, C4, C5, C6, C7, C8, C9, C10,
     C11, C14, C15, C16, D4, D5, D6, D7, E3, E5,
 };
-use super::embedded::{Embedded, Limits, Pair};
+use super::embedded::{Embedded, Limits, Pair, Rows, stages};
 use super::rates::Rates;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
@@ -46,6 +47,36 @@ impl<X> Stages<X> {
     }
 }
 
+impl Rows<12> for DormandPrince853 {
+    const NODES: [f64; 12] = [0.0, C2, C3, C4, C5, C6, C7, C8, C9, C10, C11, 1.0];
+
+    #[allow(clippy::inline_always, reason = "as the stages")]
+    #[inline(always)]
+    fn row<S: Scalar, X: Vector<S>>(
+        stage: usize,
+        part: Range<usize>,
+        (x, h): (&X, S),
+        k: &[X; 12],
+        at: &mut X,
+    ) {
+        let [k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12] = k;
+        match stage {
+            1 => at.shift(part, (x, h), A2, [k1]),
+            2 => at.shift(part, (x, h), A3, [k1, k2]),
+            3 => at.shift(part, (x, h), A4, [k1, k3]),
+            4 => at.shift(part, (x, h), A5, [k1, k3, k4]),
+            5 => at.shift(part, (x, h), A6, [k1, k4, k5]),
+            6 => at.shift(part, (x, h), A7, [k1, k4, k5, k6]),
+            7 => at.shift(part, (x, h), A8, [k1, k4, k5, k6, k7]),
+            8 => at.shift(part, (x, h), A9, [k1, k4, k5, k6, k7, k8]),
+            9 => at.shift(part, (x, h), A10, [k1, k4, k5, k6, k7, k8, k9]),
+            10 => at.shift(part, (x, h), A11, [k1, k4, k5, k6, k7, k8, k9, k10]),
+            11 => at.shift(part, (x, h), A12, [k1, k4, k5, k6, k7, k8, k9, k10, k11]),
+            _ => at.shift(part, (x, h), B, [k1, k6, k7, k8, k9, k10, k11, k12]),
+        }
+    }
+}
+
 impl Pair for DormandPrince853 {
     const NAME: &'static str = "Dop853";
     const ORDER: u32 = 8;
@@ -63,10 +94,7 @@ impl Pair for DormandPrince853 {
         Stages { k1: x, k6: x, k7: x, k8: x, k9: x, k10: x, k11: x, k12: x }
     }
 
-    // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the
-    // rate becomes part of the formula only if it is called in one place, hence the loop: a dozen copies of a four-bar's take
-    // a tenth longer.
-    #[allow(clippy::inline_always)]
+    #[allow(clippy::inline_always, reason = "as the stages")]
     #[inline(always)]
     fn step<M: System>(
         t: M::S,
@@ -76,27 +104,10 @@ impl Pair for DormandPrince853 {
         k: &mut Stages<M::X>,
         mut rates: impl Rates<M>,
     ) -> M::X {
-        let mut all = [*first; 12];
-        for stage in 1..12 {
-            let [k1, _, k3, k4, k5, k6, k7, k8, k9, k10, k11, _] = &all;
-            let (node, at) = match stage {
-                1 => (C2, x.moved(h, A2, [k1])),
-                2 => (C3, x.moved(h, A3, [k1, &all[1]])),
-                3 => (C4, x.moved(h, A4, [k1, k3])),
-                4 => (C5, x.moved(h, A5, [k1, k3, k4])),
-                5 => (C6, x.moved(h, A6, [k1, k4, k5])),
-                6 => (C7, x.moved(h, A7, [k1, k4, k5, k6])),
-                7 => (C8, x.moved(h, A8, [k1, k4, k5, k6, k7])),
-                8 => (C9, x.moved(h, A9, [k1, k4, k5, k6, k7, k8])),
-                9 => (C10, x.moved(h, A10, [k1, k4, k5, k6, k7, k8, k9])),
-                10 => (C11, x.moved(h, A11, [k1, k4, k5, k6, k7, k8, k9, k10])),
-                _ => (1.0, x.moved(h, A12, [k1, k4, k5, k6, k7, k8, k9, k10, k11])),
-            };
-            rates.at(M::S::lit(node).mul_add(h, t), &at, &mut all[stage]);
-        }
-        let [k1, _, _, _, _, k6, k7, k8, k9, k10, k11, k12] = all;
+        let ([k1, _, _, _, _, k6, k7, k8, k9, k10, k11, k12], end) =
+            stages::<M, Self, 12>((t, h), x, first, &mut rates);
         *k = Stages { k1, k6, k7, k8, k9, k10, k11, k12 };
-        x.moved(h, B, k.all())
+        end
     }
 
     #[inline]

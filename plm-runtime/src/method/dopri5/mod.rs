@@ -3,9 +3,10 @@
 mod tableau;
 
 use core::fmt::Debug;
+use core::ops::Range;
 
 use self::tableau::{A2, A3, A4, A5, A6, A7, C2, C3, C4, C5, D, E};
-use super::embedded::{Embedded, Limits, Pair};
+use super::embedded::{Embedded, Limits, Pair, Rows, stages};
 use super::rates::Rates;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
@@ -36,6 +37,30 @@ impl<X> Stages<X> {
     }
 }
 
+impl Rows<6> for DormandPrince5 {
+    const NODES: [f64; 6] = [0.0, C2, C3, C4, C5, 1.0];
+
+    #[allow(clippy::inline_always, reason = "as the stages")]
+    #[inline(always)]
+    fn row<S: Scalar, X: Vector<S>>(
+        stage: usize,
+        part: Range<usize>,
+        (x, h): (&X, S),
+        k: &[X; 6],
+        at: &mut X,
+    ) {
+        let [k1, k2, k3, k4, k5, k6] = k;
+        match stage {
+            1 => at.shift(part, (x, h), A2, [k1]),
+            2 => at.shift(part, (x, h), A3, [k1, k2]),
+            3 => at.shift(part, (x, h), A4, [k1, k2, k3]),
+            4 => at.shift(part, (x, h), A5, [k1, k2, k3, k4]),
+            5 => at.shift(part, (x, h), A6, [k1, k2, k3, k4, k5]),
+            _ => at.shift(part, (x, h), A7, [k1, k3, k4, k5, k6]),
+        }
+    }
+}
+
 impl Pair for DormandPrince5 {
     const NAME: &'static str = "Dopri5";
     const ORDER: u32 = 5;
@@ -51,8 +76,7 @@ impl Pair for DormandPrince5 {
         Stages { k1: x, k3: x, k4: x, k5: x, k6: x, k7: x }
     }
 
-    // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.
-    #[allow(clippy::inline_always)]
+    #[allow(clippy::inline_always, reason = "as the stages")]
     #[inline(always)]
     fn step<M: System>(
         t: M::S,
@@ -62,15 +86,8 @@ impl Pair for DormandPrince5 {
         k: &mut Stages<M::X>,
         mut rates: impl Rates<M>,
     ) -> M::X {
-        let at = |c: f64| M::S::lit(c).mul_add(h, t);
-        let (k1, mut k2) = (first, *first);
-        k.k1 = *first;
-        rates.at(at(C2), &x.moved(h, A2, [k1]), &mut k2);
-        rates.at(at(C3), &x.moved(h, A3, [k1, &k2]), &mut k.k3);
-        rates.at(at(C4), &x.moved(h, A4, [k1, &k2, &k.k3]), &mut k.k4);
-        rates.at(at(C5), &x.moved(h, A5, [k1, &k2, &k.k3, &k.k4]), &mut k.k5);
-        rates.at(t + h, &x.moved(h, A6, [k1, &k2, &k.k3, &k.k4, &k.k5]), &mut k.k6);
-        let end = x.moved(h, A7, [k1, &k.k3, &k.k4, &k.k5, &k.k6]);
+        let ([k1, _, k3, k4, k5, k6], end) = stages::<M, Self, 6>((t, h), x, first, &mut rates);
+        *k = Stages { k1, k3, k4, k5, k6, k7: k6 };
         rates.at(t + h, &end, &mut k.k7);
         end
     }

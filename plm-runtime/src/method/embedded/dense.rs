@@ -1,6 +1,7 @@
 //! The polynomial between the ends of a step.
 
 use crate::method::Path;
+use crate::method::path::POWERS;
 use crate::scalar::Real;
 use crate::vector::Vector;
 
@@ -36,7 +37,7 @@ impl<S: Real, X: Vector<S>> Span<S, X> {
     /// The same as powers of theta.
     pub(super) fn path(&self, bends: &[X]) -> Path<S, X> {
         Path::new(self.time, self.h, |i| {
-            let mut sum = [S::ZERO; 8];
+            let mut sum = [S::ZERO; POWERS];
             for (k, b) in bends.iter().enumerate().rev() {
                 sum = if k % 2 == 0 { by_theta(sum) } else { by_rest(sum) };
                 sum[0] = sum[0] + b.at(i);
@@ -57,13 +58,13 @@ impl<S: Real, X: Vector<S>> Span<S, X> {
     }
 }
 
-/// A polynomial, of degree 6 at most, times theta.
-fn by_theta<S: Real>(c: [S; 8]) -> [S; 8] {
+/// A polynomial, of degree 7 at most, times theta.
+fn by_theta<S: Real>(c: [S; POWERS]) -> [S; POWERS] {
     Vector::from_fn(|k| if k == 0 { S::ZERO } else { c[k - 1] })
 }
 
-/// A polynomial, of degree 6 at most, times 1 - theta.
-fn by_rest<S: Real>(c: [S; 8]) -> [S; 8] {
+/// A polynomial, of degree 7 at most, times 1 - theta.
+fn by_rest<S: Real>(c: [S; POWERS]) -> [S; POWERS] {
     let shifted = by_theta(c);
     Vector::from_fn(|k| c[k] - shifted[k])
 }

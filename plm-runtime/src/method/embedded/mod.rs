@@ -3,10 +3,12 @@
 mod control;
 mod dense;
 mod pair;
+mod stages;
 mod start;
 mod words;
 
 pub use self::pair::{Limits, Pair};
+pub(super) use self::stages::{Rows, stages};
 
 use self::control::Control;
 use self::dense::Span;

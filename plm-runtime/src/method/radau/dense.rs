@@ -61,7 +61,7 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
             let inner = [d1 - c2 * low, low - c2 * high, high];
             let off = self.settled.at(i) - self.to.at(i);
             let first = self.to.at(i) - inner[0];
-            [first, inner[0] - inner[1] + off, inner[1] - inner[2], inner[2], zero, zero, zero, zero]
+            [first, inner[0] - inner[1] + off, inner[1] - inner[2], inner[2], zero, zero, zero, zero, zero]
         })
     }
 

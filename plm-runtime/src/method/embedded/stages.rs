@@ -1,0 +1,65 @@
+//! The stages of an explicit formula, one after the other.
+
+use core::ops::Range;
+
+use crate::method::Rates;
+use crate::method::rates::each_stage;
+use crate::scalar::Scalar;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Stages of more numbers than that do not stay in registers, and are copied for nothing: in a chain of six bars.
+const FEW_STATES: usize = 8;
+
+/// The rows of an explicit formula of `N` stages, up to 16 of them.
+pub(in crate::method) trait Rows<const N: usize> {
+    /// When the stages are, as fractions of the step.
+    const NODES: [f64; N];
+
+    /// A part of the state `at` a stage, from the state `x` at the beginning of a step `h` and the rates `k` of the stages
+    /// before, all counted from 0. That of number `N` is the end of the step.
+    fn row<S: Scalar, X: Vector<S>>(stage: usize, part: Range<usize>, from: (&X, S), k: &[X; N], at: &mut X);
+}
+
+/// The rates of all stages of a step `h` at `t`, and the state at its end.
+///
+/// Coordinates of a stage follow from velocities of those before, not from the acceleration of the last: they stand before its
+/// rate, so that processors work on the next pose while they wait for an acceleration. Behind it compilers pack both into
+/// vectors that wait for the later one: a four-bar's evaluation takes a quarter longer.
+// The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the rate,
+// unless it is short, becomes part of the formula only if it is called in one place, hence the loop.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
+    (t, h): (M::S, M::S),
+    x: &M::X,
+    first: &M::X,
+    rates: &mut impl Rates<M>,
+) -> ([M::X; N], M::X) {
+    let (mut k, mut at) = ([*first; N], *x);
+    let time = |stage: usize| M::S::lit(R::NODES[stage]).mul_add(h, t);
+    if !(M::SHORT && M::X::LEN <= FEW_STATES) {
+        for stage in 1..N {
+            R::row(stage, 0..M::X::LEN, (x, h), &k, &mut at);
+            rates.at(time(stage), &at, &mut k[stage]);
+        }
+        R::row(N, 0..M::X::LEN, (x, h), &k, &mut at);
+        return (k, at);
+    }
+    let (coordinates, rest) = (0..M::NQ, M::NQ..M::X::LEN);
+    R::row(1, coordinates.clone(), (x, h), &k, &mut at);
+    each_stage!(true, stage in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15] {
+        if stage < N {
+            R::row(stage, rest.clone(), (x, h), &k, &mut at);
+            for i in coordinates.clone() {
+                k[stage].set(i, at.at(M::NQ + i));
+            }
+            let mut next = at;
+            R::row(stage + 1, coordinates.clone(), (x, h), &k, &mut next);
+            rates.at(time(stage), &at, &mut k[stage]);
+            at = next;
+        }
+    });
+    R::row(N, rest, (x, h), &k, &mut at);
+    (k, at)
+}
