@@ -89,7 +89,7 @@ fn roots<S: Real>() -> u64 {
         [x, square, square - near, square + near].into_iter().fold(sum, |sum, x| {
             let root = x.sqrt();
             // Which bits of what is not a number come out is left open.
-            fnv(sum, if root == root { root.to_f64().to_bits() } else { 1 })
+            fnv(sum, if root.to_f64().is_nan() { 1 } else { root.to_f64().to_bits() })
         })
     })
 }

@@ -104,9 +104,10 @@ impl Pair for DormandPrince853 {
         k: &mut Stages<M::X>,
         mut rates: impl Rates<M>,
     ) -> M::X {
-        let ([k1, _, _, _, _, k6, k7, k8, k9, k10, k11, k12], end) =
-            stages::<M, Self, 12>((t, h), x, first, &mut rates);
-        *k = Stages { k1, k6, k7, k8, k9, k10, k11, k12 };
+        let mut all = [*first; 12];
+        let end = stages::<M, Self, 12>((t, h), x, &mut all, &mut rates);
+        let [k1, _, _, _, _, k6, k7, k8, k9, k10, k11, k12] = &all;
+        *k = Stages { k1: *k1, k6: *k6, k7: *k7, k8: *k8, k9: *k9, k10: *k10, k11: *k11, k12: *k12 };
         end
     }
 

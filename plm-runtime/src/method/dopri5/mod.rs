@@ -86,8 +86,10 @@ impl Pair for DormandPrince5 {
         k: &mut Stages<M::X>,
         mut rates: impl Rates<M>,
     ) -> M::X {
-        let ([k1, _, k3, k4, k5, k6], end) = stages::<M, Self, 6>((t, h), x, first, &mut rates);
-        *k = Stages { k1, k3, k4, k5, k6, k7: k6 };
+        let mut all = [*first; 6];
+        let end = stages::<M, Self, 6>((t, h), x, &mut all, &mut rates);
+        let [k1, _, k3, k4, k5, k6] = &all;
+        *k = Stages { k1: *k1, k3: *k3, k4: *k4, k5: *k5, k6: *k6, k7: *k6 };
         rates.at(t + h, &end, &mut k.k7);
         end
     }

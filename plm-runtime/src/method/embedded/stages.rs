@@ -21,7 +21,7 @@ pub(in crate::method) trait Rows<const N: usize> {
     fn row<S: Scalar, X: Vector<S>>(stage: usize, part: Range<usize>, from: (&X, S), k: &[X; N], at: &mut X);
 }
 
-/// The rates of all stages of a step `h` at `t`, and the state at its end.
+/// The rates `k` of all stages of a step `h` at `t`, of which the first is known, and the state at its end.
 ///
 /// Coordinates of a stage follow from velocities of those before, not from the acceleration of the last: they stand before its
 /// rate, so that processors work on the next pose while they wait for an acceleration. Behind it compilers pack both into
@@ -33,33 +33,51 @@ pub(in crate::method) trait Rows<const N: usize> {
 pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
     (t, h): (M::S, M::S),
     x: &M::X,
-    first: &M::X,
+    k: &mut [M::X; N],
     rates: &mut impl Rates<M>,
-) -> ([M::X; N], M::X) {
-    let (mut k, mut at) = ([*first; N], *x);
-    let time = |stage: usize| M::S::lit(R::NODES[stage]).mul_add(h, t);
-    if !(M::SHORT && M::X::LEN <= FEW_STATES) {
-        for stage in 1..N {
-            R::row(stage, 0..M::X::LEN, (x, h), &k, &mut at);
-            rates.at(time(stage), &at, &mut k[stage]);
-        }
-        R::row(N, 0..M::X::LEN, (x, h), &k, &mut at);
-        return (k, at);
+) -> M::X {
+    if M::SHORT && M::X::LEN <= FEW_STATES {
+        return each_with_its_rate::<M, R, N>((t, h), x, k, rates);
     }
+    let mut at = *x;
+    for stage in 1..N {
+        R::row(stage, 0..M::X::LEN, (x, h), k, &mut at);
+        rates.at(time::<M, R, N>((t, h), stage), &at, &mut k[stage]);
+    }
+    R::row(N, 0..M::X::LEN, (x, h), k, &mut at);
+    at
+}
+
+/// The same with a copy of the rate for each stage.
+// Apart in builds that are not optimised, where the stack of a large system has room for what it needs alone.
+#[cfg_attr(not(debug_assertions), allow(clippy::inline_always), inline(always))]
+fn each_with_its_rate<M: System, R: Rows<N>, const N: usize>(
+    (t, h): (M::S, M::S),
+    x: &M::X,
+    k: &mut [M::X; N],
+    rates: &mut impl Rates<M>,
+) -> M::X {
+    let mut at = *x;
     let (coordinates, rest) = (0..M::NQ, M::NQ..M::X::LEN);
-    R::row(1, coordinates.clone(), (x, h), &k, &mut at);
+    R::row(1, coordinates.clone(), (x, h), k, &mut at);
     each_stage!(true, stage in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15] {
         if stage < N {
-            R::row(stage, rest.clone(), (x, h), &k, &mut at);
+            R::row(stage, rest.clone(), (x, h), k, &mut at);
             for i in coordinates.clone() {
                 k[stage].set(i, at.at(M::NQ + i));
             }
             let mut next = at;
-            R::row(stage + 1, coordinates.clone(), (x, h), &k, &mut next);
-            rates.at(time(stage), &at, &mut k[stage]);
+            R::row(stage + 1, coordinates.clone(), (x, h), k, &mut next);
+            rates.at(time::<M, R, N>((t, h), stage), &at, &mut k[stage]);
             at = next;
         }
     });
-    R::row(N, rest, (x, h), &k, &mut at);
-    (k, at)
+    R::row(N, rest, (x, h), k, &mut at);
+    at
+}
+
+/// When a stage is.
+#[inline]
+fn time<M: System, R: Rows<N>, const N: usize>((t, h): (M::S, M::S), stage: usize) -> M::S {
+    M::S::lit(R::NODES[stage]).mul_add(h, t)
 }

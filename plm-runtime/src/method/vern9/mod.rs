@@ -100,9 +100,21 @@ impl Pair for Verner98 {
         k: &mut Stages<M::X>,
         mut rates: impl Rates<M>,
     ) -> M::X {
-        let ([k1, _, _, _, _, _, _, k8, k9, k10, k11, k12, k13, k14, k15, k16], end) =
-            stages::<M, Self, 16>((t, h), x, first, &mut rates);
-        *k = Stages { k1, k8, k9, k10, k11, k12, k13, k14, k15, k16 };
+        let mut all = [*first; 16];
+        let end = stages::<M, Self, 16>((t, h), x, &mut all, &mut rates);
+        let [k1, _, _, _, _, _, _, k8, k9, k10, k11, k12, k13, k14, k15, k16] = &all;
+        *k = Stages {
+            k1: *k1,
+            k8: *k8,
+            k9: *k9,
+            k10: *k10,
+            k11: *k11,
+            k12: *k12,
+            k13: *k13,
+            k14: *k14,
+            k15: *k15,
+            k16: *k16,
+        };
         end
     }
 
