@@ -12,16 +12,21 @@ pub trait Rates<M: System> {
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X);
 }
 
-/// The stages of a formula by their numbers: a copy of the body for each if `short`, a loop otherwise.
+/// The stages of a formula by their numbers, which follow each other: a copy of the body for each if `short`, a loop otherwise.
+/// The loop is over a range, of which compilers know that it stays within an array; numbers in memory could be any.
 macro_rules! each_stage {
-    ($short:expr, $stage:ident in [$($number:literal),*] $body:block) => {
+    ($short:expr, $stage:ident in [$first:literal $(, $number:literal)*] $body:block) => {
         if $short {
+            {
+                let $stage = $first;
+                $body
+            }
             $({
                 let $stage = $number;
                 $body
             })*
         } else {
-            for $stage in [$($number),*] $body
+            for $stage in $first..$first + [$first $(, $number)*].len() $body
         }
     };
 }
