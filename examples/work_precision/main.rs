@@ -3,12 +3,13 @@
 //! ```sh
 //! cargo run --release --example work_precision                            # plm alone
 //! cargo run --release --example work_precision --features plm-peers/peers # beside diffsol and rapier2d
+//! cargo run --release --example work_precision -- --beside heyoka.csv     # beside a program that wrote a file
 //! cargo run --release --example work_precision -- --quick --out DIR       # few settings, written to DIR
 //! ```
 //!
 //! It prints, for each scene, the least time and its evaluations of the right-hand side to some errors, and writes to
 //! `target/plm/work-precision` or to DIR: `runs.csv` (all runs), `tables.txt`, and a picture per scene. What stands in the
-//! book is the second command's with `-- --out docs/src/images/work-precision`.
+//! book is the second command's with `-- --out docs/src/images/work-precision --beside target/plm/heyoka.csv`.
 //!
 //! Time is that of one thread by the wall clock, the least of several runs, from the first step to the last: assembly and
 //! allocation come before. Look at ratios rather than times, and at evaluations, which are the same on every machine.
@@ -17,6 +18,7 @@
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 
 mod arms;
+mod beside;
 mod list;
 mod measure;
 mod methods;
@@ -27,11 +29,12 @@ mod scenes;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use plm::view::{Arguments, Known};
-use plm_peers::peers;
+use plm_peers::{Peer, peers};
 
+use beside::Beside;
 use list::SCENES;
 use measure::{Bench, Effort, Scene};
 use report::{Result as Measured, outcome};
@@ -40,13 +43,14 @@ const FULL: Effort =
     Effort { per_decade: 4, fewest_runs: 7, most_runs: 1000, spent: 0.01, longest_run: 0.03 };
 const QUICK: Effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spent: 0.0, longest_run: 0.02 };
 
-const KNOWN: [Known; 2] = [
+const KNOWN: [Known; 3] = [
     Known::value(
         "out",
         "DIR",
         "where runs, tables and pictures go; target/plm/work-precision if nothing is said",
     ),
     Known::flag("quick", "few settings, each run once"),
+    Known::value("beside", "FILE", "runs of another program, as benches/peers/by_heyoka.py writes them"),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -59,11 +63,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = arguments.value("out").map_or(PathBuf::from("target/plm/work-precision"), PathBuf::from);
     fs::create_dir_all(&folder)?;
 
+    let peers = peers();
+    // The same dashes and marks in all charts.
+    let beside = arguments.value("beside").map(|file| beside::read(Path::new(file), look(&peers)));
+    let beside = beside.transpose()?.unwrap_or_default();
+
     let mut csv = "scene,rung,method,setting,error,seconds,evaluations,fault\n".to_owned();
     let mut page = String::new();
     let mut far = Vec::new();
     for scene in SCENES {
-        let measured = run(scene, effort);
+        let measured = run(scene, effort, &peers, &beside);
         let (mark, table) = (slug(scene), measured.table());
         println!("{table}");
         far.extend(measured.far(effort.longest_run));
@@ -77,13 +86,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(outcome(&far)?)
 }
 
+/// How many programs that are crates are in a scene: the number of the first look that none has.
+fn look(peers: &[Peer]) -> usize {
+    SCENES.iter().map(|scene| peers.iter().filter(|peer| peer.scene == scene.id).count()).max().unwrap_or(0)
+}
+
 /// All lines of a scene, plm's first.
-fn run(scene: &'static Scene, effort: &Effort) -> Measured {
+fn run(scene: &'static Scene, effort: &Effort, peers: &[Peer], beside: &[Beside]) -> Measured {
     let reference = references::of(scene.id).into_iter().map(|(_, value)| value).collect();
     let bench = Bench { scene, reference, effort };
     let mut lines = (scene.run)(&bench);
-    let others = peers().into_iter().filter(|peer| peer.scene == scene.id);
-    lines.extend(others.enumerate().map(|(number, peer)| bench.peer(number, &peer)));
+    let others = peers.iter().filter(|peer| peer.scene == scene.id);
+    lines.extend(others.enumerate().map(|(number, peer)| bench.peer(number, peer)));
+    lines.extend(beside.iter().filter(|(of, _)| of == scene.id).map(|(_, line)| line.clone()));
     Measured { scene, lines }
 }
 

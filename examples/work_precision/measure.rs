@@ -57,26 +57,30 @@ pub struct Rung<'a, M> {
 }
 
 /// Runs that belong together, from coarse to fine.
+#[derive(Clone)]
 pub struct Line {
-    pub method: &'static str,
+    pub method: String,
     pub rung: &'static str,
     pub look: Look,
     pub facts: String,
     pub points: Vec<Point>,
 }
 
+#[derive(Clone)]
 pub enum Look {
     Ours { family: usize, variant: usize },
     Peer(usize),
 }
 
 /// One setting and what came out.
+#[derive(Clone)]
 pub struct Point {
     /// Relative tolerance, or step in s.
     pub setting: f64,
     pub outcome: Result<Outcome, String>,
 }
 
+#[derive(Clone)]
 pub struct Outcome {
     pub error: f64,
     pub seconds: f64,
@@ -98,7 +102,7 @@ impl<M: Mechanism<S = f64> + Ports> Rung<'_, M> {
             self.bench.best(|| one_run(&sim, until).map_err(told))
         });
         let look = Look::Ours { family, variant: self.variant };
-        Line { method, rung: self.name, look, facts: self.facts.clone(), points }
+        Line { method: method.to_owned(), rung: self.name, look, facts: self.facts.clone(), points }
     }
 }
 
@@ -123,7 +127,13 @@ impl Bench<'_> {
         let gave_up = || "gave up".to_owned();
         let points =
             self.sweep(peer.setting, |setting| self.best(|| (peer.run)(setting).ok_or_else(gave_up)));
-        Line { method: peer.name, rung: "", look: Look::Peer(number), facts: String::new(), points }
+        Line {
+            method: peer.name.to_owned(),
+            rung: "",
+            look: Look::Peer(number),
+            facts: String::new(),
+            points,
+        }
     }
 
     /// One point for each setting, as long as a run is not too long.

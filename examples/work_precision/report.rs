@@ -21,7 +21,7 @@ pub struct Result {
 impl Line {
     /// `DOP853, tree`; the name alone for another program.
     fn name(&self) -> String {
-        if self.rung.is_empty() { self.method.to_owned() } else { format!("{}, {}", self.method, self.rung) }
+        if self.rung.is_empty() { self.method.clone() } else { format!("{}, {}", self.method, self.rung) }
     }
 
     /// A picture with every line of the table could not be read: of the higher rungs it shows the best method alone.

@@ -7,7 +7,7 @@ use diffsol::{
     NalgebraLU, NalgebraMat, OdeBuilder, OdeEquations, OdeSolverMethod, OdeSolverStopReason, Vector,
 };
 
-use crate::minimal::{DoublePendulum, FourBar, Scene, SliderCrank};
+use crate::minimal::{Andrews, DoublePendulum, FourBar, Scene, SliderCrank};
 use crate::{Peer, Run, Setting};
 
 pub(crate) const PEERS: &[Peer] = &[
@@ -15,6 +15,8 @@ pub(crate) const PEERS: &[Peer] = &[
     peer("S1", "diffsol BDF", |rtol| run(DoublePendulum, Kind::Bdf, rtol)),
     peer("S2", "diffsol Tsit45", |rtol| run(FourBar, Kind::Tsit45, rtol)),
     peer("S2", "diffsol BDF", |rtol| run(FourBar, Kind::Bdf, rtol)),
+    peer("S5", "diffsol Tsit45", |rtol| run(Andrews, Kind::Tsit45, rtol)),
+    peer("S5", "diffsol BDF", |rtol| run(Andrews, Kind::Bdf, rtol)),
     peer("S6", "diffsol Tsit45", |rtol| run(SliderCrank, Kind::Tsit45, rtol)),
     peer("S6", "diffsol BDF", |rtol| run(SliderCrank, Kind::Bdf, rtol)),
 ];
@@ -29,7 +31,7 @@ enum Kind {
     Bdf,
 }
 
-/// One second of a scene.
+/// A scene to its end.
 fn run<S: Scene>(scene: S, kind: Kind, rtol: f64) -> Option<Run> {
     let count = Cell::new(0_u64);
     let rate = |x: &[f64], _: &[f64], _: f64, dx: &mut [f64]| {
@@ -44,19 +46,19 @@ fn run<S: Scene>(scene: S, kind: Kind, rtol: f64) -> Option<Run> {
         .build()
         .ok()?;
     let (seconds, x) = match kind {
-        Kind::Tsit45 => advance(problem.tsit45().ok()?)?,
-        Kind::Bdf => advance(problem.bdf::<NalgebraLU<f64>>().ok()?)?,
+        Kind::Tsit45 => advance(problem.tsit45().ok()?, S::UNTIL)?,
+        Kind::Bdf => advance(problem.bdf::<NalgebraLU<f64>>().ok()?, S::UNTIL)?,
     };
-    Some(Run { seconds, evaluations: count.get(), measured: scene.places(&x) })
+    Some(Run { seconds, evaluations: count.get(), measured: scene.measured(&x) })
 }
 
-/// Steps to 1 s; the time that this takes, and the state there.
-fn advance<'a, E>(mut solver: impl OdeSolverMethod<'a, E>) -> Option<(f64, Vec<f64>)>
+/// Steps to the end, in s; the time that this takes, and the state there.
+fn advance<'a, E>(mut solver: impl OdeSolverMethod<'a, E>, until: f64) -> Option<(f64, Vec<f64>)>
 where
     E: OdeEquations<T = f64> + 'a,
 {
     let begin = Instant::now();
-    solver.set_stop_time(1.0).ok()?;
+    solver.set_stop_time(until).ok()?;
     while !matches!(solver.step().ok()?, OdeSolverStopReason::TstopReached) {}
     let seconds = begin.elapsed().as_secs_f64();
     Some((seconds, solver.state().y.clone_as_vec()))

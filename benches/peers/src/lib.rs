@@ -17,7 +17,7 @@ pub struct Run {
     pub seconds: f64,
     /// Evaluations of the right-hand side; steps, where a program does not evaluate one.
     pub evaluations: u64,
-    /// x and y of the centre of gravity of each body, m.
+    /// What errors are measured by: x and y of the centre of gravity of each body, m; of S5 angles, rad.
     pub measured: Vec<f64>,
 }
 

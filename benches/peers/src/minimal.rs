@@ -1,4 +1,4 @@
-//! Equations of motion in minimal coordinates, by hand: S1, S2 and S6.
+//! Equations of motion in minimal coordinates, by hand: S1, S2, S5 and S6. `benches/peers/by_heyoka.py` has the same ones.
 
 const GRAVITY: f64 = 9.81;
 
@@ -6,13 +6,15 @@ const GRAVITY: f64 = 9.81;
 pub(crate) trait Scene: Copy + 'static {
     /// Angles and angular velocities.
     const SIZE: usize;
+    /// End of the run, s.
+    const UNTIL: f64 = 1.0;
 
     /// The state at the start.
     fn start(self) -> Vec<f64>;
     /// The rate `dx` of the state.
     fn rate(self, x: &[f64], dx: &mut [f64]);
-    /// x and y of the centre of gravity of each body, m.
-    fn places(self, x: &[f64]) -> Vec<f64>;
+    /// What errors are measured by: x and y of the centre of gravity of each body, m; of S5 angles, rad.
+    fn measured(self, x: &[f64]) -> Vec<f64>;
 }
 
 /// S1: Lagrange's equations in the absolute angles of the two bars.
@@ -43,91 +45,125 @@ impl Scene for DoublePendulum {
         ]);
     }
 
-    fn places(self, x: &[f64]) -> Vec<f64> {
+    fn measured(self, x: &[f64]) -> Vec<f64> {
         let ((sin, cos), (second_sin, second_cos)) = (x[0].sin_cos(), x[1].sin_cos());
         vec![0.5 * cos, 0.5 * sin, cos + second_cos, sin + second_sin]
     }
 }
 
-/// A body that moves with one angle: its place and how far it and its angle move for a radian of that angle, with the rates of change of
-/// both by the angle.
+/// A point that moves with one angle: its place, and its first and second derivative by that angle, m.
 #[derive(Clone, Copy, Default)]
-struct Led {
-    mass: f64,
-    inertia: f64,
+struct Point {
     place: [f64; 2],
     lever: [f64; 2],
     lever_rate: [f64; 2],
+}
+
+/// The direction of a bar: sine, cosine, and how far it turns for a radian of the angle, with the rate of change of that.
+#[derive(Clone, Copy)]
+struct Turn {
+    sin: f64,
+    cos: f64,
     ratio: f64,
     ratio_rate: f64,
 }
 
+impl Turn {
+    /// That of the crank, which has the angle.
+    fn crank(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { sin, cos, ratio: 1.0, ratio_rate: 0.0 }
+    }
+
+    /// The angle of a body whose bar is inclined by `bar` at its angle 0, rad.
+    fn angle(self, bar: f64) -> f64 {
+        let (sin, cos) = bar.sin_cos();
+        (self.sin * cos - self.cos * sin).atan2(self.cos * cos + self.sin * sin)
+    }
+
+    /// The point of a bar so far along it and across it, to its left, from where it begins, m.
+    fn point(self, begin: Point, [along, across]: [f64; 2]) -> Point {
+        let [x, y] = [self.cos * along - self.sin * across, self.sin * along + self.cos * across];
+        let square = self.ratio * self.ratio;
+        Point {
+            place: [begin.place[0] + x, begin.place[1] + y],
+            lever: [begin.lever[0] - self.ratio * y, begin.lever[1] + self.ratio * x],
+            lever_rate: [
+                begin.lever_rate[0] - self.ratio_rate * y - square * x,
+                begin.lever_rate[1] + self.ratio_rate * x - square * y,
+            ],
+        }
+    }
+}
+
+/// Two bars of these lengths from a point that moves and from a pivot to a common joint, on the left of the line from the point to
+/// the pivot if `side` is 1, on its right if -1.
+fn dyad(begin: Point, pivot: [f64; 2], lengths: [f64; 2], side: f64) -> [Turn; 2] {
+    let d = [pivot[0] - begin.place[0], pivot[1] - begin.place[1]];
+    let [ee, ff] = [lengths[0] * lengths[0], lengths[1] * lengths[1]];
+    let square = dot(d, d);
+    let along = 0.5 * (square + ee - ff);
+    let across = side * (ee * square - along * along).max(0.0).sqrt();
+    let e = [(along * d[0] - across * d[1]) / square, (along * d[1] + across * d[0]) / square];
+    let f = [e[0] - d[0], e[1] - d[1]];
+    // begin' + u k x e = w k x f, and its derivative.
+    let cross = e[0] * f[1] - e[1] * f[0];
+    let solve = |g: [f64; 2]| (-dot(g, f) / cross, -dot(g, e) / cross);
+    let (u, w) = solve(begin.lever);
+    let g = |i: usize| begin.lever_rate[i] - u * u * e[i] + w * w * f[i];
+    let (u_rate, w_rate) = solve([g(0), g(1)]);
+    let turn = |[x, y]: [f64; 2], length: f64, ratio, ratio_rate| Turn {
+        sin: y / length,
+        cos: x / length,
+        ratio,
+        ratio_rate,
+    };
+    [turn(e, lengths[0], u, u_rate), turn(f, lengths[1], w, w_rate)]
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// A body: its centre of gravity and its turn, mass and inertia.
+type Body = (Point, Turn, f64, f64);
+
+/// A uniform bar from a point, whose mass in kg is its length in m.
+fn bar(begin: Point, turn: Turn, length: f64) -> Body {
+    (turn.point(begin, [0.5 * length, 0.0]), turn, length, length * length * length / 12.0)
+}
+
 /// The angular acceleration of a mechanism of one degree of freedom (Eksergian's equation): with
-/// J = sum m |lever|^2 + inertia ratio^2 it is J angle'' + J' angle'^2 / 2 = torque + weights on their levers.
-fn eksergian<const N: usize>(bodies: &[Led; N], omega: f64, torque: f64) -> f64 {
-    let (mut inertia, mut half_rate, mut moment) = (0.0, 0.0, torque);
-    for body in bodies {
-        let ([x, y], [x_rate, y_rate]) = (body.lever, body.lever_rate);
-        inertia += body.mass * (x * x + y * y) + body.inertia * body.ratio * body.ratio;
-        half_rate += body.mass * (x * x_rate + y * y_rate) + body.inertia * body.ratio * body.ratio_rate;
-        moment -= body.mass * GRAVITY * y;
+/// J = sum m |lever|^2 + inertia ratio^2 it is J angle'' + J' angle'^2 / 2 = moment of the forces.
+fn eksergian<const N: usize>(bodies: &[Body; N], omega: f64, moment: f64) -> f64 {
+    let (mut inertia, mut half_rate) = (0.0, 0.0);
+    for (point, turn, mass, own) in bodies {
+        inertia += mass * dot(point.lever, point.lever) + own * turn.ratio * turn.ratio;
+        half_rate += mass * dot(point.lever, point.lever_rate) + own * turn.ratio * turn.ratio_rate;
     }
     (moment - half_rate * omega * omega) / inertia
 }
 
-/// A bar whose beginning is led, and which turns by `ratio` for a radian; `along` is where G is, as a fraction of the length.
-fn bar(mass: f64, length: f64, along: f64, (sin, cos): (f64, f64), begin: Led, ratio: [f64; 2]) -> Led {
-    let reach = length * along;
-    let [ratio, ratio_rate] = ratio;
-    let square = ratio * ratio;
-    Led {
-        mass,
-        inertia: mass * length * length / 12.0,
-        place: [begin.place[0] + reach * cos, begin.place[1] + reach * sin],
-        lever: [begin.lever[0] - reach * sin * ratio, begin.lever[1] + reach * cos * ratio],
-        lever_rate: [
-            begin.lever_rate[0] - reach * (cos * square + sin * ratio_rate),
-            begin.lever_rate[1] + reach * (cos * ratio_rate - sin * square),
-        ],
-        ratio,
-        ratio_rate,
-    }
+/// The moment of the weights.
+fn weights<const N: usize>(bodies: &[Body; N]) -> f64 {
+    bodies.iter().map(|(point, _, mass, _)| -mass * GRAVITY * point.lever[1]).sum()
 }
 
-/// S2: the loop is closed by the intersection of two circles.
+fn places<const N: usize>(bodies: &[Body; N]) -> Vec<f64> {
+    bodies.iter().flat_map(|(point, ..)| point.place).collect()
+}
+
+/// S2: the loop is closed by a dyad.
 #[derive(Clone, Copy)]
 pub(crate) struct FourBar;
 
 impl FourBar {
-    fn bodies(angle: f64) -> [Led; 3] {
-        let (crank, coupler, rocker) = (0.3, 0.9, 0.7);
-        let direction = angle.sin_cos();
-        let tip = bar(crank, crank, 1.0, direction, Led::default(), [1.0, 0.0]);
-        // C from B and D, on the left of the line from B to D.
-        let [x, y] = [1.0 - tip.place[0], -tip.place[1]];
-        let square = x * x + y * y;
-        let along = 0.5 * (square + coupler * coupler - rocker * rocker);
-        let across = (coupler * coupler * square - along * along).max(0.0).sqrt();
-        let (cos, sin) =
-            ((along * x - across * y) / (square * coupler), (along * y + across * x) / (square * coupler));
-        let arm = [(coupler * cos - x) / rocker, (coupler * sin - y) / rocker];
-        // tip + coupler turned = rocker turned: two equations for the ratios, and again for their rates.
-        let determinant = coupler * rocker * (cos * arm[1] - sin * arm[0]);
-        let solve = |[x, y]: [f64; 2]| {
-            [-rocker * (x * arm[0] + y * arm[1]) / determinant, -coupler * (x * cos + y * sin) / determinant]
-        };
-        let [ratio, rocker_ratio] = solve(tip.lever);
-        let (square, rocker_square) = (ratio * ratio, rocker_ratio * rocker_ratio);
-        let [ratio_rate, rocker_ratio_rate] = solve([
-            tip.lever_rate[0] - coupler * cos * square + rocker * arm[0] * rocker_square,
-            tip.lever_rate[1] - coupler * sin * square + rocker * arm[1] * rocker_square,
-        ]);
-        let pivot = Led { place: [1.0, 0.0], ..Led::default() };
-        [
-            bar(crank, crank, 0.5, direction, Led::default(), [1.0, 0.0]),
-            bar(coupler, coupler, 0.5, (sin, cos), tip, [ratio, ratio_rate]),
-            bar(rocker, rocker, 0.5, (arm[1], arm[0]), pivot, [rocker_ratio, rocker_ratio_rate]),
-        ]
+    fn bodies(angle: f64) -> [Body; 3] {
+        let (ground, crank) = (Point::default(), Turn::crank(angle));
+        let pivot = Point { place: [1.0, 0.0], ..ground };
+        let tip = crank.point(ground, [0.3, 0.0]);
+        let [coupler, rocker] = dyad(tip, pivot.place, [0.9, 0.7], 1.0);
+        [bar(ground, crank, 0.3), bar(tip, coupler, 0.9), bar(pivot, rocker, 0.7)]
     }
 }
 
@@ -139,11 +175,12 @@ impl Scene for FourBar {
     }
 
     fn rate(self, x: &[f64], dx: &mut [f64]) {
-        dx.copy_from_slice(&[x[1], eksergian(&Self::bodies(x[0]), x[1], 0.0)]);
+        let bodies = Self::bodies(x[0]);
+        dx.copy_from_slice(&[x[1], eksergian(&bodies, x[1], weights(&bodies))]);
     }
 
-    fn places(self, x: &[f64]) -> Vec<f64> {
-        Self::bodies(x[0]).iter().flat_map(|body| body.place).collect()
+    fn measured(self, x: &[f64]) -> Vec<f64> {
+        places(&Self::bodies(x[0]))
     }
 }
 
@@ -152,20 +189,17 @@ impl Scene for FourBar {
 pub(crate) struct SliderCrank;
 
 impl SliderCrank {
-    fn bodies(angle: f64) -> [Led; 3] {
-        let (crank, rod) = (0.2, 0.6);
-        let (sin, cos) = angle.sin_cos();
-        let pin = bar(crank, crank, 1.0, (sin, cos), Led::default(), [1.0, 0.0]);
-        let rod_sin = -crank * sin / rod;
-        let rod_cos = (1.0 - rod_sin * rod_sin).sqrt();
-        let ratio = -crank * cos / (rod * rod_cos);
-        let ratio_rate = (crank * sin / rod + rod_sin * ratio * ratio) / rod_cos;
-        let wrist = bar(0.0, rod, 1.0, (rod_sin, rod_cos), pin, [ratio, ratio_rate]);
-        [
-            bar(crank, crank, 0.5, (sin, cos), Led::default(), [1.0, 0.0]),
-            bar(rod, rod, 0.5, (rod_sin, rod_cos), pin, [ratio, ratio_rate]),
-            Led { mass: 0.5, inertia: 0.0, ratio: 0.0, ratio_rate: 0.0, ..wrist },
-        ]
+    fn bodies(angle: f64) -> [Body; 3] {
+        let (length, rod_length) = (0.2, 0.6);
+        let (ground, crank) = (Point::default(), Turn::crank(angle));
+        let pin = crank.point(ground, [length, 0.0]);
+        let sin = -length * crank.sin / rod_length;
+        let cos = (1.0 - sin * sin).sqrt();
+        let ratio = -length * crank.cos / (rod_length * cos);
+        let ratio_rate = (length * crank.sin / rod_length + sin * ratio * ratio) / cos;
+        let rod = Turn { sin, cos, ratio, ratio_rate };
+        let wrist = rod.point(pin, [rod_length, 0.0]);
+        [bar(ground, crank, length), bar(pin, rod, rod_length), (wrist, rod, 0.5, 0.0)]
     }
 }
 
@@ -177,10 +211,68 @@ impl Scene for SliderCrank {
     }
 
     fn rate(self, x: &[f64], dx: &mut [f64]) {
-        dx.copy_from_slice(&[x[1], eksergian(&Self::bodies(x[0]), x[1], 1.0)]);
+        let bodies = Self::bodies(x[0]);
+        dx.copy_from_slice(&[x[1], eksergian(&bodies, x[1], 1.0 + weights(&bodies))]);
     }
 
-    fn places(self, x: &[f64]) -> Vec<f64> {
-        Self::bodies(x[0]).iter().flat_map(|body| body.place).collect()
+    fn measured(self, x: &[f64]) -> Vec<f64> {
+        places(&Self::bodies(x[0]))
+    }
+}
+
+/// S5: three dyads; the last two hang on the pin of K3. Data: `tests/support/scenes.rs`.
+#[derive(Clone, Copy)]
+pub(crate) struct Andrews;
+
+impl Andrews {
+    const B: [f64; 2] = [-0.03635, 0.03273];
+    const C: [f64; 2] = [-0.06934, -0.00227];
+    const D: [f64; 2] = [0.014, 0.072];
+
+    /// The bodies, and where the spring pulls at K3.
+    fn bodies(angle: f64) -> ([Body; 7], Point) {
+        let (ground, k1) = (Point::default(), Turn::crank(angle));
+        let [b, c] = [Self::B, Self::C].map(|place| Point { place, ..ground });
+        let tip = k1.point(ground, [0.007, 0.0]);
+        let [k2, k3] = dyad(tip, Self::B, [0.028, 0.035], 1.0);
+        let pin = k3.point(b, [0.035, 0.0]);
+        let [k4, k5] = dyad(pin, Self::C, [0.02, 0.04], -1.0);
+        let [k6, k7] = dyad(pin, Self::C, [0.02, 0.04], 1.0);
+        let bodies = [
+            (k1.point(ground, [0.00092, 0.0]), k1, 0.04325, 2.194e-6),
+            (k2.point(tip, [0.0115, 0.0]), k2, 0.00365, 4.41e-7),
+            (k3.point(b, [0.01874, 0.01043]), k3, 0.02373, 5.255e-6),
+            (k4.point(pin, [0.01421, 0.0]), k4, 0.00706, 5.667e-7),
+            (k5.point(c, [0.02308, 0.00916]), k5, 0.0705, 1.169e-5),
+            (k6.point(pin, [0.01421, 0.0]), k6, 0.00706, 5.667e-7),
+            (k7.point(c, [0.00449, 0.01228]), k7, 0.05498, 1.912e-5),
+        ];
+        (bodies, k3.point(b, [0.018, 0.02]))
+    }
+}
+
+impl Scene for Andrews {
+    const SIZE: usize = 2;
+    const UNTIL: f64 = 0.03;
+
+    fn start(self) -> Vec<f64> {
+        vec![-0.061_713_890_014_276_45, 0.0]
+    }
+
+    fn rate(self, x: &[f64], dx: &mut [f64]) {
+        let (bodies, hook) = Self::bodies(x[0]);
+        let spring = [hook.place[0] - Self::D[0], hook.place[1] - Self::D[1]];
+        let pull = 4530.0 * (0.07785 / dot(spring, spring).sqrt() - 1.0);
+        dx.copy_from_slice(&[x[1], eksergian(&bodies, x[1], 0.033 + pull * dot(spring, hook.lever))]);
+    }
+
+    /// The seven angles of the IVP test set.
+    fn measured(self, x: &[f64]) -> Vec<f64> {
+        let quarter = 90_f64.to_radians();
+        let ([_, k2, k3, k4, k5, k6, k7], _) = Self::bodies(x[0]);
+        let angle = |body: Body, quarters: f64| body.1.angle(quarters * quarter);
+        let [k2, k3, k4] = [angle(k2, 2.0), angle(k3, -1.0), angle(k4, 1.0)];
+        let [k5, k6, k7] = [angle(k5, 0.0), angle(k6, 2.0), angle(k7, -1.0)];
+        vec![x[0], k2 - x[0], k3, k4 - k5, k5, k6 - k7, k7]
     }
 }
