@@ -1,0 +1,83 @@
+"""Functions of a Thumb-2 program, from the text of llvm-objdump: instructions, and where each goes on."""
+
+import re
+
+CONDITIONS = "eq|ne|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
+JUMP = re.compile(rf"(b|bl|cbn?z|bx|blx|pop|ldm|ldr|tb[bh]|mov|add)({CONDITIONS})?")
+TARGET = re.compile(r"0x([0-9a-f]+) <")
+
+
+class NotUnderstood(Exception):
+    """Code that cannot be walked."""
+
+
+class Instruction:
+    """One instruction. `targets` are where it can go on in its function, `call` is the function that it calls."""
+
+    def __init__(self, address, mnemonic, operands):
+        self.address, self.operands = address, operands
+        # Widths of the encoding do not matter.
+        self.mnemonic = mnemonic.removesuffix(".w").removesuffix(".n")
+        self.targets, self.call, self.returns, self.is_known = [], None, False, True
+
+    def follow(self, inside, after):
+        """Finds where it goes on; `inside` are the instructions of its function, `after` is the address of the next one."""
+        jump = JUMP.fullmatch(self.mnemonic)
+        kind, condition = jump.groups() if jump else ("", None)
+        goes_on = condition is not None or kind in ("cbz", "cbnz", "bl")
+        target = TARGET.search(self.operands)
+        into_pc = re.search(r"\bpc\b", self.operands if kind in ("pop", "ldm") else self.operands.split(",")[0])
+        if kind in ("b", "cbz", "cbnz", "bl") and target:
+            self._jump(kind, int(target[1], 16), inside)
+        elif kind in ("pop", "ldm", "ldr") and into_pc or (kind, self.operands) == ("bx", "lr"):
+            self.returns = True
+        elif kind in ("b", "cbz", "cbnz", "bl", "bx", "blx", "tbb", "tbh") or into_pc and kind in ("mov", "add"):
+            self.is_known = False
+        else:
+            goes_on = True
+        if goes_on and after is not None:
+            self.targets.append(after)
+
+    def _jump(self, kind, target, inside):
+        if kind == "bl":
+            self.call = target
+        elif target in inside:
+            self.targets.append(target)
+        else:
+            # A call in the place of a return.
+            self.call, self.returns = target, True
+            self.is_known = kind == "b"
+
+
+class Function:
+    """The instructions of a symbol by address, in their order."""
+
+    def __init__(self, address, name):
+        # The hash tells instances apart and changes with every version.
+        self.address, self.name = address, re.sub(r"::h[0-9a-f]{16}$", "", name)
+        self.instructions = {}
+
+    def link(self):
+        """Finds where its instructions go on."""
+        addresses = list(self.instructions)
+        for address, after in zip(addresses, addresses[1:] + [None]):
+            self.instructions[address].follow(self.instructions, after)
+
+    def successors(self, address):
+        """Where an instruction goes on in the function."""
+        return self.instructions[address].targets
+
+
+def read(lines):
+    """The functions of a program by address."""
+    functions, function = {}, None
+    for line in lines:
+        if head := re.match(r"([0-9a-f]+) <(.+)>:$", line):
+            function = functions.setdefault(int(head[1], 16), Function(int(head[1], 16), head[2]))
+        elif code := re.match(r" *([0-9a-f]+):\s+\t([a-z]\S*)\s*(.*)", line):
+            # Behind @ stand remarks.
+            operands = code[3].split("@")[0].strip()
+            function.instructions[int(code[1], 16)] = Instruction(int(code[1], 16), code[2], operands)
+    for function in functions.values():
+        function.link()
+    return functions
