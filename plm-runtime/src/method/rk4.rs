@@ -29,8 +29,16 @@ impl Formula for Rk4Formula {
         let (mut stage, mut k) = (*x, [M::X::fill(zero); 4]);
         each_stage!(M::SHORT, i in [0, 1, 2, 3] {
             let (node, next) = stages[i];
+            // Coordinates before the rate: the pose that follows waits for no acceleration.
+            let mut ahead = stage;
+            for j in 0..M::NQ {
+                ahead.set(j, next.mul_add(stage.at(M::NQ + j), x.at(j)));
+            }
             rates.at(t + node, &stage, &mut k[i]);
-            stage.combine(x, [(next, &k[i])]);
+            for j in M::NQ..M::X::LEN {
+                ahead.set(j, next.mul_add(k[i].at(j), x.at(j)));
+            }
+            stage = ahead;
         });
         end::<M>(h, x, &k);
     }
