@@ -26,11 +26,11 @@ impl Formula for Rk4Formula {
         let lit = M::S::lit;
         let (zero, half) = (lit(0.0), lit(0.5) * h);
         let stages = [(zero, half), (half, half), (half, h), (h, zero)];
-        let (mut stage, mut k) = (*x, [M::X::fill(zero); 4]);
+        let (mut ahead, mut k) = (*x, [M::X::fill(zero); 4]);
         each_stage!(M::SHORT, i in [0, 1, 2, 3] {
             let (node, next) = stages[i];
             // Coordinates before the rate: the pose that follows waits for no acceleration.
-            let mut ahead = stage;
+            let stage = ahead;
             for j in 0..M::NQ {
                 ahead.set(j, next.mul_add(stage.at(M::NQ + j), x.at(j)));
             }
@@ -38,7 +38,6 @@ impl Formula for Rk4Formula {
             for j in M::NQ..M::X::LEN {
                 ahead.set(j, next.mul_add(k[i].at(j), x.at(j)));
             }
-            stage = ahead;
         });
         end::<M>(h, x, &k);
     }

@@ -7,8 +7,8 @@ use super::super::bindings::Origin;
 use super::super::contract::charted::in_held;
 use super::super::contract::linear::at_state;
 use super::super::function::function;
-use super::super::{Emission, Form, Sizes, number};
-use crate::formulate::Resolvent;
+use super::super::{Emission, Form, Sizes, memory, number};
+use crate::formulate::{Chart, Function, Resolvent};
 
 /// `step_linearly_implicit` and the linear algebra that belongs to it.
 pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
@@ -28,7 +28,7 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
         .collect();
     let (rate, linearise) = at_state(emission, &quote!(&mut c));
     let (eliminate, solve) = calls(emission);
-    let by_t = by_time(emission);
+    let (by_t, slopes) = by_time(emission);
     quote! {
         impl<S: Real> #name<S> {
             /// The equations are linearised once; their elimination serves the four stages.
@@ -58,7 +58,7 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
                 Ok(worst)
             }
         }
-        impl<S: Scalar> #name<S> { #algebra }
+        impl<S: Scalar> #name<S> { #algebra #slopes }
     }
 }
 
@@ -78,16 +78,44 @@ fn calls(emission: &Emission) -> (TokenStream, TokenStream) {
     (of("eliminated", &eliminate, &quote!(S::lit(f64::NAN))), of("solved", &solve, &quote!({})))
 }
 
-/// The derivative of the rate by the time, where it depends on it.
-fn by_time(emission: &Emission) -> TokenStream {
-    if emission.rate_knows_time() {
-        quote! {
+/// The derivative of the rate by the time, where it depends on it, and the functions that give it.
+fn by_time(emission: &Emission) -> (TokenStream, TokenStream) {
+    if !emission.rate_knows_time() {
+        return (quote!(let by_t = zero;), TokenStream::new());
+    }
+    let charts: Vec<&Chart> = match emission.form {
+        Form::Absolute => Vec::new(),
+        Form::Tree(chart) => vec![chart],
+        Form::Loops(reduced) => reduced.charts.iter().collect(),
+    };
+    let found: Option<Vec<&Function>> = charts.iter().map(|chart| chart.by_time.as_ref()).collect();
+    let Some(functions) = found.filter(|functions| !functions.is_empty()) else {
+        let by_dual_numbers = quote! {
             let mut by_t = zero;
             let _ = rt::Linear::jvp(self, t, u, x, (S::lit(1.0), &zero), &mut by_t);
-        }
-    } else {
-        quote!(let by_t = zero;)
-    }
+        };
+        return (by_dual_numbers, TokenStream::new());
+    };
+    let call = match emission.form {
+        Form::Loops(reduced) => in_held(reduced, &quote!(u), &quote!({}), |k| {
+            let function = format_ident!("by_time_{k}");
+            quote!(self.#function(t, u, m, x, &mut by_t))
+        }),
+        _ => quote!(self.by_time(t, u, x, &mut by_t)),
+    };
+    let length = &emission.sizes.length;
+    let memory =
+        emission.loops().map(|reduced| memory(reduced, &quote!(S))).map(|memory| quote!(m: &#memory,));
+    let functions = charts.iter().zip(functions).enumerate().map(|(k, (chart, slopes))| {
+        let name = emission.in_chart("by_time", k);
+        function(
+            emission,
+            "The derivative of the rate by the time; zeros are left out.",
+            &quote!(fn #name(&self, t: S, u: &Held<S>, #memory x: &[S; #length], by_t: &mut [S; #length])),
+            (slopes, Origin::Chart(chart)),
+        )
+    });
+    (quote!(let mut by_t = zero; #call;), functions.collect())
 }
 
 /// Elimination and solution of the linear systems of a chart.

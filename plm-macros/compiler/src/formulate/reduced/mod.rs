@@ -30,7 +30,7 @@ use self::motion::memory::Memory;
 use self::motion::solution::measure;
 use self::tree::augmented::augmented;
 use super::function::{Function, Place, Section, stored};
-use super::linearised::{Linearised, orders_step};
+use super::linearised::{Linearised, by_time, orders_step};
 use super::switches;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -113,6 +113,8 @@ pub(crate) struct Chart {
     pub(crate) rate: Function,
     /// The linearised equations, where they are wanted.
     pub(crate) linearised: Option<Linearised>,
+    /// `by_t`, the derivative of `dx` by the time; where a linearly implicit step asks for it.
+    pub(crate) by_time: Option<Function>,
     /// df/dx, where it takes fewer operations than dual numbers; of loops alone.
     pub(crate) jacobian: Option<Jacobian>,
     /// `g`, the guards of conditions.
@@ -259,6 +261,7 @@ impl Layout<'_> {
             Some(augmented) => Linearised::wanted(model, augmented, true),
             None => dense.as_ref().and_then(|dense| self.linearised(&motion, (dense, &rate), loops)),
         };
+        let by_time = orders_step(model).then(|| by_time(&rate, model.time)).flatten();
         let jacobian = dense.filter(|_| loops).and_then(|dense| self.by_state(&motion, &dense, &rate));
         Chart {
             parts: parts.collect(),
@@ -272,6 +275,7 @@ impl Layout<'_> {
             rate,
             reactions,
             linearised,
+            by_time,
             jacobian,
             guards,
             pose,
