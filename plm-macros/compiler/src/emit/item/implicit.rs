@@ -96,13 +96,15 @@ fn by_time(emission: &Emission) -> (TokenStream, TokenStream) {
         };
         return (by_dual_numbers, TokenStream::new());
     };
-    let call = match emission.form {
-        Form::Loops(reduced) => in_held(reduced, &quote!(u), &quote!({}), |k| {
-            let function = format_ident!("by_time_{k}");
-            quote!(self.#function(t, u, m, x, &mut by_t))
-        }),
-        _ => quote!(self.by_time(t, u, x, &mut by_t)),
-    };
+    let call = emission.loops().map_or_else(
+        || quote!(self.by_time(t, u, x, &mut by_t)),
+        |reduced| {
+            in_held(reduced, &quote!(u), &quote!({}), |k| {
+                let function = format_ident!("by_time_{k}");
+                quote!(self.#function(t, u, m, x, &mut by_t))
+            })
+        },
+    );
     let length = &emission.sizes.length;
     let memory =
         emission.loops().map(|reduced| memory(reduced, &quote!(S))).map(|memory| quote!(m: &#memory,));
