@@ -3,7 +3,8 @@
 //! Bodies and outputs are methods of the state, which a run dereferences to: a method of the run itself would hide them.
 //! Paths lose their points and brackets, and capitals, so that `rod.x` and `rod_x` meet.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use crate::diag::{Code, Diagnostics};
 use crate::emit::METHODS;
@@ -64,9 +65,9 @@ impl Scope<'_> {
         names: impl Iterator<Item = (&'static str, &'n Name)>,
         diagnostics: &mut Diagnostics,
     ) {
-        let mut first: BTreeMap<String, (&'static str, &Name)> = BTreeMap::new();
+        let mut first: SortedMap<String, (&'static str, &Name)> = SortedMap::new();
         // By place: a library part's own source comes before the declaration only in name.
-        let mut sorted: Vec<(&'static str, &Name)> = names.collect();
+        let mut sorted: Vec<(&'static str, &Name)> = names.collect_vec();
         sorted.sort_by_key(|(_, name)| (name.span.source == 0, name.span));
         for (kind, name) in sorted {
             let ident = ident(&name.text.to_lowercase());

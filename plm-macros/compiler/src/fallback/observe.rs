@@ -1,5 +1,6 @@
 //! Names of what is observed, as `resolve` would find them.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use super::{Names, name, no_unit};
@@ -68,7 +69,7 @@ impl<'a> Names<'a> {
     fn show_node(&mut self, of: &str, node: &'a ast::Node, span: Span) {
         let Some(domain) = self.library.domain(&node.kind.text) else { return };
         let quantities = std::iter::once(&domain.across).chain(&domain.through);
-        let members: Vec<&str> = quantities.map(|quantity| quantity.name.text.as_str()).collect();
+        let members: Vec<&str> = quantities.map(|quantity| quantity.name.text.as_str()).collect_vec();
         for member in members {
             self.push(format!("{of}.{member}"), false, span);
         }

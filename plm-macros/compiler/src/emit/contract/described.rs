@@ -1,5 +1,6 @@
 //! `Described`: bodies, parts, parameters and observed quantities by number.
 
+use crate::collect::CollectVec;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -14,7 +15,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let figures = Figures::new(emission.model);
     let tables = tables::tables(emission, &figures);
     let (figure, parameters) = (figure(emission, &figures), &fields.params);
-    let numbers: Vec<_> = (0..parameters.len()).map(number).collect();
+    let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
     let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");

@@ -1,5 +1,6 @@
 //! The linearly implicit step: the equations linearised where it begins, eliminated entry by entry, solved four times.
 
+use crate::collect::CollectVec;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -15,7 +16,7 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let systems = emission.systems();
     let resolvents: Vec<&Resolvent> =
-        systems.iter().filter_map(|system| system.linearised.resolvent.as_ref()).collect();
+        systems.iter().filter_map(|system| system.linearised.resolvent.as_ref()).collect_vec();
     if resolvents.is_empty() {
         return by_matrix(emission);
     }
