@@ -1,8 +1,8 @@
 //! Bodies and outputs of repetitions by their indices: `sim.bar(3)` beside `sim.bar_3()`.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
 
 use super::item::{outputs::kind, state::whole_pose};
 use super::names::{Names, token};

@@ -1,9 +1,10 @@
 //! The straight-line functions of a mechanism.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::bindings::Origin;
 use super::contract::rate::is_short;

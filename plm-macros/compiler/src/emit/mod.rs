@@ -13,11 +13,13 @@ mod function;
 mod item;
 mod lower;
 mod print;
+mod template;
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::algebra;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 pub use self::code::Code;
 use self::code::Texts;

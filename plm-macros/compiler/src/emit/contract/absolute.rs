@@ -1,9 +1,9 @@
 //! `Absolute`: the constraints, for assembly, projection and the fallback.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::Vec2;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::bindings::Origin;
 use super::super::function::{body, function};

@@ -1,8 +1,9 @@
 //! `Described`: bodies, parts, parameters and observed quantities by number.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};

@@ -1,9 +1,9 @@
 //! Methods of `Mechanism` for parameters: what they may be, and what is assembled anew when one changes.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, pose_at};

@@ -1,8 +1,9 @@
 //! `Linear`: the mechanism and what it holds as constants with derivatives; of a large tree, its linearised equations.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::function;

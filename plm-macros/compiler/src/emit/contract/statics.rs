@@ -1,8 +1,8 @@
 //! `Statics`: a mechanism at rest; `StartValues`: names and values one by one, and as text.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::bindings::Origin;
 use super::super::function::body;

@@ -1,8 +1,9 @@
 //! Methods of `System` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::body;

@@ -1,9 +1,9 @@
 //! `System`: what integrators and the event loop ask for.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted};

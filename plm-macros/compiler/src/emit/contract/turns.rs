@@ -1,8 +1,8 @@
 //! Whole turns that are counted: where their angles stand, and where they are brought back.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::{Emission, Form, Sizes, number};
 use crate::formulate::Reduced;

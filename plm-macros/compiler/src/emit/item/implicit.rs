@@ -1,8 +1,9 @@
 //! The linearly implicit step: the equations linearised where it begins, eliminated entry by entry, solved four times.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::contract::charted::in_held;

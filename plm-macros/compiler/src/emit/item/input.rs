@@ -1,8 +1,8 @@
 //! Inputs, and what is held over a step beside them.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, docs, memory, number};

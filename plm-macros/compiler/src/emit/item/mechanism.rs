@@ -1,8 +1,8 @@
 //! The mechanism: parameters, constructors, the way into a run.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, docs};

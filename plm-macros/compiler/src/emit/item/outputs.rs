@@ -1,8 +1,9 @@
 //! What can be read from a state: poses, the user's outputs, energies.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::lower::{Around, Bindings, statements};

@@ -1,8 +1,8 @@
 //! W. Kutta's step by itself: a straight line where the rate is short.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::super::function::{direct_angles, is_straight};
 use super::super::{Emission, Form, Sizes};

@@ -1,8 +1,8 @@
 //! Start values: as they are declared, at a moment, and as they are assembled.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::contract::limits;
 use super::super::lower::{Bindings, inline};

@@ -1,8 +1,9 @@
 //! Steps that the user ordered: a method of the state, and the formula as a function of the mechanism.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::lower::names::Names;
 use super::super::{Emission, Form, Sizes, docs};

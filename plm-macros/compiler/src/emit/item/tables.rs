@@ -2,9 +2,9 @@
 //! one row by themselves.
 
 use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::{Emission, docs, quoted};
 use crate::model::{Instance, Name, Pair};

@@ -43,7 +43,7 @@ pub(super) fn with_literals(mut lines: Lines, by_reference: bool) -> String {
         let mut read: SortedMap<String, SortedMap<usize, usize>> = SortedMap::new();
         lines.statements.retain(|statement| match statement {
             Statement::Read { local, array, element } => {
-                read.or_insert(array.clone(), Default::default()).insert(*element, *local);
+                read.or_insert(array.clone(), SortedMap::new()).insert(*element, *local);
                 false
             }
             _ => true,

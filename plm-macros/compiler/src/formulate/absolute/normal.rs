@@ -44,7 +44,7 @@ impl Normal {
         for (i, row) in y.iter().enumerate() {
             for &(j, y_ij) in row {
                 for &(k, entry) in by_column[j].iter().filter(|&&(k, _)| k <= i) {
-                    terms.or_insert((i, k), Default::default()).push(y_ij * entry);
+                    terms.or_insert((i, k), Vec::new()).push(y_ij * entry);
                 }
             }
         }

@@ -52,7 +52,7 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
         let bias = bias(model, motion, &coordinates.centres[body]);
         for (k, (i, left)) in columns.iter().enumerate() {
             for (j, right) in &columns[..=k] {
-                let entry = mass.or_insert((*i, *j), Default::default());
+                let entry = mass.or_insert((*i, *j), SortedMap::new());
                 multiply(motion, entry, declared.mass, (left, right));
             }
             multiply(motion, &mut inertial[*i], declared.mass, (left, &weight));
@@ -66,7 +66,7 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
             }
         }
         if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
-            spin.or_insert((angle, angle), Default::default()).push(declared.inertia);
+            spin.or_insert((angle, angle), Vec::new()).push(declared.inertia);
             applied[angle].push(force[body][2]);
         }
     }
@@ -174,10 +174,10 @@ fn partial_velocities(motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)>
     for (class, slide, vector) in place.terms() {
         let factor = slide.map_or(Expr::ONE, |slide| motion.value[slide]);
         if let Some(angle) = coordinates.angle_of_class[class] {
-            columns.or_insert(angle, Default::default()).push(Term { class, factor, vector: vector.left() });
+            columns.or_insert(angle, Vec::new()).push(Term { class, factor, vector: vector.left() });
         }
         if let Some(slide) = slide {
-            columns.or_insert(slide, Default::default()).push(Term { class, factor: Expr::ONE, vector });
+            columns.or_insert(slide, Vec::new()).push(Term { class, factor: Expr::ONE, vector });
         }
     }
     columns.into_iter().collect_vec()
