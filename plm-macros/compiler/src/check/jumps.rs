@@ -1,6 +1,7 @@
 //! Prescribed motions that no motor can follow.
 
 use crate::collect::CollectVec;
+use crate::sorted::sort_by;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::{Code, Diagnostics};
@@ -11,7 +12,7 @@ pub(crate) fn check_jumps(model: &Model, diagnostics: &mut Diagnostics) {
     for row in 0..model.rows.len() {
         let mut steady: Vec<Steady> =
             model.jumps.iter().filter(|jump| jump.row == row).filter_map(|jump| jump.steady).collect_vec();
-        steady.sort_by(|a, b| a.of_speed.cmp(&b.of_speed).then(a.at.total_cmp(&b.at)));
+        sort_by(&mut steady, |a, b| a.of_speed.cmp(&b.of_speed).then(a.at.total_cmp(&b.at)));
         report(model, row, &steady, diagnostics);
     }
 }

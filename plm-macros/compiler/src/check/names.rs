@@ -5,6 +5,7 @@
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedMap;
+use crate::sorted::sort_by_key;
 
 use crate::diag::{Code, Diagnostics};
 use crate::emit::METHODS;
@@ -68,7 +69,7 @@ impl Scope<'_> {
         let mut first: SortedMap<String, (&'static str, &Name)> = SortedMap::new();
         // By place: a library part's own source comes before the declaration only in name.
         let mut sorted: Vec<(&'static str, &Name)> = names.collect_vec();
-        sorted.sort_by_key(|(_, name)| (name.span.source == 0, name.span));
+        sort_by_key(&mut sorted, |(_, name)| (name.span.source == 0, name.span));
         for (kind, name) in sorted {
             let ident = ident(&name.text.to_lowercase());
             let text = &name.text;

@@ -4,6 +4,7 @@ use crate::collect::CollectVec;
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Part, Row};
 use crate::numeric::Assembly;
+use crate::sorted::sort_by;
 use crate::units::Dimension;
 
 /// Gaps below this, as a fraction of the size of the scene, may be lengths that repeat each other and disagree.
@@ -156,7 +157,7 @@ fn gaps<'a>(rows: &'a [Row], phi: &[f64], limit: impl Fn(usize) -> f64) -> Vec<G
         }
     }
     let mut gaps: Vec<Gap> = gaps.into_iter().filter(|(_, open)| *open).map(|(gap, _)| gap).collect_vec();
-    gaps.sort_by(|a, b| b.size.total_cmp(&a.size));
+    sort_by(&mut gaps, |a, b| b.size.total_cmp(&a.size));
     gaps
 }
 

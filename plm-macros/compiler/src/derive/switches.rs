@@ -6,6 +6,7 @@
 //! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
 use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use super::causes;
@@ -32,7 +33,7 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     bends(model, &roots);
     if !pairs.is_empty() {
         // Conditions of the state stand before those of the time, as the guards do.
-        model.switches.sort_by_key(|switch| switch.instant.is_some());
+        sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
         for (symbol, jump) in jumps {
             let index = model.switches.iter().position(|switch| switch.symbol == symbol);
             model.jumps.extend(index.map(|switch| Jump { switch, ..jump }));

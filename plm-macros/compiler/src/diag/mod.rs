@@ -10,6 +10,7 @@ mod render;
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedSet;
+use crate::sorted::sort_by_key;
 
 pub use code::Code;
 pub use near::{help_similar, list, nearest};
@@ -166,7 +167,7 @@ impl Diagnostics {
     /// All of them, by source and place: the order in which people read.
     pub fn sorted(&self) -> Vec<&Diagnostic> {
         let mut list: Vec<_> = self.list.iter().collect_vec();
-        list.sort_by_key(|diagnostic| (diagnostic.anchor(), diagnostic.span));
+        sort_by_key(&mut list, |diagnostic| (diagnostic.anchor(), diagnostic.span));
         list
     }
 }

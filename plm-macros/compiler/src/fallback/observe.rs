@@ -1,6 +1,7 @@
 //! Names of what is observed, as `resolve` would find them.
 
 use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use plm_cas::Expr;
 
 use super::{Names, name, no_unit};
@@ -35,7 +36,7 @@ impl<'a> Names<'a> {
     /// Adds the outputs of all that is observed.
     pub(super) fn show_observed(&mut self) {
         let mut things = std::mem::take(&mut self.things);
-        things.sort_by_key(|(_, thing)| thing.place());
+        sort_by_key(&mut things, |(_, thing)| thing.place());
         for Name { text, span } in std::mem::take(&mut self.observed) {
             for (name, thing) in &things {
                 let is_of_ground = text == "ground" && name.starts_with("ground.");

@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Equation, System};
 use crate::collect::CollectVec;
+use crate::sorted::sort_by;
 
 /// Up to this many sets of independent coordinates are all tried.
 const MOST_SETS: usize = 2000;
@@ -48,7 +49,7 @@ pub(crate) fn independent_sets(
     };
     let mut ranked: Vec<(Rank, Choice)> =
         sets.into_iter().filter_map(|set| search.choice(&set)).collect_vec();
-    ranked.sort_by(|a, b| a.0.cmp(&b.0));
+    sort_by(&mut ranked, |a, b| a.0.cmp(&b.0));
     ranked.into_iter().map(|(_, choice)| choice).collect_vec()
 }
 

@@ -4,6 +4,7 @@ mod lookup;
 pub(super) mod unknown;
 
 use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use crate::sorted::{SortedMap, SortedSet};
 use std::borrow::Cow;
 
@@ -146,11 +147,11 @@ impl<'a> Names<'a> {
             .flat_map(|scope| &self.scopes[scope].names)
             .map(|(name, slot)| (name.as_ref(), *slot))
             .collect_vec();
-        names.sort_by_key(|(_, slot)| *slot);
+        sort_by_key(&mut names, |(_, slot)| *slot);
         let rows = &self.scopes[self.home(scope)].rows;
         let mut rows: Vec<(&str, usize)> =
             rows.iter().map(|(name, row)| (name.as_ref(), row.0)).collect_vec();
-        rows.sort_by_key(|(_, row)| *row);
+        sort_by_key(&mut rows, |(_, row)| *row);
         names.into_iter().chain(rows).map(|(name, _)| name.to_string()).collect_vec()
     }
 }

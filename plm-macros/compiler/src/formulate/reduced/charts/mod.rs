@@ -10,6 +10,7 @@ use crate::formulate::reduced::groups::Group;
 use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::model::{Model, Rung};
+use crate::sorted::sort_by_key;
 use crate::topology::{Block, Choice, Equation, independent_sets};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
@@ -157,6 +158,6 @@ fn candidates(model: &Model, coordinates: &Coordinates) -> Vec<usize> {
         Unknown::Centre { .. } => false,
     };
     let mut candidates: Vec<usize> = (0..coordinates.unknowns.len()).collect_vec();
-    candidates.sort_by_key(|&unknown| !grounded(unknown));
+    sort_by_key(&mut candidates, |&unknown| !grounded(unknown));
     candidates
 }

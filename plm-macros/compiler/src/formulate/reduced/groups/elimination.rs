@@ -7,6 +7,7 @@
 //! expansion, two rows at a time). It is singular where the whole is, and nowhere else.
 
 use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use plm_cas::algebra::dot;
 use plm_cas::{Expr, Vec2};
 
@@ -53,7 +54,7 @@ impl Plan {
             {
                 continue;
             }
-            chosen.sort_by_key(|&(k, u)| (count(u), k));
+            sort_by_key(&mut chosen, |&(k, u)| (count(u), k));
             let Some(cost) = carried(squares, &chosen) else { continue };
             if best.as_ref().is_none_or(|best| cost < best.0) {
                 best = Some((cost, chosen));

@@ -1,6 +1,7 @@
 //! What the linearised equations are solved for, and in which order.
 
 use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use crate::sorted::{SortedMap, SortedSet};
 
 use plm_cas::{Expr, Vec2, algebra};
@@ -119,7 +120,7 @@ impl Unknowns {
                 Unknown::Slide { .. } => slide == Some(*k),
             });
             let mut own: Vec<usize> = own.map(|(k, _)| k).collect_vec();
-            own.sort_by_key(|&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));
+            sort_by_key(&mut own, |&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));
             order.extend(own);
         }
         order
