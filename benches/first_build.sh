@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What a user's first build costs, a double pendulum with default features: seconds of the processor that rustc takes, by
-# crate, the least of some runs (two minutes for three). The table that stands beside this file:
+# crate, the least of some runs (half a minute each). With load on the machine they grow, so compare two checkouts in turn:
 #
-#     CARGO_INCREMENTAL=0 bash benches/first_build.sh 3 >benches/first_build.txt
+#     CARGO_INCREMENTAL=0 bash benches/first_build.sh 3
 #
 # Without incremental compilation, as dependencies from a registry are built. Another checkout is measured by ROOT=folder.
 set -euo pipefail
