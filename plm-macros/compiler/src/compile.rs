@@ -1,5 +1,6 @@
 //! The passes, in order.
 
+use crate::collect::CollectVec;
 use std::cell::RefCell;
 
 use plm_cas::{Expr, Graph, algebra};
@@ -71,7 +72,7 @@ fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
         return (model, None);
     }
     let Some(unobserved) = reading.unobserved() else { return (model, None) };
-    let observed = model.outputs.into_iter().filter(|output| !output.declared).collect();
+    let observed = model.outputs.into_iter().filter(|output| !output.declared).collect_vec();
     (unobserved, Some((observed, model.graph)))
 }
 
@@ -134,7 +135,7 @@ type Pairs = [(Expr, Expr)];
 
 /// Outputs from a graph of their own in the present one; `held` are conditions, `whole` angles, and what stands for them.
 fn fetched(mut outputs: Vec<Output>, from: &Graph, (held, whole): (&Pairs, &Pairs)) -> Vec<Output> {
-    let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect();
+    let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect_vec();
     let components = algebra::substitute(&algebra::import(from, &roots), held);
     let components = with_turns(&components, whole);
     let places = outputs.iter_mut().flat_map(|output| &mut output.components);

@@ -2,6 +2,7 @@
 
 mod bug;
 mod check;
+mod collect;
 mod compile;
 mod derive;
 pub mod diag;
@@ -18,6 +19,7 @@ mod picture;
 mod reads;
 mod report;
 mod resolve;
+pub mod sorted;
 pub mod span;
 pub mod syntax;
 mod tables;

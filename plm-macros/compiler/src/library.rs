@@ -3,7 +3,8 @@
 //! Library files are read only if the declaration, or a part that it uses, names them: the library may grow without
 //! anyone paying for what they do not use.
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::collect::CollectVec;
+use crate::sorted::{SortedMap, SortedSet};
 
 use crate::diag::{Code, Diagnostics};
 use crate::syntax::ast::{Argument, Declaration, Definition, Domain, Ident, Item, ItemKind, Shared};
@@ -65,22 +66,22 @@ pub(crate) fn of_manual(name: &str) -> Vec<&'static str> {
     }
     let has_name = |text: &str| text.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == name);
     let documents = |text: &str| text.lines().take_while(|line| line.starts_with("///")).any(has_name);
-    PARTS.iter().filter(|(_, text)| documents(text)).map(|(part, _)| *part).collect()
+    PARTS.iter().filter(|(_, text)| documents(text)).map(|(part, _)| *part).collect_vec()
 }
 
 /// The definitions that a declaration can use: its own, and those of the library that it names.
 #[derive(Debug)]
 pub(crate) struct Library {
-    definitions: BTreeMap<String, Definition>,
-    domains: BTreeMap<String, Domain>,
+    definitions: SortedMap<String, Definition>,
+    domains: SortedMap<String, Domain>,
 }
 
 impl Library {
     /// Collects the definitions of a declaration and loads what it names from the library. A part of the user's own
     /// takes the place of one of the library.
     pub(crate) fn load(declaration: &Declaration, sources: &mut Sources, sink: &mut Diagnostics) -> Library {
-        let mut library = Library { definitions: BTreeMap::new(), domains: BTreeMap::new() };
-        let mut open = BTreeSet::new();
+        let mut library = Library { definitions: SortedMap::new(), domains: SortedMap::new() };
+        let mut open = SortedSet::new();
         let Shared { parts, domains } = &declaration.shared;
         for domain in domains {
             library.add_domain(domain, sink);
@@ -102,7 +103,7 @@ impl Library {
     fn load_file(
         &mut self,
         kind: &str,
-        open: &mut BTreeSet<String>,
+        open: &mut SortedSet<String>,
         sources: &mut Sources,
         sink: &mut Diagnostics,
     ) {
@@ -114,10 +115,10 @@ impl Library {
         let Shared { parts, domains } = parse_parts(source, sink);
         for part in parts {
             self.look_into(&part, open, sink);
-            self.definitions.entry(part.name.text.clone()).or_insert(part);
+            self.definitions.or_insert(part.name.text.clone(), part);
         }
         for domain in domains {
-            self.domains.entry(domain.name.text.clone()).or_insert(domain);
+            self.domains.or_insert(domain.name.text.clone(), domain);
         }
     }
 
@@ -138,13 +139,13 @@ impl Library {
     }
 
     /// Notes what a part names: the domains of its ports, and the parts that it contains.
-    fn look_into(&mut self, part: &Definition, open: &mut BTreeSet<String>, sink: &mut Diagnostics) {
+    fn look_into(&mut self, part: &Definition, open: &mut SortedSet<String>, sink: &mut Diagnostics) {
         open.extend(part.arguments.iter().map(|Argument { kind, .. }| kind.text.clone()));
         self.collect(&part.items, open, sink);
     }
 
     /// Takes the definitions among items, and notes the names of the parts that they use.
-    fn collect(&mut self, items: &[Item], open: &mut BTreeSet<String>, sink: &mut Diagnostics) {
+    fn collect(&mut self, items: &[Item], open: &mut SortedSet<String>, sink: &mut Diagnostics) {
         for item in items {
             match &item.kind {
                 ItemKind::Definition(part) => {

@@ -13,7 +13,7 @@ mod joint;
 mod pair;
 mod step;
 
-use std::collections::BTreeSet;
+use crate::sorted::SortedSet;
 
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
@@ -57,7 +57,7 @@ pub struct Model {
     /// How constraints are kept.
     pub stabilisation: Stabilisation,
     /// Steps that the user ordered, in the order of [`Step::NAMES`].
-    pub steps: BTreeSet<Step>,
+    pub steps: SortedSet<Step>,
     /// Fields that can change between runs.
     pub params: Vec<Param>,
     /// Fields that change while it runs.

@@ -1,5 +1,6 @@
 //! The interpreter of a compiled mechanism: what the emitted code must compute, bit for bit.
 
+use crate::collect::CollectVec;
 use std::cell::RefCell;
 
 use plm_cas::{Expr, Graph, algebra};
@@ -54,7 +55,7 @@ impl Oracle {
     /// absolute ones are taken.
     pub fn charts(&self, time: f64, x: &[f64]) -> Vec<InChart> {
         let Some(reduced) = self.program.reduced() else { return Vec::new() };
-        reduced.charts.iter().filter_map(|chart| self.in_chart(reduced, chart, time, x)).collect()
+        reduced.charts.iter().filter_map(|chart| self.in_chart(reduced, chart, time, x)).collect_vec()
     }
 
     /// Accelerations of all bodies at a state in absolute coordinates, by the joint coordinates of a mechanism without loops.
@@ -117,7 +118,7 @@ impl Oracle {
     /// Symbols of the state in a chart, and of what is remembered.
     fn state_in(&self, chart: &Chart, memory: &[(Expr, String)]) -> Vec<Expr> {
         let memory = memory.iter().map(|(symbol, _)| symbol);
-        [&chart.y, &chart.y_dot, &self.equations.x].into_iter().flatten().chain(memory).copied().collect()
+        [&chart.y, &chart.y_dot, &self.equations.x].into_iter().flatten().chain(memory).copied().collect_vec()
     }
 
     /// The results of a function where some symbols have the values `x`, and what is held its declared values.

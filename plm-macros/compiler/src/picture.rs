@@ -1,5 +1,6 @@
 //! A compiled mechanism at its start, in names and numbers: for drawings that need no rustc.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::model::{Body, FrameRef, Instance, Pair, Port};
@@ -70,9 +71,14 @@ impl Oracle {
             Picture {
                 name: model.name.text.clone(),
                 gravity: model.gravity.components().map(number),
-                bodies: model.bodies.iter().zip(poses).map(|(row, pose)| body(row, pose, &number)).collect(),
-                ground: model.ground.iter().map(|row| port(row, &number)).collect(),
-                parts: model.instances.iter().map(part).collect(),
+                bodies: model
+                    .bodies
+                    .iter()
+                    .zip(poses)
+                    .map(|(row, pose)| body(row, pose, &number))
+                    .collect_vec(),
+                ground: model.ground.iter().map(|row| port(row, &number)).collect_vec(),
+                parts: model.instances.iter().map(part).collect_vec(),
             }
         })
     }
@@ -82,8 +88,8 @@ fn body(body: &Body, pose: &[f64], number: &impl Fn(Expr) -> f64) -> PictureBody
     PictureBody {
         name: body.name.text.clone(),
         pose: [pose[0], pose[1], pose[2]],
-        ports: body.ports.iter().map(|row| port(row, number)).collect(),
-        contour: body.contour.iter().map(|point| point.components().map(number)).collect(),
+        ports: body.ports.iter().map(|row| port(row, number)).collect_vec(),
+        contour: body.contour.iter().map(|point| point.components().map(number)).collect_vec(),
     }
 }
 

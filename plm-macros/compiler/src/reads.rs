@@ -1,6 +1,7 @@
 //! What outputs and rates of first-order states read at a moment, for whoever couples mechanisms: what is not among it has no
 //! influence on them.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use crate::model::Model;
@@ -26,12 +27,12 @@ pub(crate) enum Motion {
 /// What each component of the declared outputs reads, then the rate of each first-order state; `None` where an acceleration, a
 /// reaction or an unknown of another kind is read, which may depend on all.
 pub(crate) fn reads(model: &Model) -> Vec<Option<Reads>> {
-    let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
     let prescribed = algebra::symbols(&phi).contains(&model.time);
     let declared = model.outputs.iter().filter(|output| output.declared);
     let outputs = declared.flat_map(|output| output.components.iter().copied());
     let rates = model.states.iter().map(|state| state.rate);
-    outputs.chain(rates).map(|value| of(model, value, prescribed)).collect()
+    outputs.chain(rates).map(|value| of(model, value, prescribed)).collect_vec()
 }
 
 /// What an expression reads; poses read the time where it is prescribed how something moves.

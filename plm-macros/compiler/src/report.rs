@@ -1,5 +1,6 @@
 //! What the compiler found and chose, in words and numbers.
 
+use crate::collect::CollectVec;
 use plm_cas::{Count, Expr, algebra};
 
 use crate::formulate::{Chart, Function, Program, Reduced};
@@ -87,7 +88,7 @@ impl Report {
             state: mechanical + equations.x.len(),
             length: scene.length,
             rate: counted(program.rate()),
-            functions: functions.map(|(name, function)| (name, counted(function))).collect(),
+            functions: functions.map(|(name, function)| (name, counted(function))).collect_vec(),
             assembly: Vec::new(),
         }
     }
@@ -123,7 +124,7 @@ impl Report {
 
     fn add_moves(&mut self, scene: &Scene, found: &Assembly) {
         let mut moves: Vec<(usize, f64)> =
-            found.q.iter().zip(&found.start).map(|(q, start)| q - start).enumerate().collect();
+            found.q.iter().zip(&found.start).map(|(q, start)| q - start).enumerate().collect_vec();
         moves.retain(|&(k, by)| !found.locked[k] && by.abs() > 1e-9);
         for &(k, by) in moves.iter().take(MOST_MOVES) {
             self.assembly.push(moved(scene.model, k, found.start[k], by));
@@ -135,7 +136,7 @@ impl Report {
 
     fn add_branches(&mut self, scene: &Scene, values: &[(Expr, f64)]) {
         let Scene { model, equations, .. } = scene;
-        let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
+        let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect_vec();
         let turns = run(&algebra::tape(&turns), values);
         for (branch, turn) in equations.branches.iter().zip(turns).take(MOST_MOVES) {
             let [first, second] = branch.bodies.map(|body| &model.bodies[body].name.text);
@@ -161,7 +162,7 @@ impl Report {
         }
         if !measures.is_empty() {
             let each: Vec<String> =
-                measures.iter().enumerate().map(|(k, measure)| format!("{k}: {measure:.3}")).collect();
+                measures.iter().enumerate().map(|(k, measure)| format!("{k}: {measure:.3}")).collect_vec();
             self.assembly.push(format!("measures of the charts at the start: {}", each.join(", ")));
         }
     }
@@ -203,12 +204,12 @@ fn formulation(model: &Model, reduced: Option<&Reduced>, taken: &Taken) -> Vec<S
     let mut lines = match reduced {
         Some(reduced) => {
             let title = format!("Rung {rung}: {formulation}; {reason}.");
-            [title].into_iter().chain(coordinates(reduced)).collect()
+            [title].into_iter().chain(coordinates(reduced)).collect_vec()
         }
         None => vec![format!("Rung {rung}: {formulation}, because {reason}.")],
     };
     let mut giving: Vec<&str> =
-        model.compliant.iter().map(|row| model.parts[row.part].name.text.as_str()).collect();
+        model.compliant.iter().map(|row| model.parts[row.part].name.text.as_str()).collect_vec();
     giving.dedup();
     if !giving.is_empty() {
         lines.push(format!("Forces of a compliance instead of constraints: {}.", giving.join(", ")));
@@ -289,7 +290,7 @@ fn measures(reduced: Option<&Reduced>, values: &[(Expr, f64)]) -> Vec<f64> {
         .flat_map(|reduced| &reduced.charts)
         .filter_map(|chart| chart.remember_pose.as_ref());
     let squares = remembered.filter_map(|function| function.results.last());
-    squares.map(|&(_, square)| value(square, values).max(0.0).sqrt()).collect()
+    squares.map(|&(_, square)| value(square, values).max(0.0).sqrt()).collect_vec()
 }
 
 /// `forearm.angle: 0 deg moved by -25.7586 deg`.

@@ -3,6 +3,7 @@
 //! They stand in one row, in the order of the declaration, so that most of them can be a table of constants; those that
 //! read parameters or the time are expressions. Rows of names say where the numbers of each thing begin.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use crate::model::{Model, Port};
@@ -83,7 +84,7 @@ fn place(port: &Port) -> [Expr; 3] {
 fn at_its_side(model: &Model, place: [Expr; 3]) -> [Expr; 3] {
     let side = |difference: Expr| difference.less(Expr::ZERO).select(Expr::from(-1), Expr::ONE);
     let sides: Vec<(Expr, Expr)> =
-        model.switches.iter().map(|held| (held.symbol, side(held.difference))).collect();
+        model.switches.iter().map(|held| (held.symbol, side(held.difference))).collect_vec();
     place.map(|expr| algebra::substitute(&[expr], &sides)[0])
 }
 

@@ -3,8 +3,9 @@
 //! A [`Span`] is a range of these numbers. So places in the declaration, in parts and in texts outside rustc are told
 //! apart and ordered in one way: spans of proc-macro2 have no order, and inside rustc all tokens of a text share one.
 
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -186,7 +187,7 @@ pub struct Sources {
 }
 
 /// Files that a declaration names, by their names: what is in them, or why they cannot be read.
-pub type Files = BTreeMap<String, Result<String, String>>;
+pub type Files = SortedMap<String, Result<String, String>>;
 
 impl Sources {
     /// No source yet.
@@ -232,7 +233,7 @@ impl Sources {
     pub fn named_files(&self) -> Vec<String> {
         let tokens = self.get(0).map_or(&[][..], |source| &source.tokens);
         let names = tokens.windows(3).filter(|three| three[0].text == "contour" && three[1].text == ":");
-        names.filter_map(|three| Some(syn::parse_str::<LitStr>(&three[2].text).ok()?.value())).collect()
+        names.filter_map(|three| Some(syn::parse_str::<LitStr>(&three[2].text).ok()?.value())).collect_vec()
     }
 
     /// Hands over what is in a file that the declaration names, or why it cannot be read.

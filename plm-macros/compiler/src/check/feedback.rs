@@ -1,5 +1,6 @@
 //! Forces and conditions that read accelerations or reactions in a way that no linear system solves.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use crate::derive::causes;
@@ -57,5 +58,5 @@ fn unknowns(model: &Model) -> Vec<(Expr, String)> {
         body.a.into_iter().zip(names)
     });
     let reactions = model.rows.iter().map(|row| (row.lambda, format!("the reaction of `{}`", row.name)));
-    accelerations.chain(reactions).collect()
+    accelerations.chain(reactions).collect_vec()
 }

@@ -1,5 +1,6 @@
 //! The first evaluation: every constraint, force and rate must be a number at the assembled start.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Node, algebra};
 
 use crate::derive::{causes, feeds_back};
@@ -26,8 +27,8 @@ pub(super) fn check_forces(scene: &Scene, found: &Assembly, diagnostics: &mut Di
         add_unknowns(scene, &mut values);
     }
     let causes: Vec<_> =
-        causes(scene.model).filter(|cause| !scene.model.reads_required(cause.value)).collect();
-    let found: Vec<Expr> = causes.iter().map(|cause| cause.value).collect();
+        causes(scene.model).filter(|cause| !scene.model.reads_required(cause.value)).collect_vec();
+    let found: Vec<Expr> = causes.iter().map(|cause| cause.value).collect_vec();
     let found = numeric::values(&found, &values);
     for (cause, _) in causes.iter().zip(found).filter(|(_, found)| !found.is_finite()) {
         report(&values, &cause.name.text, cause.name.span, cause.value, diagnostics);

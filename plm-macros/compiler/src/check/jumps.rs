@@ -1,5 +1,7 @@
 //! Prescribed motions that no motor can follow.
 
+use crate::collect::CollectVec;
+use crate::sorted::sort_by;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::{Code, Diagnostics};
@@ -9,8 +11,8 @@ use crate::model::{Model, Port, Steady};
 pub(crate) fn check_jumps(model: &Model, diagnostics: &mut Diagnostics) {
     for row in 0..model.rows.len() {
         let mut steady: Vec<Steady> =
-            model.jumps.iter().filter(|jump| jump.row == row).filter_map(|jump| jump.steady).collect();
-        steady.sort_by(|a, b| a.of_speed.cmp(&b.of_speed).then(a.at.total_cmp(&b.at)));
+            model.jumps.iter().filter(|jump| jump.row == row).filter_map(|jump| jump.steady).collect_vec();
+        sort_by(&mut steady, |a, b| a.of_speed.cmp(&b.of_speed).then(a.at.total_cmp(&b.at)));
         report(model, row, &steady, diagnostics);
     }
 }
@@ -25,7 +27,7 @@ fn report(model: &Model, index: usize, steady: &[Steady], diagnostics: &mut Diag
     let message =
         format!("the {what} that `{}` prescribes jumps by {by} {unit}{per} at t = {at} s", row.name);
     let diagnostic = diagnostics.error(Code::JumpingMotion, row.span, message);
-    let times: Vec<String> = others.iter().take(8).map(|other| format!("{} s", other.at)).collect();
+    let times: Vec<String> = others.iter().take(8).map(|other| format!("{} s", other.at)).collect_vec();
     if !times.is_empty() {
         diagnostic.note(format!("it jumps too at t = {}", times.join(", ")));
     }
@@ -42,7 +44,7 @@ fn report(model: &Model, index: usize, steady: &[Steady], diagnostics: &mut Diag
 /// Ports of the ground on which the part of a row stands and whose place reads what jumps in it.
 fn moving_ports(model: &Model, row: usize) -> impl Iterator<Item = &Port> {
     let jumps = model.jumps.iter().filter(move |jump| jump.row == row && jump.steady.is_some());
-    let switches: Vec<Expr> = jumps.map(|jump| model.switches[jump.switch].symbol).collect();
+    let switches: Vec<Expr> = jumps.map(|jump| model.switches[jump.switch].symbol).collect_vec();
     let frames = model.parts[model.rows[row].part].frames.iter().filter(|frame| frame.body.is_none());
     frames.filter_map(|frame| model.ground.get(frame.port)).filter(move |port| {
         let read = algebra::symbols(&[port.at.x, port.at.y, port.angle]);

@@ -3,7 +3,9 @@
 //! Bodies and outputs are methods of the state, which a run dereferences to: a method of the run itself would hide them.
 //! Paths lose their points and brackets, and capitals, so that `rod.x` and `rod_x` meet.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
+use crate::sorted::sort_by_key;
 
 use crate::diag::{Code, Diagnostics};
 use crate::emit::METHODS;
@@ -64,10 +66,10 @@ impl Scope<'_> {
         names: impl Iterator<Item = (&'static str, &'n Name)>,
         diagnostics: &mut Diagnostics,
     ) {
-        let mut first: BTreeMap<String, (&'static str, &Name)> = BTreeMap::new();
+        let mut first: SortedMap<String, (&'static str, &Name)> = SortedMap::new();
         // By place: a library part's own source comes before the declaration only in name.
-        let mut sorted: Vec<(&'static str, &Name)> = names.collect();
-        sorted.sort_by_key(|(_, name)| (name.span.source == 0, name.span));
+        let mut sorted: Vec<(&'static str, &Name)> = names.collect_vec();
+        sort_by_key(&mut sorted, |(_, name)| (name.span.source == 0, name.span));
         for (kind, name) in sorted {
             let ident = ident(&name.text.to_lowercase());
             let text = &name.text;

@@ -6,6 +6,7 @@
 //! vanishes identically (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM
 //! 27, 1980).
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Tape, algebra};
 
 use crate::diag::{Code, Diagnostics};
@@ -55,10 +56,11 @@ impl<'a> Joint<'a> {
         if a.body == b.body {
             return None;
         }
-        let rows: Vec<usize> = (0..model.rows.len()).filter(|&row| model.rows[row].part == index).collect();
+        let rows: Vec<usize> =
+            (0..model.rows.len()).filter(|&row| model.rows[row].part == index).collect_vec();
         let phi = rows.iter().map(|&row| equations.phi[row]);
         let entries = rows.iter().flat_map(|&row| equations.phi_q[row].iter().map(|&(_, entry)| entry));
-        let tape = algebra::tape(&phi.chain(entries).collect::<Vec<Expr>>());
+        let tape = algebra::tape(&phi.chain(entries).collect_vec());
         Some(Joint { scene, part, pair, frames: [a, b], rows, tape })
     }
 
@@ -92,15 +94,15 @@ impl<'a> Joint<'a> {
         let mut entries = results.split_off(self.rows.len()).into_iter();
         let phi_q = self.rows.iter().map(|&row| {
             let columns = self.scene.equations.phi_q[row].iter().map(|&(column, _)| column);
-            columns.zip(entries.by_ref()).collect()
+            columns.zip(entries.by_ref()).collect_vec()
         });
-        let phi_q: Vec<Row> = phi_q.collect();
+        let phi_q: Vec<Row> = phi_q.collect_vec();
         let size = |column: usize| {
             let own = q.iter().find(|(of, _)| *of == column).map_or(0.0, |found| found.1.abs());
             own.max(if column % 3 == 2 { 1.0 } else { self.scene.length })
         };
         let limit = |row: &Row| ROUNDING * row.iter().map(|&(k, entry)| entry.abs() * size(k)).sum::<f64>();
-        Found { limits: phi_q.iter().map(limit).collect(), rank: rank(&phi_q).value(), phi: results }
+        Found { limits: phi_q.iter().map(limit).collect_vec(), rank: rank(&phi_q).value(), phi: results }
     }
 
     /// Poses of the bodies that the joint joins: one of them anywhere, the other where the pair lets it be.
@@ -178,7 +180,7 @@ fn scattered(scene: &Scene, anywhere: bool, random: &mut Random) -> Vec<(Expr, f
         let size = if value == 0.0 { 0.1 } else { 0.1 * value };
         (symbol, if anywhere && !is_input(symbol) { value + size * by } else { value })
     };
-    scene.values.iter().map(moved).collect()
+    scene.values.iter().map(moved).collect_vec()
 }
 
 /// A port at a pose of its body; with -1 the place of the body whose port is at a place.

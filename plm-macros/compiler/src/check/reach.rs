@@ -1,6 +1,7 @@
 //! Is there a mechanism at all, and is every body part of it?
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, algebra};
 
@@ -23,8 +24,8 @@ pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
         reached[load.body] = true;
     }
     // A constraint of its own joins no frames.
-    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
-    let held: BTreeSet<Expr> = algebra::symbols(&rows).into_iter().collect();
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
+    let held: SortedSet<Expr> = algebra::symbols(&rows).into_iter().collect();
     for (reached, body) in reached.iter_mut().zip(&model.bodies) {
         *reached |= body.q.iter().any(|coordinate| held.contains(coordinate));
     }

@@ -1,5 +1,6 @@
 //! The declared start: locks, joints that do not close, branches, velocities, the first evaluation.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use super::branch::not_found;
@@ -34,7 +35,7 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
         not_found(scene, found, diagnostics);
         redundant_joints(model, &joints, diagnostics);
         check_velocities(model, found, diagnostics);
-        let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect();
+        let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect_vec();
         let open = run(&algebra::tape(&compliant), &scene.moving(&found.q, &found.v));
         strained(model, &open, scene.length, diagnostics);
         // What divides by such a compliance has been told of it.
@@ -47,7 +48,7 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
 /// Do constraints or starts depend on parameters?
 fn has_parameters(model: &Model) -> bool {
     let starts = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
-    let mut roots: Vec<Expr> = starts.map(|start| start.value).collect();
+    let mut roots: Vec<Expr> = starts.map(|start| start.value).collect_vec();
     roots.extend(model.rows.iter().map(|row| row.phi));
     roots.extend(model.bodies.iter().flat_map(|body| body.centre.components()));
     roots.extend(model.switches.iter().filter(|switch| !switch.must_hold).map(|switch| switch.difference));
@@ -58,7 +59,7 @@ fn has_parameters(model: &Model) -> bool {
 /// Reports velocity locks that are too many, or start velocities that the joints do not allow.
 fn check_velocities(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
     let rows = model.rows.len();
-    let locks: Vec<_> = found.velocity_rank.dependent.iter().filter(|(row, _)| *row >= rows).collect();
+    let locks: Vec<_> = found.velocity_rank.dependent.iter().filter(|(row, _)| *row >= rows).collect_vec();
     if !locks.is_empty() {
         let velocities = Locks { locked: &found.velocity_locked, what: "velocity" };
         too_many_locks(model, &velocities, &locks, diagnostics);

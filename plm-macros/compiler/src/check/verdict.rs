@@ -1,8 +1,10 @@
 //! What assembly found, in words: which locks are too many, which joint stays open, which says nothing new.
 
+use crate::collect::CollectVec;
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Part, Row};
 use crate::numeric::Assembly;
+use crate::sorted::sort_by;
 use crate::units::Dimension;
 
 /// Gaps below this, as a fraction of the size of the scene, may be lengths that repeat each other and disagree.
@@ -33,12 +35,12 @@ pub(super) fn too_many_locks(
     diagnostics: &mut Diagnostics,
 ) {
     let rows = model.rows.len();
-    let coordinates: Vec<usize> = (0..locks.locked.len()).filter(|&k| locks.locked[k]).collect();
-    let mut members: Vec<usize> = dependent.iter().flat_map(|(_, rows)| rows.iter().copied()).collect();
+    let coordinates: Vec<usize> = (0..locks.locked.len()).filter(|&k| locks.locked[k]).collect_vec();
+    let mut members: Vec<usize> = dependent.iter().flat_map(|(_, rows)| rows.iter().copied()).collect_vec();
     members.sort_unstable();
     members.dedup();
     let tied = members.iter().filter_map(|row| row.checked_sub(rows));
-    let tied: Vec<String> = tied.map(|lock| lock_name(model, coordinates[lock], locks.what)).collect();
+    let tied: Vec<String> = tied.map(|lock| lock_name(model, coordinates[lock], locks.what)).collect_vec();
     let joints = parts(model, members.iter().filter(|&&row| row < rows));
     let count = dependent.len();
     let first = coordinates[dependent[0].0 - rows];
@@ -71,7 +73,7 @@ pub(super) fn not_closed(model: &Model, found: &Assembly, length: f64, diagnosti
     let gaps = gaps(&model.rows, &found.phi, |row| found.closed[row]);
     let Some(widest) = gaps.first() else { return };
     let others: Vec<String> =
-        gaps[1..].iter().map(|gap| format!("`{}` by {}", gap.joint(model), gap.text())).collect();
+        gaps[1..].iter().map(|gap| format!("`{}` by {}", gap.joint(model), gap.text())).collect_vec();
     let diagnostic = diagnostics.error(
         Code::NotAssembled,
         widest.row.span,
@@ -154,8 +156,8 @@ fn gaps<'a>(rows: &'a [Row], phi: &[f64], limit: impl Fn(usize) -> f64) -> Vec<G
             None => gaps.push((Gap { row, size, unit: row.unit.text.clone() }, is_open)),
         }
     }
-    let mut gaps: Vec<Gap> = gaps.into_iter().filter(|(_, open)| *open).map(|(gap, _)| gap).collect();
-    gaps.sort_by(|a, b| b.size.total_cmp(&a.size));
+    let mut gaps: Vec<Gap> = gaps.into_iter().filter(|(_, open)| *open).map(|(gap, _)| gap).collect_vec();
+    sort_by(&mut gaps, |a, b| b.size.total_cmp(&a.size));
     gaps
 }
 
@@ -167,8 +169,8 @@ pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics
             continue;
         }
         judged.push(part);
-        let of_part: Vec<_> = dependent.iter().filter(|(row, _)| model.rows[*row].part == part).collect();
-        let rows: Vec<String> = of_part.iter().map(|(row, _)| model.rows[*row].name.clone()).collect();
+        let of_part: Vec<_> = dependent.iter().filter(|(row, _)| model.rows[*row].part == part).collect_vec();
+        let rows: Vec<String> = of_part.iter().map(|(row, _)| model.rows[*row].name.clone()).collect_vec();
         let members =
             of_part.iter().flat_map(|(_, members)| members).filter(|&&row| model.rows[row].part != part);
         let others = parts(model, members);
@@ -202,15 +204,15 @@ pub(super) fn contradiction(model: &Model, found: &Assembly, diagnostics: &mut D
 
 /// Names of the parts of rows, each once.
 fn parts<'a>(model: &Model, rows: impl Iterator<Item = &'a usize>) -> Vec<String> {
-    let mut parts: Vec<usize> = rows.map(|&row| model.rows[row].part).collect();
+    let mut parts: Vec<usize> = rows.map(|&row| model.rows[row].part).collect_vec();
     parts.sort_unstable();
     parts.dedup();
-    parts.into_iter().map(|part| model.parts[part].name.text.clone()).collect()
+    parts.into_iter().map(|part| model.parts[part].name.text.clone()).collect_vec()
 }
 
 /// `a`, `b` and `c` in backticks.
 fn listed(names: &[String]) -> String {
-    joined(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())
+    joined(&names.iter().map(|name| format!("`{name}`")).collect_vec())
 }
 
 /// With commas, and an `and` before the last; a long list is cut.

@@ -1,5 +1,6 @@
 //! Which of the mirror images of a loop a pose is.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::model::{FrameRef, Model, Pair, Part};
@@ -32,7 +33,7 @@ pub(crate) fn branches(model: &Model) -> Vec<Branch> {
         }
     }
     let parts = model.parts.iter().enumerate();
-    parts.filter_map(|(index, part)| branch(model, &joints, index, part)).collect()
+    parts.filter_map(|(index, part)| branch(model, &joints, index, part)).collect_vec()
 }
 
 /// The joints of each body, as (part, the body's frame).

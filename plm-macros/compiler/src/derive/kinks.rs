@@ -7,6 +7,7 @@
 
 mod boundary;
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Jump, Model};
@@ -32,7 +33,7 @@ pub(super) struct Kink {
 pub(super) fn unfold(model: &mut Model) {
     loop {
         let moving = moving(model);
-        let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+        let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
         let found = algebra::reachable(&roots).into_iter().find_map(|expr| {
             let Node::Call(function, arguments) = expr.node() else { return None };
             let arguments = arguments.into_vec();
@@ -71,12 +72,12 @@ pub(super) fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
 /// What changes while it runs and may stand in a row.
 fn moving(model: &Model) -> Vec<Expr> {
     let coordinates = model.bodies.iter().flat_map(|body| body.q);
-    coordinates.chain([model.time]).collect()
+    coordinates.chain([model.time]).collect_vec()
 }
 
 /// The conditions of all rows that change while it runs.
 pub(super) fn kinks(model: &Model) -> Vec<Kink> {
-    let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let roots: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
     let moving = moving(model);
     let mut found = Vec::new();
     for condition in algebra::reachable(&roots) {
@@ -116,7 +117,7 @@ fn kink(model: &Model, condition: Expr, difference: Expr) -> Option<Kink> {
 /// First and second derivative along a motion at constant speed.
 fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
     let bodies = model.bodies.iter().flat_map(|body| body.q.into_iter().zip(body.v));
-    let mut flow: Vec<(Expr, Expr)> = bodies.collect();
+    let mut flow: Vec<(Expr, Expr)> = bodies.collect_vec();
     flow.push((model.time, Expr::ONE));
     let rate = expr.directional(&flow);
     [rate, rate.directional(&flow)]

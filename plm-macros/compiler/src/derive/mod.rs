@@ -20,6 +20,7 @@ mod kinks;
 mod switches;
 mod turns;
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
@@ -68,19 +69,19 @@ pub(crate) struct Equations {
 
 /// Derives the equations of motion of a model.
 pub(crate) fn derive(model: &Model) -> Equations {
-    let q: Vec<Expr> = model.bodies.iter().flat_map(|body| body.q).collect();
-    let v: Vec<Expr> = model.bodies.iter().flat_map(|body| body.v).collect();
-    let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let q: Vec<Expr> = model.bodies.iter().flat_map(|body| body.q).collect_vec();
+    let v: Vec<Expr> = model.bodies.iter().flat_map(|body| body.v).collect_vec();
+    let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
     let mut phi_q = Vec::with_capacity(phi.len());
     let mut phi_dot = Vec::with_capacity(phi.len());
     let mut gamma = Vec::with_capacity(phi.len());
     let columns = Columns::new(model);
     for &phi in &phi {
         let held = columns.of(phi);
-        let coordinates: Vec<Expr> = held.iter().map(|&column| q[column]).collect();
+        let coordinates: Vec<Expr> = held.iter().map(|&column| q[column]).collect_vec();
         let entries = algebra::gradient(phi, &coordinates).into_iter();
-        phi_q.push(entries.map(|(k, entry)| (held[k], entry)).collect());
-        let mut flow: Vec<(Expr, Expr)> = held.iter().map(|&column| (q[column], v[column])).collect();
+        phi_q.push(entries.map(|(k, entry)| (held[k], entry)).collect_vec());
+        let mut flow: Vec<(Expr, Expr)> = held.iter().map(|&column| (q[column], v[column])).collect_vec();
         flow.push((model.time, Expr::ONE));
         let rate = phi.directional(&flow); // (1)
         phi_dot.push(rate);
@@ -89,14 +90,14 @@ pub(crate) fn derive(model: &Model) -> Equations {
     let mut force = applied_force(model);
     let signals = feedback::signals(model, &mut force);
     Equations {
-        a: model.bodies.iter().flat_map(|body| body.a).collect(),
-        lambda: model.rows.iter().map(|row| row.lambda).collect(),
-        x: model.states.iter().map(|state| state.symbol).collect(),
-        mass: model.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia]).collect(),
+        a: model.bodies.iter().flat_map(|body| body.a).collect_vec(),
+        lambda: model.rows.iter().map(|row| row.lambda).collect_vec(),
+        x: model.states.iter().map(|state| state.symbol).collect_vec(),
+        mass: model.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia]).collect_vec(),
         force,
         signals,
         branches: branch::branches(model),
-        x_dot: model.states.iter().map(|state| state.rate).collect(),
+        x_dot: model.states.iter().map(|state| state.rate).collect_vec(),
         q,
         v,
         phi,
@@ -119,7 +120,7 @@ fn applied_force(model: &Model) -> Vec<Expr> {
             terms[3 * load.body + k].push(component);
         }
     }
-    terms.iter().map(|terms| terms.iter().sum()).collect()
+    terms.iter().map(|terms| terms.iter().sum()).collect_vec()
 }
 
 /// Finds the coordinates that an expression holds.
@@ -132,7 +133,7 @@ impl Columns {
     fn new(model: &Model) -> Columns {
         let coordinates = model.bodies.iter().flat_map(|body| body.q);
         let mut sorted: Vec<(Expr, usize)> =
-            coordinates.enumerate().map(|(column, symbol)| (symbol, column)).collect();
+            coordinates.enumerate().map(|(column, symbol)| (symbol, column)).collect_vec();
         sorted.sort_unstable();
         Columns { sorted }
     }
@@ -143,7 +144,7 @@ impl Columns {
         let column = |symbol: &Expr| {
             self.sorted.binary_search_by_key(symbol, |&(s, _)| s).ok().map(|k| self.sorted[k].1)
         };
-        let mut columns: Vec<usize> = held.iter().filter_map(column).collect();
+        let mut columns: Vec<usize> = held.iter().filter_map(column).collect_vec();
         columns.sort_unstable();
         columns
     }

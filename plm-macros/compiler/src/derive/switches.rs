@@ -5,6 +5,8 @@
 //! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
 //! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
+use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use super::causes;
@@ -16,7 +18,7 @@ use crate::model::{Jump, Model, Switch};
 pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
     let kinks = kinks::kinks(model);
-    let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect();
+    let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect_vec();
     let mut pairs = Vec::new();
     for (condition, name) in conditions(model) {
         let Node::Less(a, b) = condition.node() else { continue };
@@ -31,7 +33,7 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     bends(model, &roots);
     if !pairs.is_empty() {
         // Conditions of the state stand before those of the time, as the guards do.
-        model.switches.sort_by_key(|switch| switch.instant.is_some());
+        sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
         for (symbol, jump) in jumps {
             let index = model.switches.iter().position(|switch| switch.symbol == symbol);
             model.jumps.extend(index.map(|switch| Jump { switch, ..jump }));
@@ -58,10 +60,10 @@ fn conditions(model: &Model) -> Vec<(Expr, String)> {
 /// Puts what stands for each condition in its place, wherever that may be.
 fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
     kinks::substitute(model, pairs);
-    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect();
+    let rows: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
     let in_rows = algebra::reachable(&rows);
     let released = pairs.iter().filter(|pair| in_rows.contains(&pair.1));
-    model.released = released.map(|&(condition, held)| (held, condition)).collect();
+    model.released = released.map(|&(condition, held)| (held, condition)).collect_vec();
     for load in &mut model.loads {
         load.force = load.force.map(|force| algebra::substitute(&[force], pairs)[0]);
     }
@@ -88,10 +90,10 @@ fn bends(model: &mut Model, roots: &[Expr]) {
     let moving: Vec<Expr> = (model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v)))
         .chain(model.states.iter().map(|state| state.symbol))
         .chain([model.time])
-        .collect();
+        .collect_vec();
     let held: Vec<Expr> = (model.params.iter().map(|param| param.symbol))
         .chain(model.inputs.iter().map(|input| input.symbol))
-        .collect();
+        .collect_vec();
     for kink in kinks {
         let read = algebra::symbols(&[kink]);
         let known = read.iter().all(|symbol| moving.contains(symbol) || held.contains(symbol));
@@ -160,8 +162,8 @@ fn jumps(roots: &[Expr], condition: Expr, difference: Expr) -> bool {
             Node::Select(by, yes, no) if by == condition => Some((yes, no)),
             _ => None,
         })
-        .collect();
-    let gaps: Vec<Expr> = choices.into_iter().map(|(yes, no)| yes - no).collect();
+        .collect_vec();
+    let gaps: Vec<Expr> = choices.into_iter().map(|(yes, no)| yes - no).collect_vec();
     // The boundary, solved for a symbol in which it is linear.
     let boundary = algebra::symbols(&[difference]).into_iter().find_map(|symbol| {
         let slope = difference.diff(symbol);

@@ -5,7 +5,8 @@
 //! one count. An angle that a constraint reads in another way (a gear, a drive, a slide on the ground) has none: there whole turns
 //! are not nothing.
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, Function, Node, Number, algebra};
 
@@ -28,7 +29,7 @@ pub(crate) fn count_turns(model: &mut Model) -> Vec<(Expr, Expr)> {
     places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
     places.extend(model.switches.iter_mut().map(|switch| &mut switch.difference));
     places.extend(&mut model.kinks);
-    let read: Vec<Expr> = places.iter().map(|place| **place).collect();
+    let read: Vec<Expr> = places.iter().map(|place| **place).collect_vec();
     places.into_iter().zip(with_turns(&read, &pairs)).for_each(|(place, whole)| *place = whole);
     pairs
 }
@@ -38,20 +39,20 @@ pub(crate) fn with_turns(exprs: &[Expr], pairs: &[(Expr, Expr)]) -> Vec<Expr> {
     if pairs.is_empty() {
         return exprs.to_vec();
     }
-    let angles: BTreeSet<Expr> = pairs.iter().map(|pair| pair.0).collect();
+    let angles: SortedSet<Expr> = pairs.iter().map(|pair| pair.0).collect();
     let periodic = algebra::reachable(exprs).into_iter().filter(|&expr| is_periodic(expr, &angles));
-    let all: Vec<(Expr, Expr)> = periodic.map(|expr| (expr, expr)).chain(pairs.iter().copied()).collect();
+    let all: Vec<(Expr, Expr)> = periodic.map(|expr| (expr, expr)).chain(pairs.iter().copied()).collect_vec();
     algebra::substitute(exprs, &all)
 }
 
 /// The angles that turn as one, by count.
 fn counted(model: &Model) -> Vec<Counted> {
-    let angles: BTreeSet<Expr> = model.bodies.iter().map(|body| body.q[2]).collect();
+    let angles: SortedSet<Expr> = model.bodies.iter().map(|body| body.q[2]).collect();
     let body_of = |angle: Expr| model.bodies.iter().position(|body| body.q[2] == angle);
     // Of each body the first one that it turns with; none if it has no count.
-    let mut leader: Vec<Option<usize>> = (0..model.bodies.len()).map(Some).collect();
+    let mut leader: Vec<Option<usize>> = (0..model.bodies.len()).map(Some).collect_vec();
     let mut join = |bodies: &[usize], turn_as_one: bool| {
-        let joined: Vec<Option<usize>> = bodies.iter().map(|&body| leader[body]).collect();
+        let joined: Vec<Option<usize>> = bodies.iter().map(|&body| leader[body]).collect_vec();
         // None is less than any.
         let first = joined.iter().copied().min().flatten().filter(|_| turn_as_one);
         for class in leader.iter_mut().filter(|class| class.is_some() && joined.contains(class)) {
@@ -60,33 +61,33 @@ fn counted(model: &Model) -> Vec<Counted> {
     };
     // A pair may say by a sine that nothing turns; joint coordinates have one angle for both bodies all the same.
     for part in model.parts.iter().filter(|part| part.pair.is_some_and(|pair| !pair.turns())) {
-        if let [Some(a), Some(b)] = part.frames.iter().map(|frame| frame.body).collect::<Vec<_>>()[..] {
+        if let [Some(a), Some(b)] = part.frames.iter().map(|frame| frame.body).collect_vec()[..] {
             join(&[a, b], true);
         }
     }
     let rows = model.rows.iter().map(|row| row.phi);
     for phi in rows.chain(model.released.iter().map(|(_, condition)| *condition)) {
         let read = read_itself(phi, &angles);
-        let bodies: Vec<usize> = read.into_iter().filter_map(body_of).collect();
+        let bodies: Vec<usize> = read.into_iter().filter_map(body_of).collect_vec();
         join(&bodies, is_difference(phi, &angles));
     }
     let first = (0..model.bodies.len()).filter(|&body| leader[body] == Some(body));
     let of_leader = |first: usize| Counted {
         symbol: Expr::symbol(format!("{}.turns", model.bodies[first].name.text)),
-        bodies: (0..model.bodies.len()).filter(|&body| leader[body] == Some(first)).collect(),
+        bodies: (0..model.bodies.len()).filter(|&body| leader[body] == Some(first)).collect_vec(),
     };
-    first.map(of_leader).collect()
+    first.map(of_leader).collect_vec()
 }
 
 /// Is it the difference of two angles, and of what knows none?
-fn is_difference(phi: Expr, angles: &BTreeSet<Expr>) -> bool {
+fn is_difference(phi: Expr, angles: &SortedSet<Expr>) -> bool {
     let coefficients = coefficients(phi, angles).unwrap_or_default();
     matches!(coefficients[..], [(Some(1), a), (Some(-1), b)] | [(Some(-1), a), (Some(1), b)] if a != b)
 }
 
 /// The angles that a sum has, each with its coefficient if that is a whole number; sums that are named in it are parts of
 /// it. `None` if another term knows an angle.
-fn coefficients(expr: Expr, angles: &BTreeSet<Expr>) -> Option<Vec<(Option<i64>, Expr)>> {
+fn coefficients(expr: Expr, angles: &SortedSet<Expr>) -> Option<Vec<(Option<i64>, Expr)>> {
     let (mut open, mut found) = (vec![(Number::ONE, expr)], Vec::new());
     while let Some((factor, term)) = open.pop() {
         match term.node() {
@@ -103,8 +104,8 @@ fn coefficients(expr: Expr, angles: &BTreeSet<Expr>) -> Option<Vec<(Option<i64>,
 }
 
 /// The angles that an expression reads in another way than by a function to which whole turns are nothing.
-fn read_itself(expr: Expr, angles: &BTreeSet<Expr>) -> Vec<Expr> {
-    let (mut open, mut seen, mut found) = (vec![expr], BTreeSet::new(), Vec::new());
+fn read_itself(expr: Expr, angles: &SortedSet<Expr>) -> Vec<Expr> {
+    let (mut open, mut seen, mut found) = (vec![expr], SortedSet::new(), Vec::new());
     while let Some(expr) = open.pop() {
         if !seen.insert(expr) || is_periodic(expr, angles) {
             continue;
@@ -119,7 +120,7 @@ fn read_itself(expr: Expr, angles: &BTreeSet<Expr>) -> Vec<Expr> {
 }
 
 /// Is it a sine or cosine of angles times whole numbers?
-fn is_periodic(expr: Expr, angles: &BTreeSet<Expr>) -> bool {
+fn is_periodic(expr: Expr, angles: &SortedSet<Expr>) -> bool {
     let Node::Call(Function::Sin | Function::Cos, arguments) = expr.node() else {
         return false;
     };

@@ -8,7 +8,9 @@ mod code;
 mod near;
 mod render;
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
+use crate::sorted::sort_by_key;
 
 pub use code::Code;
 pub use near::{help_similar, list, nearest};
@@ -107,7 +109,7 @@ impl Diagnostic {
 #[derive(Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
-    seen: BTreeSet<(Code, Span, String)>,
+    seen: SortedSet<(Code, Span, String)>,
     /// Where repetitions go: a mistake in a part that is used 64 times is reported once.
     repeated: Option<Diagnostic>,
 }
@@ -164,8 +166,8 @@ impl Diagnostics {
 
     /// All of them, by source and place: the order in which people read.
     pub fn sorted(&self) -> Vec<&Diagnostic> {
-        let mut list: Vec<_> = self.list.iter().collect();
-        list.sort_by_key(|diagnostic| (diagnostic.anchor(), diagnostic.span));
+        let mut list: Vec<_> = self.list.iter().collect_vec();
+        sort_by_key(&mut list, |diagnostic| (diagnostic.anchor(), diagnostic.span));
         list
     }
 }

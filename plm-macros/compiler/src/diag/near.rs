@@ -1,5 +1,6 @@
 //! "Did you mean": the name that is nearest to what was written.
 
+use crate::collect::CollectVec;
 use std::fmt::Write;
 
 use super::Diagnostic;
@@ -26,9 +27,9 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 /// Number of letters to insert, delete, replace or swap with a neighbour (optimal string alignment), case ignored.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) =
-        (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
+        (a.to_lowercase().chars().collect_vec(), b.to_lowercase().chars().collect_vec());
     let mut before = vec![0; b.len() + 1];
-    let mut above: Vec<usize> = (0..=b.len()).collect();
+    let mut above: Vec<usize> = (0..=b.len()).collect_vec();
     for i in 0..a.len() {
         let mut row = vec![i + 1; b.len() + 1];
         for j in 0..b.len() {
@@ -61,7 +62,7 @@ pub fn help_similar(diagnostic: &mut Diagnostic, name: &str, what: &str, all: &s
 /// Names in a row; a long list is cut.
 pub fn list(names: &[&str]) -> String {
     const SHOWN: usize = 12;
-    let mut text = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
+    let mut text = names.iter().take(SHOWN).copied().collect_vec().join(", ");
     if names.len() > SHOWN {
         // Writing to a string does not fail.
         let _ = write!(text, ", … ({} more)", names.len() - SHOWN);

@@ -1,6 +1,7 @@
 //! Diagnostics as text: with the line and carets where there is text, as lines of one message where rustc shows the
 //! place by itself.
 
+use crate::collect::CollectVec;
 use std::fmt::Write;
 
 use super::{Diagnostic, Note, NoteKind, Severity};
@@ -48,7 +49,7 @@ impl Diagnostic {
     fn all_notes(&self, sources: &Sources, place_of: PlaceOf) -> Vec<String> {
         let place = |span| place(span, sources).or_else(|| place_of(span));
         let mut lines: Vec<String> =
-            self.notes.iter().map(|note| note_line(note, note.span.and_then(place))).collect();
+            self.notes.iter().map(|note| note_line(note, note.span.and_then(place))).collect_vec();
         for of in self.uses.iter().rev() {
             let at = place(of.span).map_or(String::new(), |place| format!(" at {place}"));
             lines.push(format!("note: in the part `{}`, used as `{}`{at}", of.part, of.instance));

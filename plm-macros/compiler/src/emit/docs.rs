@@ -1,5 +1,6 @@
 //! Documentation of the emitted items: equations, shapes, units, counts.
 
+use crate::collect::CollectVec;
 use plm_cas::{Count, Expr, Number};
 use proc_macro2::TokenStream;
 
@@ -36,7 +37,7 @@ pub(super) fn field(own: &[String], what: &str, unit: &DisplayUnit, more: &str) 
 
 /// The user's own lines.
 pub(super) fn trimmed(own: &[String]) -> String {
-    own.iter().map(|line| line.trim()).collect::<Vec<&str>>().join("\n")
+    own.iter().map(|line| line.trim()).collect_vec().join("\n")
 }
 
 /// What a value is unless it is set: a number in the unit that it was declared in, else its expression.

@@ -1,7 +1,8 @@
 //! Bodies and outputs of repetitions by their indices: `sim.bar(3)` beside `sim.bar_3()`.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
 
 use super::item::{outputs::kind, state::whole_pose};
 use super::names::{Names, token};
@@ -92,13 +93,13 @@ impl Family {
 
     fn indices(&self) -> Vec<Ident> {
         let count = self.members.first().map_or(0, |(indices, _)| indices.len());
-        INDICES.iter().take(count).map(|name| Ident::new(name, Span::call_site())).collect()
+        INDICES.iter().take(count).map(|name| Ident::new(name, Span::call_site())).collect_vec()
     }
 
     /// `match (i, j) { (0, 1) => …, _ => return None }`
     fn chosen(&self, emission: &Emission, value: impl Fn(usize) -> String) -> TokenStream {
         let arms = self.members.iter().map(|(indices, member)| {
-            let indices: Vec<String> = indices.iter().map(usize::to_string).collect();
+            let indices: Vec<String> = indices.iter().map(usize::to_string).collect_vec();
             match indices.as_slice() {
                 [index] => format!("{index} => {}", value(*member)),
                 many => format!("({}) => {}", many.join(", "), value(*member)),

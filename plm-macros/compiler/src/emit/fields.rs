@@ -1,5 +1,6 @@
 //! Identifiers that the user's names become.
 
+use crate::collect::CollectVec;
 use proc_macro2::{Ident, Span};
 
 use super::Place;
@@ -69,16 +70,17 @@ impl Fields {
             let span = if name.span.source == 0 { place(name.span) } else { Span::call_site() };
             token(&names.unique(&name.text), span)
         };
-        let bodies: Vec<Ident> = model.bodies.iter().map(|body| named(&mut accessors, &body.name)).collect();
-        let taken: Vec<String> = bodies.iter().map(Ident::to_string).collect();
-        let mut starts = Names::with_reserved(&taken.iter().map(String::as_str).collect::<Vec<&str>>());
+        let bodies: Vec<Ident> =
+            model.bodies.iter().map(|body| named(&mut accessors, &body.name)).collect_vec();
+        let taken: Vec<String> = bodies.iter().map(Ident::to_string).collect_vec();
+        let mut starts = Names::with_reserved(&taken.iter().map(String::as_str).collect_vec());
         let outputs = model.outputs.iter();
         let outputs = outputs.map(|output| token(&accessors.unique(&output.name.text), Span::call_site()));
         Fields {
-            outputs: outputs.collect(),
-            params: model.params.iter().map(|param| named(&mut params, &param.name)).collect(),
-            inputs: model.inputs.iter().map(|input| named(&mut inputs, &input.name)).collect(),
-            states: model.states.iter().map(|state| named(&mut starts, &state.name)).collect(),
+            outputs: outputs.collect_vec(),
+            params: model.params.iter().map(|param| named(&mut params, &param.name)).collect_vec(),
+            inputs: model.inputs.iter().map(|input| named(&mut inputs, &input.name)).collect_vec(),
+            states: model.states.iter().map(|state| named(&mut starts, &state.name)).collect_vec(),
             families: families::find(model, &mut accessors),
             bodies,
         }

@@ -1,8 +1,10 @@
 //! The straight-line functions of a mechanism.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::bindings::Origin;
 use super::contract::rate::is_short;
@@ -18,7 +20,7 @@ pub(super) fn function(
     (function, origin): (&Function, Origin),
 ) -> TokenStream {
     let arguments = arguments(signature);
-    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect_vec();
     let (docs, body) = body(emission, docs, &arguments, (function, origin));
     quote! {
         #docs
@@ -37,7 +39,7 @@ pub(super) fn body(
 ) -> (TokenStream, TokenStream) {
     let reserved = [arguments, &["lit"]].concat();
     let direct: Option<Vec<Expr>> = match origin {
-        Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect()),
+        Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect_vec()),
         _ => None,
     };
     let around = lower::Around { reserved: &reserved, by_reference: true, direct: direct.as_deref() };
@@ -51,7 +53,7 @@ fn arguments(signature: &TokenStream) -> Vec<String> {
     let is_list =
         |tree: &TokenTree| matches!(tree, TokenTree::Group(of) if of.delimiter() == Delimiter::Parenthesis);
     let Some(TokenTree::Group(list)) = signature.clone().into_iter().find(is_list) else { return Vec::new() };
-    let trees: Vec<TokenTree> = list.stream().into_iter().collect();
+    let trees: Vec<TokenTree> = list.stream().into_iter().collect_vec();
     let named = trees.windows(2).filter_map(|two| match two {
         [TokenTree::Ident(name), TokenTree::Punct(mark)]
             if mark.as_char() == ':' && mark.spacing() == Spacing::Alone =>
@@ -60,7 +62,7 @@ fn arguments(signature: &TokenStream) -> Vec<String> {
         }
         _ => None,
     });
-    named.collect()
+    named.collect_vec()
 }
 
 /// The equations of motion of rung 5, and what the rank-revealing fallback needs.

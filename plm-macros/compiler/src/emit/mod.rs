@@ -13,10 +13,13 @@ mod function;
 mod item;
 mod lower;
 mod print;
+mod template;
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::algebra;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 pub use self::code::Code;
 use self::code::Texts;
@@ -210,7 +213,7 @@ fn number(value: usize) -> Literal {
 
 /// Strings in a list.
 fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
-    let names: Vec<String> = names.into_iter().map(|name| format!("{:?}", name.as_ref())).collect();
+    let names: Vec<String> = names.into_iter().map(|name| format!("{:?}", name.as_ref())).collect_vec();
     names.join(", ")
 }
 
@@ -227,7 +230,7 @@ impl Emission<'_> {
 
     /// Entries of a list, in one line.
     fn list(&self, entries: impl IntoIterator<Item = String>) -> TokenStream {
-        self.text(entries.into_iter().collect::<Vec<String>>().join(", "))
+        self.text(entries.into_iter().collect_vec().join(", "))
     }
 
     /// Entries of a list, a line for each, behind what it takes to read their constants.
@@ -262,7 +265,7 @@ impl Emission<'_> {
         let rates: Vec<&Function> = match self.form {
             Form::Absolute => vec![&self.program.dynamics],
             Form::Tree(chart) => vec![&chart.rate],
-            Form::Loops(reduced) => reduced.charts.iter().map(|chart| &chart.rate).collect(),
+            Form::Loops(reduced) => reduced.charts.iter().map(|chart| &chart.rate).collect_vec(),
         };
         rates.iter().any(|rate| algebra::symbols(&rate.roots()).contains(&self.model.time))
     }

@@ -6,9 +6,10 @@
 mod observe;
 mod shape;
 
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Graph};
-use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use crate::front::Reading;
@@ -84,7 +85,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
 }
 
 /// The steps that are ordered, as far as they can be read.
-fn steps(items: &[Item]) -> BTreeSet<Step> {
+fn steps(items: &[Item]) -> SortedSet<Step> {
     let methods = items.iter().filter_map(|item| match &item.kind {
         ItemKind::Emit(methods) => Some(methods),
         _ => None,
@@ -142,7 +143,7 @@ impl<'a> Names<'a> {
                 ItemKind::Input(value) if depth == 0 => self.input(item, value),
                 ItemKind::Output(list) if depth == 0 => list.iter().for_each(|output| self.output(output)),
                 ItemKind::Observe(list) => {
-                    let names: Vec<Name> = list.iter().filter_map(|of| self.path(of)).collect();
+                    let names: Vec<Name> = list.iter().filter_map(|of| self.path(of)).collect_vec();
                     self.observed.extend(names);
                 }
                 ItemKind::Node(node) => {
@@ -153,7 +154,7 @@ impl<'a> Names<'a> {
                 ItemKind::Ground(ports) => {
                     let names = ports.iter().filter_map(|port| self.name(prefix, &port.name));
                     let ports: Vec<_> =
-                        names.map(|name| (format!("ground.{}", name.text), Thing::Port)).collect();
+                        names.map(|name| (format!("ground.{}", name.text), Thing::Port)).collect_vec();
                     self.things.extend(ports);
                 }
                 _ => {}

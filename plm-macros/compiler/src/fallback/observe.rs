@@ -1,5 +1,7 @@
 //! Names of what is observed, as `resolve` would find them.
 
+use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use plm_cas::Expr;
 
 use super::{Names, name, no_unit};
@@ -34,7 +36,7 @@ impl<'a> Names<'a> {
     /// Adds the outputs of all that is observed.
     pub(super) fn show_observed(&mut self) {
         let mut things = std::mem::take(&mut self.things);
-        things.sort_by_key(|(_, thing)| thing.place());
+        sort_by_key(&mut things, |(_, thing)| thing.place());
         for Name { text, span } in std::mem::take(&mut self.observed) {
             for (name, thing) in &things {
                 let is_of_ground = text == "ground" && name.starts_with("ground.");
@@ -68,7 +70,7 @@ impl<'a> Names<'a> {
     fn show_node(&mut self, of: &str, node: &'a ast::Node, span: Span) {
         let Some(domain) = self.library.domain(&node.kind.text) else { return };
         let quantities = std::iter::once(&domain.across).chain(&domain.through);
-        let members: Vec<&str> = quantities.map(|quantity| quantity.name.text.as_str()).collect();
+        let members: Vec<&str> = quantities.map(|quantity| quantity.name.text.as_str()).collect_vec();
         for member in members {
             self.push(format!("{of}.{member}"), false, span);
         }

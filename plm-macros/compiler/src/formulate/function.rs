@@ -1,5 +1,6 @@
 //! A function of the program: what it computes, in which order, and where the results go.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Tape, algebra};
 
 /// Where a result is stored.
@@ -82,12 +83,12 @@ impl Function {
     /// All expressions: those of the sections, then the results.
     pub(crate) fn roots(&self) -> Vec<Expr> {
         let of_sections = self.sections.iter().flat_map(|section| section.roots.iter().copied());
-        of_sections.chain(self.results.iter().map(|&(_, value)| value)).collect()
+        of_sections.chain(self.results.iter().map(|&(_, value)| value)).collect_vec()
     }
 
     /// The results without their places.
     pub(crate) fn values(&self) -> Vec<Expr> {
-        self.results.iter().map(|&(_, value)| value).collect()
+        self.results.iter().map(|&(_, value)| value).collect_vec()
     }
 
     /// The function as a list of instructions.
@@ -98,5 +99,5 @@ impl Function {
 
 /// Results that fill an array from its beginning.
 pub(crate) fn stored<'a>(array: &'static str, values: impl Iterator<Item = &'a Expr>) -> Vec<(Place, Expr)> {
-    values.enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect()
+    values.enumerate().map(|(k, &value)| (Place::Element(array, k), value)).collect_vec()
 }

@@ -9,14 +9,14 @@
 //! Each entry becomes a named atom, so that nothing is ever expanded and the operations stay those of the numeric
 //! algorithm (I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 10).
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::sorted::{SortedMap, SortedSet};
 
 use plm_cas::Expr;
 
 use super::order::minimum_degree;
 
 /// A symmetric matrix by its lower entries, `(row, column)` with `row >= column`; what is absent is zero.
-pub(crate) type Symmetric = BTreeMap<(usize, usize), Expr>;
+pub(crate) type Symmetric = SortedMap<(usize, usize), Expr>;
 
 /// The factors, and what was computed on the way.
 #[derive(Debug)]
@@ -34,7 +34,7 @@ pub(crate) struct Factor {
 /// Factorises `matrix` of size `n`; every diagonal entry must be present. A row whose diagonal entry over its pivot is above
 /// `most`, if that is given, depends on rows before it and is left out: its reciprocal is zero.
 pub(crate) fn factorise(n: usize, matrix: &Symmetric, most: Option<Expr>) -> Factor {
-    let mut near = vec![BTreeSet::new(); n];
+    let mut near = vec![SortedSet::new(); n];
     for &(i, j) in matrix.keys().filter(|(i, j)| i != j) {
         near[i].insert(j);
         near[j].insert(i);
@@ -86,7 +86,7 @@ impl Elimination {
         }
         for (k, &(i, l_ip)) in l_p.iter().enumerate() {
             for &(j, s_jp) in &s_p[..=k] {
-                let s_ij = self.s.entry(lower(i, j)).or_insert(Expr::ZERO);
+                let s_ij = self.s.or_insert(lower(i, j), Expr::ZERO);
                 *s_ij -= l_ip * s_jp;
             }
         }

@@ -1,6 +1,6 @@
 //! Linearised equations of motion, and what they are for.
 
-use std::collections::BTreeMap;
+use crate::sorted::SortedMap;
 
 use plm_cas::{Expr, algebra};
 
@@ -20,7 +20,7 @@ pub(crate) enum Part {
 }
 
 /// Coefficients by equation, unknown and part of it.
-pub(crate) type Terms = BTreeMap<(usize, usize, Part), Expr>;
+pub(crate) type Terms = SortedMap<(usize, usize, Part), Expr>;
 
 /// A coefficient in an equation.
 #[derive(Clone, Copy, Debug)]
@@ -127,15 +127,15 @@ pub(crate) fn add_slopes(terms: &mut Terms, equations: &[Expr], [q, v, x]: [&[Ex
 
 /// Equal coefficients are computed once.
 fn placed(terms: Terms) -> (Vec<Expr>, Vec<Term>) {
-    let (mut different, mut places, mut placed) = (Vec::new(), BTreeMap::new(), Vec::new());
+    let (mut different, mut places, mut placed) = (Vec::new(), SortedMap::new(), Vec::new());
     for ((row, column, part), value) in terms {
         if value.is_zero() {
             continue;
         }
-        let coefficient = *places.entry(value).or_insert_with(|| {
+        let coefficient = *places.or_insert(value, different.len());
+        if coefficient == different.len() {
             different.push(value);
-            different.len() - 1
-        });
+        }
         placed.push(Term { coefficient, row, column, part });
     }
     (different, placed)

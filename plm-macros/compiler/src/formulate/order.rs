@@ -1,6 +1,7 @@
 //! The order of elimination of a sparse symmetric matrix.
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 
 /// A row to eliminate and the rows that it still meets then, ascending: the rows of its column of L.
 pub(crate) type Pivot = (usize, Vec<usize>);
@@ -10,22 +11,22 @@ pub(crate) type Pivot = (usize, Vec<usize>);
 /// `neighbours[i]` holds the rows that share an entry with row `i`; fill is followed. Along a chain the fill is none and the operations
 /// grow linearly (W. F. Tinney, J. W. Walker, Direct solutions of sparse network equations by optimally ordered
 /// triangular factorization, Proc. IEEE 55, 1967, scheme 2).
-pub(crate) fn minimum_degree(neighbours: Vec<BTreeSet<usize>>) -> impl Iterator<Item = Pivot> {
-    let behind = vec![BTreeSet::new(); neighbours.len()];
+pub(crate) fn minimum_degree(neighbours: Vec<SortedSet<usize>>) -> impl Iterator<Item = Pivot> {
+    let behind = vec![SortedSet::new(); neighbours.len()];
     minimum_degree_behind(neighbours, behind)
 }
 
 /// The same where row `i` has to wait until those of `behind[i]` are eliminated, all of which are its neighbours and wait for
 /// nothing.
 fn minimum_degree_behind(
-    mut neighbours: Vec<BTreeSet<usize>>,
-    mut behind: Vec<BTreeSet<usize>>,
+    mut neighbours: Vec<SortedSet<usize>>,
+    mut behind: Vec<SortedSet<usize>>,
 ) -> impl Iterator<Item = Pivot> {
     let free = behind.iter().enumerate().filter(|(_, behind)| behind.is_empty());
-    let mut waiting: BTreeSet<(usize, usize)> = free.map(|(row, _)| (neighbours[row].len(), row)).collect();
+    let mut waiting: SortedSet<(usize, usize)> = free.map(|(row, _)| (neighbours[row].len(), row)).collect();
     std::iter::from_fn(move || {
         let (_, row) = waiting.pop_first()?;
-        let near: Vec<usize> = std::mem::take(&mut neighbours[row]).into_iter().collect();
+        let near: Vec<usize> = std::mem::take(&mut neighbours[row]).into_iter().collect_vec();
         for &other in &near {
             waiting.remove(&(neighbours[other].len(), other));
             neighbours[other].remove(&row);
@@ -46,22 +47,23 @@ pub(crate) fn minimum_degree_of(
     first: usize,
     entries: impl Iterator<Item = (usize, usize)>,
 ) -> Vec<usize> {
-    let mut near = vec![BTreeSet::new(); count];
+    let mut near = vec![SortedSet::new(); count];
     for (row, column) in entries.filter(|(row, column)| row != column) {
         near[row].insert(column);
         near[column].insert(row);
     }
     let behind = near.iter().enumerate();
-    let behind = behind.map(|(row, near)| if row < first { BTreeSet::new() } else { near.clone() }).collect();
-    minimum_degree_behind(near, behind).map(|(pivot, _)| pivot).collect()
+    let behind =
+        behind.map(|(row, near)| if row < first { SortedSet::new() } else { near.clone() }).collect_vec();
+    minimum_degree_behind(near, behind).map(|(pivot, _)| pivot).collect_vec()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn graph(n: usize, edges: &[(usize, usize)]) -> Vec<BTreeSet<usize>> {
-        let mut near = vec![BTreeSet::new(); n];
+    fn graph(n: usize, edges: &[(usize, usize)]) -> Vec<SortedSet<usize>> {
+        let mut near = vec![SortedSet::new(); n];
         for &(a, b) in edges {
             near[a].insert(b);
             near[b].insert(a);

@@ -1,5 +1,6 @@
 //! What can be read from a state: the user's outputs, energies and power.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2, algebra};
 
 use super::function::Function;
@@ -33,7 +34,7 @@ pub(crate) struct Outputs {
 /// Lays out the outputs; `signals` are the unknowns that forces read, and their values.
 pub(crate) fn formulate(model: &Model, equations: &Equations, signals: &[(Expr, Expr)]) -> Outputs {
     let user = user(&model.outputs, equations);
-    let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect();
+    let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect_vec();
     let branches = Function::of_array("value", &turns).optimise();
     let [kinetic, gravity, power] = [kinetic_energy(equations), gravity_energy(model), load_power(model)];
     let power = algebra::substitute(&[power], signals)[0];
@@ -44,7 +45,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, signals: &[(Expr, 
 
 /// Lays out outputs of the user.
 pub(crate) fn user(outputs: &[model::Output], equations: &Equations) -> Vec<Output> {
-    let mut solved: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect();
+    let mut solved: Vec<Expr> = equations.a.iter().chain(&equations.lambda).copied().collect_vec();
     solved.sort_unstable();
     let lay_out = |output: &model::Output| {
         let held = algebra::symbols(&output.components);
@@ -55,7 +56,7 @@ pub(crate) fn user(outputs: &[model::Output], equations: &Equations) -> Vec<Outp
         };
         Output { function: function.optimise(), solves }
     };
-    outputs.iter().map(lay_out).collect()
+    outputs.iter().map(lay_out).collect_vec()
 }
 
 /// `1/2 v^T M v`.

@@ -1,13 +1,14 @@
 //! The pattern of an elimination without pivoting, in a given order, for the runtime to follow.
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::collect::CollectVec;
+use crate::sorted::{SortedMap, SortedSet};
 
 /// Entries of a sparse matrix, and what every pivot meets (I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for
 /// Sparse Matrices, 1986, chapter 9: symbolic factorisation).
 #[derive(Debug, Default)]
 pub(crate) struct Pattern {
     /// Place of each entry, fill included, by row and column.
-    pub(crate) places: BTreeMap<(usize, usize), usize>,
+    pub(crate) places: SortedMap<(usize, usize), usize>,
     /// The pivots in the order of elimination.
     pub(crate) pivots: Vec<Pivot>,
 }
@@ -26,8 +27,8 @@ pub(crate) struct Pivot {
 impl Pattern {
     /// Eliminates the diagonal in the order given; `held` are the entries before, (row, column).
     pub(crate) fn new(order: &[usize], held: impl IntoIterator<Item = (usize, usize)>) -> Pattern {
-        let mut rows = vec![BTreeSet::new(); order.len()];
-        let mut columns = vec![BTreeSet::new(); order.len()];
+        let mut rows = vec![SortedSet::new(); order.len()];
+        let mut columns = vec![SortedSet::new(); order.len()];
         for (row, column) in held {
             rows[row].insert(column);
             columns[column].insert(row);
@@ -52,7 +53,7 @@ impl Pattern {
                 let next = pattern.places.len();
                 pattern.places.insert(key, next);
             }
-            let (below, right) = (below.into_iter().collect(), right.into_iter().collect());
+            let (below, right) = (below.into_iter().collect_vec(), right.into_iter().collect_vec());
             pattern.pivots.push(Pivot { row: pivot, below, right });
         }
         pattern

@@ -14,7 +14,8 @@
 //! (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8, on the special structure; I. S. Duff,
 //! A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 9.)
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::Expr;
 
@@ -46,7 +47,7 @@ impl Resolvent {
     pub(crate) fn new(augmented: &Augmented) -> Resolvent {
         let (coordinates, states) = (augmented.accelerations.len(), augmented.states);
         let symbols = |name: &str, count: usize| -> Vec<Expr> {
-            (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect()
+            (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect_vec()
         };
         let mut resolvent = Resolvent {
             c: symbols("c", augmented.coefficients.results.len()),
@@ -64,17 +65,17 @@ impl Resolvent {
 
     /// (1) and (3).
     fn eliminated(&self, augmented: &Augmented) -> Function {
-        let mut a: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+        let mut a: SortedMap<(usize, usize), Expr> = SortedMap::new();
         for term in &augmented.terms {
             let c = self.c[term.coefficient];
-            *a.entry((term.row, term.column)).or_insert(Expr::ZERO) += match term.part {
+            *a.or_insert((term.row, term.column), Expr::ZERO) += match term.part {
                 Part::Value | Part::Velocity => c,
                 Part::Rate | Part::Acceleration => c * self.lambda,
                 Part::Position => c * self.inverse,
             };
         }
         let mut growth: Option<Expr> = None;
-        let mut taken: BTreeMap<usize, Expr> = BTreeMap::new();
+        let mut taken: SortedMap<usize, Expr> = SortedMap::new();
         for pivot in &augmented.pattern.pivots {
             let p = pivot.row;
             let diagonal = a.get(&(p, p)).copied().unwrap_or(Expr::ZERO);
@@ -88,7 +89,7 @@ impl Resolvent {
                 .right
                 .iter()
                 .map(|&j| (j, a.get(&(p, j)).copied().unwrap_or(Expr::ZERO).named(format!("u_{p}_{j}"))))
-                .collect();
+                .collect_vec();
             for &(j, entry) in &across {
                 a.insert((p, j), entry);
             }
@@ -100,16 +101,17 @@ impl Resolvent {
                     let product = l * u;
                     if i == j {
                         let size = product.abs();
-                        taken.entry(i).and_modify(|most| *most = Expr::max(*most, size)).or_insert(size);
+                        let most = taken.get(&i).map_or(size, |most| Expr::max(*most, size));
+                        taken.insert(i, most);
                     }
-                    *a.entry((i, j)).or_insert(Expr::ZERO) -= product;
+                    *a.or_insert((i, j), Expr::ZERO) -= product;
                 }
             }
         }
         let entries = augmented.pattern.places.iter();
         let mut results: Vec<(Place, Expr)> = entries
             .map(|(key, &place)| (Place::Element("e", place), a.get(key).copied().unwrap_or(Expr::ZERO)))
-            .collect();
+            .collect_vec();
         results.push((Place::Value, growth.unwrap_or(Expr::ZERO)));
         Function::of_results(results).optimise()
     }
@@ -140,7 +142,7 @@ impl Resolvent {
             b[p] = (rest * e(p, p)).named(format!("y_{p}"));
         }
         let of_positions = (0..n).map(|i| (self.r[i] + b[i]) * self.inverse); // (5)
-        let k: Vec<Expr> = of_positions.chain(b[..n + states].iter().copied()).collect();
+        let k: Vec<Expr> = of_positions.chain(b[..n + states].iter().copied()).collect_vec();
         Function::of_results(stored("k", k.iter())).optimise()
     }
 }

@@ -1,5 +1,6 @@
 //! How far conditions are from switching, and when those of the time do.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use super::function::{Function, stored};
@@ -9,7 +10,7 @@ use crate::model::Model;
 pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)]) -> Function {
     let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
     let differences: Vec<Expr> =
-        of_state.clone().map(|switch| switch.difference).chain(model.kinks.iter().copied()).collect();
+        of_state.clone().map(|switch| switch.difference).chain(model.kinks.iter().copied()).collect_vec();
     let mut g = algebra::substitute(&differences, substitution);
     for (g, switch) in g.iter_mut().zip(of_state) {
         *g = switch.symbol * *g;
@@ -28,6 +29,6 @@ pub(crate) fn instants(model: &Model) -> Function {
 
 /// The terms of the rows that may jump, one after the other.
 pub(crate) fn jumps(model: &Model) -> Function {
-    let terms: Vec<Expr> = model.jumps.iter().flat_map(|jump| jump.terms).collect();
+    let terms: Vec<Expr> = model.jumps.iter().flat_map(|jump| jump.terms).collect_vec();
     Function::of_array("jump", &terms).optimise()
 }

@@ -3,6 +3,7 @@
 //! Positions: `q <- q - pinv(phi_q) phi` in SI with unit weights from the user's start; a lock takes its column out.
 //! Velocities: one step of the same kind, `v <- v - pinv(phi_q) (phi_q v - nu)`, from the start velocities.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use super::branch;
@@ -98,7 +99,7 @@ pub(crate) fn assemble(scene: &Scene) -> Assembly {
 fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
     let places = q.iter().enumerate().filter(|(k, _)| k % 3 != 2);
     let reach = places.fold(length, |reach, (_, place)| reach.max(place.abs()));
-    model.rows.iter().map(|row| CLOSED * if row.is_angular() { 1.0 } else { reach }).collect()
+    model.rows.iter().map(|row| CLOSED * if row.is_angular() { 1.0 } else { reach }).collect_vec()
 }
 
 /// Start of (x, y, theta) of G per body: `G = O + R(theta) centre`.
@@ -111,7 +112,7 @@ fn start_position(scene: &Scene) -> Start {
         q.extend([x + dx, y + dy, angle]);
     }
     let locked = bodies.iter().flat_map(|body| body.start.map(|start| start.locked));
-    Start { values: q, locked: locked.collect() }
+    Start { values: q, locked: locked.collect_vec() }
 }
 
 /// Start of (vx, vy, omega) of G per body at a pose: `v_G = v_O + omega x (G - O)`.
@@ -124,7 +125,7 @@ fn start_velocity(scene: &Scene, q: &[f64]) -> Start {
         v.extend([vx - omega * dy, vy + omega * dx, omega]);
     }
     let locked = bodies.iter().flat_map(|body| body.start_velocity.map(|start| start.locked));
-    Start { values: v, locked: locked.collect() }
+    Start { values: v, locked: locked.collect_vec() }
 }
 
 /// G from O in absolute axes.

@@ -1,5 +1,6 @@
 //! The mirror images that loops are asked for, the compiler's twin of the runtime's search.
 
+use crate::collect::CollectVec;
 use plm_math::f64::{atan2, sin_cos};
 
 use super::assembly::Start;
@@ -30,7 +31,7 @@ pub(crate) fn asked(scene: &Scene) -> Vec<Asked> {
         let ends = branch.ends.map(|ends| ends.map(|end| end.components().map(number)));
         Some(Asked { part: branch.part, bodies: branch.bodies, ends, turn })
     });
-    branches.collect()
+    branches.collect_vec()
 }
 
 /// Goes over to the images that are asked for, one joint after the other, each in one of three ways; `close` gives the

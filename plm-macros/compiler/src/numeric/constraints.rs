@@ -1,5 +1,6 @@
 //! The constraints as numeric functions of the pose, and Newton's iteration that closes them.
 
+use crate::collect::CollectVec;
 use plm_cas::{Tape, algebra};
 
 use super::pseudo_inverse;
@@ -60,7 +61,7 @@ impl<'a> Constraints<'a> {
     pub(super) fn phi_q(&self, q: &[f64]) -> Vec<Row> {
         let mut entries = run(&self.phi_q, &self.scene.at(q)).into_iter();
         let rows = self.scene.equations.phi_q.iter();
-        rows.map(|row| row.iter().map(|&(j, _)| j).zip(entries.by_ref()).collect()).collect()
+        rows.map(|row| row.iter().map(|&(j, _)| j).zip(entries.by_ref()).collect_vec()).collect_vec()
     }
 
     /// Rank of `phi_q` and, behind it, a row for each locked coordinate.
@@ -115,7 +116,7 @@ impl<'a> Constraints<'a> {
             }
             full
         });
-        let mut step = pseudo_inverse::solve(dense.collect(), r.to_vec());
+        let mut step = pseudo_inverse::solve(dense.collect_vec(), r.to_vec());
         step.resize(q.len(), 0.0);
         step
     }

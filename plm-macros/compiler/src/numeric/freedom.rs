@@ -9,6 +9,7 @@ use super::assembly::Assembly;
 use super::constraints::{Constraints, are_closed};
 use super::random::Random;
 use super::scene::Scene;
+use crate::collect::CollectVec;
 
 /// Poses next to the start.
 const POSES: usize = 3;
@@ -31,7 +32,7 @@ pub(crate) fn freedom(scene: &Scene, found: &Assembly) -> usize {
         }
         let size = |k: usize| if k % 3 == 2 { 1.0 } else { scene.length };
         let moved = |(k, q): (usize, &f64)| q + NEXT_TO * size(k) * random.unit();
-        let near: Vec<f64> = found.q.iter().enumerate().map(moved).collect();
+        let near: Vec<f64> = found.q.iter().enumerate().map(moved).collect_vec();
         let near = constraints.close(near, &free, |_| found.closed.clone());
         let away = near.q.iter().zip(&found.q).enumerate().map(|(k, (q, from))| (q - from).abs() / size(k));
         if are_closed(&near.phi, &found.closed) && away.fold(0.0, f64::max) <= FAR {

@@ -1,5 +1,7 @@
 //! Minimum-norm least-squares solution of a small dense system, the compiler's twin of the runtime's.
 
+use crate::collect::CollectVec;
+
 /// Singular values below this share of the largest count as zero.
 const TOLERANCE: f64 = 1e-9;
 /// Rotations converge quadratically; ten sweeps are usual.
@@ -16,7 +18,7 @@ pub(crate) fn solve(mut matrix: Vec<Vec<f64>>, mut rhs: Vec<f64>) -> Vec<f64> {
             break;
         }
     }
-    let squares: Vec<f64> = matrix.iter().map(|row| dot(row, row)).collect();
+    let squares: Vec<f64> = matrix.iter().map(|row| dot(row, row)).collect_vec();
     let largest = squares.iter().fold(0.0_f64, |a, &b| a.max(b));
     let mut solution = vec![0.0; columns];
     for ((row, &square), &b) in matrix.iter().zip(&squares).zip(&rhs) {

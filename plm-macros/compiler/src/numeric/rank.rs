@@ -1,5 +1,7 @@
 //! Rank of a sparse matrix, and which rows depend on which.
 
+use crate::collect::CollectVec;
+
 /// A sparse row: (column, entry), columns ascending.
 pub(crate) type Row = Vec<(usize, f64)>;
 
@@ -42,7 +44,7 @@ pub(crate) fn rank(rows: &[Row]) -> Rank {
             }
             _ => {
                 let members = current.made_of.iter().filter(|(_, weight)| weight.abs() > TOLERANCE);
-                result.dependent.push((index, members.map(|&(row, _)| row).collect()));
+                result.dependent.push((index, members.map(|&(row, _)| row).collect_vec()));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Values of symbols, and of expressions of them.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Tape, algebra};
 
 use super::random::Random;
@@ -20,7 +21,7 @@ pub(crate) fn value(expr: Expr, values: &[(Expr, f64)]) -> f64 {
 /// number. Each by itself if one of them reads a symbol without value.
 pub(crate) fn values(exprs: &[Expr], known: &[(Expr, f64)]) -> Vec<f64> {
     let together = algebra::tape(exprs).eval(known);
-    together.unwrap_or_else(|_| exprs.iter().map(|&expr| value(expr, known)).collect())
+    together.unwrap_or_else(|_| exprs.iter().map(|&expr| value(expr, known)).collect_vec())
 }
 
 /// Values of a tape's outputs; NaN where it reads a symbol without value.

@@ -1,6 +1,7 @@
 //! What the expressions of every mechanism hold, and their total derivatives with respect to time.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::{Expr, algebra};
 
@@ -18,9 +19,9 @@ pub(super) struct Calculus {
     /// The inputs of the mechanism. They are held over a step: no rate of theirs is known.
     pub(super) held: Vec<Expr>,
     /// Symbols that change, with their derivatives.
-    rates: BTreeMap<Expr, Expr>,
+    rates: SortedMap<Expr, Expr>,
     /// Derivatives of expressions that have been asked for.
-    known: BTreeMap<Expr, Expr>,
+    known: SortedMap<Expr, Expr>,
 }
 
 impl Calculus {
@@ -32,8 +33,8 @@ impl Calculus {
             agreement: Expr::symbol("agreement"),
             precision: Expr::symbol("precision"),
             held: Vec::new(),
-            rates: BTreeMap::from([(time, Expr::ONE)]),
-            known: BTreeMap::new(),
+            rates: [(time, Expr::ONE)].into_iter().collect(),
+            known: SortedMap::new(),
         }
     }
 
@@ -49,7 +50,7 @@ impl Calculus {
         }
         let symbols = algebra::symbols(&[expr]).into_iter();
         let along: Vec<(Expr, Expr)> =
-            symbols.filter_map(|symbol| Some((symbol, *self.rates.get(&symbol)?))).collect();
+            symbols.filter_map(|symbol| Some((symbol, *self.rates.get(&symbol)?))).collect_vec();
         let derivative = expr.directional(&along);
         self.known.insert(expr, derivative);
         derivative

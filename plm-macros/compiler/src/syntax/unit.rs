@@ -7,6 +7,7 @@
 //! After `*` or `/` the unit goes on only if the next token is the name of a unit that is not followed by `(`, `.` or
 //! `[`, or a group that is wholly a unit: `10 N/area`, `2 m*min(a, b)` and `1 N/bar[1].x` come out right.
 
+use crate::collect::CollectVec;
 use proc_macro2::Delimiter;
 use syn::buffer::Cursor;
 use syn::ext::IdentExt;
@@ -124,7 +125,7 @@ fn unknown_unit(input: Input, name: &Ident) -> Reported {
     let mut diagnostic = input.error(Code::UnknownUnit, *span, format!("unknown unit `{text}`"));
     match help {
         Some(help) => diagnostic.help(help),
-        None => diagnostic.note(format!("units: {}", names().collect::<Vec<_>>().join(", "))),
+        None => diagnostic.note(format!("units: {}", names().collect_vec().join(", "))),
     };
     Reported
 }

@@ -13,6 +13,7 @@
 
 use super::matching::Matching;
 use super::strong::strongly_connected;
+use crate::collect::CollectVec;
 
 /// Scalar rows that hold the same unknowns: one row, or the two of a closure in the plane.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,17 +96,17 @@ impl<'a> System<'a> {
         let next: Vec<Vec<usize>> = (0..self.equations.len())
             .map(|k| {
                 if solved(k) {
-                    matching.needs(k).filter(|&other| solved(other)).collect()
+                    matching.needs(k).filter(|&other| solved(other)).collect_vec()
                 } else {
                     Vec::new()
                 }
             })
-            .collect();
+            .collect_vec();
         let components = strongly_connected(&next).into_iter().filter(|component| solved(component[0]));
         let blocks =
             components.map(|equations| Block { unknowns: matching.solved_by(&equations), equations });
-        let blocks = blocks.collect();
-        let excess = (0..self.equations.len()).filter(|&k| over[k]).collect();
+        let blocks = blocks.collect_vec();
+        let excess = (0..self.equations.len()).filter(|&k| over[k]).collect_vec();
         Split { blocks, free, excess }
     }
 }

@@ -1,5 +1,6 @@
 //! Trees and loops of the graph of a mechanism: bodies are nodes, joints are edges, node 0 is the ground.
 
+use crate::collect::CollectVec;
 use std::collections::VecDeque;
 
 /// An edge that is walked, and whether it is walked from its first node to its second.
@@ -34,7 +35,7 @@ pub(crate) fn spanning_forest(nodes: usize, edges: &[(usize, usize)]) -> Forest 
             grown.grow(root, &near);
         }
     }
-    let chords = (0..edges.len()).filter(|&edge| !grown.holds(edge, edges[edge])).collect();
+    let chords = (0..edges.len()).filter(|&edge| !grown.holds(edge, edges[edge])).collect_vec();
     Forest { parent: grown.parent, order: grown.order, roots, chords }
 }
 
@@ -133,7 +134,8 @@ impl Growth {
     /// From the root to the edge's first node, over the edge, and back.
     fn cycle(&self, edge: usize, edges: &[(usize, usize)]) -> Cycle {
         let (a, b) = edges[edge];
-        let mut cycle: Cycle = self.way_up(a, edges).iter().map(|&(edge, along)| (edge, !along)).collect();
+        let mut cycle: Cycle =
+            self.way_up(a, edges).iter().map(|&(edge, along)| (edge, !along)).collect_vec();
         cycle.reverse();
         cycle.push((edge, true));
         cycle.extend(self.way_up(b, edges));

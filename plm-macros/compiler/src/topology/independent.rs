@@ -1,6 +1,8 @@
 //! From which coordinates the closures are solved best.
 
 use super::blocks::{Block, Equation, System};
+use crate::collect::CollectVec;
+use crate::sorted::sort_by;
 
 /// Up to this many sets of independent coordinates are all tried.
 const MOST_SETS: usize = 2000;
@@ -45,9 +47,10 @@ pub(crate) fn independent_sets(
     } else {
         search.greedy(wanted)
     };
-    let mut ranked: Vec<(Rank, Choice)> = sets.into_iter().filter_map(|set| search.choice(&set)).collect();
-    ranked.sort_by(|a, b| a.0.cmp(&b.0));
-    ranked.into_iter().map(|(_, choice)| choice).collect()
+    let mut ranked: Vec<(Rank, Choice)> =
+        sets.into_iter().filter_map(|set| search.choice(&set)).collect_vec();
+    sort_by(&mut ranked, |a, b| a.0.cmp(&b.0));
+    ranked.into_iter().map(|(_, choice)| choice).collect_vec()
 }
 
 /// What decides between sets, the lesser being the better: how they solve, then their places in the preference.
@@ -83,7 +86,7 @@ impl Search<'_> {
 
     fn score(&self, blocks: &[Block]) -> Score {
         let largest = blocks.iter().map(|block| block.unknowns.len()).max().unwrap_or(0);
-        let costs: Vec<Option<u32>> = blocks.iter().map(self.cost).collect();
+        let costs: Vec<Option<u32>> = blocks.iter().map(self.cost).collect_vec();
         let cost = costs.iter().flatten().fold(0, |sum: u32, &cost| sum.saturating_add(cost));
         (costs.contains(&None), largest, cost)
     }
@@ -105,7 +108,7 @@ impl Search<'_> {
         }
         let mut sets = vec![set.clone()];
         for gone in &set {
-            let rest: Vec<usize> = set.iter().copied().filter(|place| place != gone).collect();
+            let rest: Vec<usize> = set.iter().copied().filter(|place| place != gone).collect_vec();
             let others = self.open.iter().filter(|&place| !set.contains(place));
             sets.extend(others.map(|&place| with(&rest, place)));
         }
@@ -113,13 +116,13 @@ impl Search<'_> {
     }
 
     fn with_forced(&self, set: &[usize]) -> Vec<usize> {
-        let mut places: Vec<usize> = self.forced.iter().chain(set).copied().collect();
+        let mut places: Vec<usize> = self.forced.iter().chain(set).copied().collect_vec();
         places.sort_unstable();
         places
     }
 
     fn unknowns(&self, places: &[usize]) -> Vec<usize> {
-        places.iter().map(|&place| self.candidates[place]).collect()
+        places.iter().map(|&place| self.candidates[place]).collect_vec()
     }
 }
 
@@ -150,9 +153,9 @@ fn combinations(items: &[usize], k: usize) -> Vec<Vec<usize>> {
     if k > items.len() {
         return sets;
     }
-    let mut chosen: Vec<usize> = (0..k).collect();
+    let mut chosen: Vec<usize> = (0..k).collect_vec();
     loop {
-        sets.push(chosen.iter().map(|&place| items[place]).collect());
+        sets.push(chosen.iter().map(|&place| items[place]).collect_vec());
         let Some(moved) = (0..k).rev().find(|&slot| chosen[slot] < items.len() - k + slot) else {
             return sets;
         };

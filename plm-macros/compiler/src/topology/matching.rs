@@ -1,5 +1,6 @@
 //! Which equation determines which unknown.
 
+use crate::collect::CollectVec;
 use std::collections::VecDeque;
 
 use super::blocks::System;
@@ -21,7 +22,7 @@ impl<'a> Matching<'a> {
         for &unknown in known {
             is_known[unknown] = true;
         }
-        let idle = system.equations.iter().map(|equation| equation.rows).collect();
+        let idle = system.equations.iter().map(|equation| equation.rows).collect_vec();
         let mut matching = Matching { system, known: is_known, owner: vec![None; n], idle };
         for equation in 0..system.equations.len() {
             while matching.idle[equation] > 0 && matching.augment(equation) {
@@ -77,7 +78,8 @@ impl<'a> Matching<'a> {
     }
 
     pub(super) fn solved_by(&self, equations: &[usize]) -> Vec<usize> {
-        let mut unknowns: Vec<usize> = equations.iter().flat_map(|&equation| self.owned(equation)).collect();
+        let mut unknowns: Vec<usize> =
+            equations.iter().flat_map(|&equation| self.owned(equation)).collect_vec();
         unknowns.sort_unstable();
         unknowns
     }
@@ -85,7 +87,7 @@ impl<'a> Matching<'a> {
     /// Unknowns that some matching of this size leaves out, and by equation whether it holds one.
     pub(super) fn undetermined(&self) -> (Vec<usize>, Vec<bool>) {
         let left_out = |&unknown: &usize| self.owner[unknown].is_none() && !self.known[unknown];
-        let mut free: Vec<usize> = (0..self.owner.len()).filter(left_out).collect();
+        let mut free: Vec<usize> = (0..self.owner.len()).filter(left_out).collect_vec();
         let mut under = vec![false; self.idle.len()];
         let mut done = 0;
         while let Some(&unknown) = free.get(done) {
@@ -103,8 +105,8 @@ impl<'a> Matching<'a> {
 
     /// By equation, whether some matching of this size leaves one of its rows idle.
     pub(super) fn overdetermined(&self) -> Vec<bool> {
-        let mut stack: Vec<usize> = (0..self.idle.len()).filter(|&k| self.idle[k] > 0).collect();
-        let mut over: Vec<bool> = self.idle.iter().map(|&rows| rows > 0).collect();
+        let mut stack: Vec<usize> = (0..self.idle.len()).filter(|&k| self.idle[k] > 0).collect_vec();
+        let mut over: Vec<bool> = self.idle.iter().map(|&rows| rows > 0).collect_vec();
         while let Some(equation) = stack.pop() {
             for owner in self.needs(equation) {
                 if !over[owner] {

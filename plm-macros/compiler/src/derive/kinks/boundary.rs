@@ -4,6 +4,7 @@
 //! (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM 27, 1980): symbols get
 //! random values, and one of them is then moved onto the boundary by Newton's iteration.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use crate::model::{Model, Steady};
@@ -42,13 +43,13 @@ impl Boundary {
         let held = algebra::symbols(&[difference]);
         let is_param = |symbol: Expr| model.params.iter().any(|param| param.symbol == symbol);
         let free = held.iter().copied().filter(|&symbol| !is_param(symbol));
-        let solved: Vec<(Expr, Expr)> = free.map(|symbol| (symbol, difference.diff(symbol))).collect();
+        let solved: Vec<(Expr, Expr)> = free.map(|symbol| (symbol, difference.diff(symbol))).collect_vec();
         let places = (0..TRIES).filter_map(|seed| {
             let mut values = random(model, seed);
             let &(symbol, slope) = solved.get(seed as usize % solved.len().max(1))?;
             onto(difference, symbol, slope, &mut values).then_some(values)
         });
-        let places = places.take(PLACES as usize).collect();
+        let places = places.take(PLACES as usize).collect_vec();
         let alone = held.as_slice() == [model.time];
         let time = alone.then(|| root(difference, model.time, difference.diff(model.time)));
         let time = time.filter(|at| algebra::symbols(&[*at]).is_empty()).map(|at| (model.time, at));

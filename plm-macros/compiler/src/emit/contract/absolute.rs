@@ -1,8 +1,9 @@
 //! `Absolute`: the constraints, for assembly, projection and the fallback.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::Vec2;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::bindings::Origin;
 use super::super::function::{body, function};
@@ -21,7 +22,7 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let angular = emission.list(model.rows.iter().map(|row| row.is_angular().to_string()));
     let places = equations.phi_q.iter().enumerate();
     let places = places.flat_map(|(i, row)| row.iter().map(move |(j, _)| format!("[{i}, {j}]")));
-    let places: Vec<String> = places.collect();
+    let places: Vec<String> = places.collect_vec();
     let (entries, places) = (number(places.len()), emission.list(places));
     let length = Literal::f64_unsuffixed(report.length);
     let [(literals, positions), (_, velocities)] = starts(emission).map(|list| emission.values(list));
@@ -164,7 +165,7 @@ fn branch(emission: &Emission) -> Option<TokenStream> {
 }})"
         )
     });
-    let arms: Vec<String> = arms.collect();
+    let arms: Vec<String> = arms.collect_vec();
     (!arms.is_empty()).then(|| {
         let (literals, arms) = emission.values(arms);
         quote! {

@@ -1,7 +1,8 @@
 //! `Charted`: the runtime's view of charts.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::{Emission, Sizes, memory, number, quoted};
 use super::turns;

@@ -1,7 +1,9 @@
 //! `Described`: bodies, parts, parameters and observed quantities by number.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
@@ -14,7 +16,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let figures = Figures::new(emission.model);
     let tables = tables::tables(emission, &figures);
     let (figure, parameters) = (figure(emission, &figures), &fields.params);
-    let numbers: Vec<_> = (0..parameters.len()).map(number).collect();
+    let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
     let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");

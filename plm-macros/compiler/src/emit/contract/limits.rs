@@ -1,8 +1,9 @@
 //! Methods of `Mechanism` for parameters: what they may be, and what is assembled anew when one changes.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, pose_at};
@@ -43,7 +44,7 @@ fn of_bodies(emission: &Emission) -> Vec<[Limited; 2]> {
             Limited::new(name, "inertia", "kg*m^2", least, body.inertia),
         ]
     });
-    bodies.collect()
+    bodies.collect_vec()
 }
 
 /// Limits of mass and inertia of every body, if others may carry some that parameters make massless.
@@ -51,7 +52,7 @@ pub(in super::super) fn that_may_be_carried(emission: &Emission) -> Option<Vec<S
     let bodies = of_bodies(emission);
     let varies = may_be_carried(emission) && bodies.iter().flatten().any(Limited::varies);
     let entries = bodies.iter().map(|[mass, inertia]| format!("[{}, {}]", mass.entry, inertia.entry));
-    varies.then(|| entries.collect())
+    varies.then(|| entries.collect_vec())
 }
 
 /// `check`.
@@ -94,10 +95,10 @@ fn shaping<'a>(emission: &'a Emission) -> Vec<&'a Ident> {
     let bodies = model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre.x, body.centre.y]);
     let limits = model.limits.iter().map(|limit| limit.value);
     let switches = model.switches.iter().map(|switch| switch.difference);
-    let roots: Vec<Expr> = rows.chain(bodies).chain(limits).chain(switches).collect();
+    let roots: Vec<Expr> = rows.chain(bodies).chain(limits).chain(switches).collect_vec();
     let read = algebra::symbols(&roots);
     let params = model.params.iter().zip(&fields.params);
-    params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field).collect()
+    params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field).collect_vec()
 }
 
 /// `fingerprint` and `renew`, where parameters shape the mechanism.

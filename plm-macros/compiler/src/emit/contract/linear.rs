@@ -1,7 +1,9 @@
 //! `Linear`: the mechanism and what it holds as constants with derivatives; of a large tree, its linearised equations.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::function;
@@ -91,10 +93,10 @@ impl Emission<'_> {
             Form::Absolute => {
                 let linearised = self.program.linearised.as_ref();
                 let system = |linearised| System { origin: Origin::Linearised, linearised };
-                linearised.map(system).into_iter().collect()
+                linearised.map(system).into_iter().collect_vec()
             }
-            Form::Tree(chart) => of_chart(chart).into_iter().collect(),
-            Form::Loops(reduced) => reduced.charts.iter().filter_map(of_chart).collect(),
+            Form::Tree(chart) => of_chart(chart).into_iter().collect_vec(),
+            Form::Loops(reduced) => reduced.charts.iter().filter_map(of_chart).collect_vec(),
         }
     }
 
@@ -272,7 +274,7 @@ impl Tables {
             let entry = place(term.row, term.column).unwrap_or_default();
             format!("t({}, {}, {}, {entry}, {})", term.coefficient, term.row, term.column, part(term.part))
         };
-        let mut tables = Tables { terms: terms.iter().map(term).collect(), ..Tables::default() };
+        let mut tables = Tables { terms: terms.iter().map(term).collect_vec(), ..Tables::default() };
         let Tables { pivots, below, right, targets, .. } = &mut tables;
         for pivot in &pattern.pivots {
             let (first_below, first_right, first_target) = (below.len(), right.len(), targets.len());
@@ -310,6 +312,6 @@ fn part(part: Part) -> char {
 
 /// Entries of an array, some to a line.
 fn listed(entries: &[String]) -> String {
-    let lines: Vec<String> = entries.chunks(8).map(|chunk| chunk.join(", ")).collect();
+    let lines: Vec<String> = entries.chunks(8).map(|chunk| chunk.join(", ")).collect_vec();
     lines.join(",\n")
 }

@@ -1,7 +1,7 @@
 //! `Moment` for the state, `Mechanism` for the mechanism.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::{Emission, Sizes};
 use super::{limits, singular};

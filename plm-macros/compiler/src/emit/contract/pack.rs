@@ -1,8 +1,8 @@
 //! `Pack`: every number of a mechanism and of what it holds, made of those of several. It is generic: nothing is compiled
 //! where nobody asks for it.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::Emission;
 use super::turns;

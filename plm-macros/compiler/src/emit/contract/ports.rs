@@ -1,7 +1,7 @@
 //! `Ports`: inputs and outputs in the order of the declaration.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::{Emission, docs, number};
 

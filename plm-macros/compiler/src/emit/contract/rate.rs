@@ -1,7 +1,8 @@
 //! `Rate`: the right-hand side, for any scalar.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};

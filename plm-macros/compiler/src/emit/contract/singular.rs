@@ -1,8 +1,8 @@
 //! `Fine`: how a mechanism goes on near singular poses, by its equations in absolute coordinates in numbers of twice the
 //! precision.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::{Emission, Form, Sizes};
 use crate::model::Stabilisation;

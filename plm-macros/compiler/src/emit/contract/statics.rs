@@ -1,7 +1,8 @@
 //! `Statics`: a mechanism at rest; `StartValues`: names and values one by one, and as text.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::bindings::Origin;
 use super::super::function::body;
@@ -22,9 +23,9 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     });
     let states = model.states.iter().zip(&fields.states);
     let states = states.map(|(state, field)| format!("each({:?}, &mut self.{field});\n", state.name.text));
-    let lines: Vec<String> = bodies.chain(states).collect();
+    let lines: Vec<String> = bodies.chain(states).collect_vec();
     let blocks: Vec<TokenStream> =
-        lines.chunks(MOST_LINES).map(|lines| emission.text(lines.concat())).collect();
+        lines.chunks(MOST_LINES).map(|lines| emission.text(lines.concat())).collect_vec();
     let lines = if let [one] = &blocks[..] { one.clone() } else { quote!(#({ #blocks })*) };
     quote! {
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {

@@ -1,7 +1,9 @@
 //! Methods of `System` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::body;
@@ -82,8 +84,11 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let guards = model.guards();
     let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
-    let required: Vec<_> =
-        of_state.enumerate().filter(|(_, switch)| switch.must_hold).map(|(index, _)| number(index)).collect();
+    let required: Vec<_> = of_state
+        .enumerate()
+        .filter(|(_, switch)| switch.must_hold)
+        .map(|(index, _)| number(index))
+        .collect_vec();
     let is_required = !required.is_empty();
     let must_hold = is_required.then(|| {
         quote! {

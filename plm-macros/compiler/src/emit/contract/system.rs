@@ -1,8 +1,9 @@
 //! `System`: what integrators and the event loop ask for.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted};
@@ -161,7 +162,7 @@ fn knows_time(emission: &Emission) -> bool {
     let rows = model.rows.iter().map(|row| row.phi);
     let switches = model.jumps.iter().map(|jump| model.switches[jump.switch].difference);
     let released = model.released.iter().map(|(_, condition)| *condition);
-    let roots: Vec<Expr> = rows.chain(switches).chain(released).collect();
+    let roots: Vec<Expr> = rows.chain(switches).chain(released).collect_vec();
     algebra::symbols(&roots).contains(&model.time)
 }
 
@@ -179,12 +180,12 @@ fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
 fn typical(emission: &Emission) -> String {
     let Emission { equations, model, report, .. } = emission;
     let angles: Vec<bool> = match first(emission) {
-        Some(chart) => chart.turning.iter().map(Option::is_some).collect(),
-        None => (0..equations.q.len()).map(|k| k % 3 == 2).collect(),
+        Some(chart) => chart.turning.iter().map(Option::is_some).collect_vec(),
+        None => (0..equations.q.len()).map(|k| k % 3 == 2).collect_vec(),
     };
     let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });
     let states = model.states.iter().map(|state| state.unit.factor.to_f64());
-    let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect();
+    let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect_vec();
     sizes.join(", ")
 }
 
@@ -223,9 +224,9 @@ fn part_of_state(emission: &Emission) -> TokenStream {
 pub(crate) fn names_of_state(emission: &Emission) -> Vec<String> {
     let Emission { model, equations, .. } = emission;
     let charts: Vec<Vec<String>> = match emission.form {
-        Form::Absolute => vec![(0..equations.q.len()).map(|k| coordinate_name(model, k)).collect()],
+        Form::Absolute => vec![(0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec()],
         Form::Tree(chart) => vec![chart.names.clone()],
-        Form::Loops(reduced) => reduced.charts.iter().map(|chart| chart.names.clone()).collect(),
+        Form::Loops(reduced) => reduced.charts.iter().map(|chart| chart.names.clone()).collect_vec(),
     };
     let in_all = |k: usize, name: fn(&str) -> String| {
         let mut known = Vec::new();
@@ -239,7 +240,7 @@ pub(crate) fn names_of_state(emission: &Emission) -> Vec<String> {
     let count = charts.first().map_or(0, Vec::len);
     let coordinates = (0..count).map(|k| in_all(k, str::to_owned));
     let rates = (0..count).map(|k| in_all(k, rate_of));
-    coordinates.chain(rates).chain(model.states.iter().map(|state| state.name.text.clone())).collect()
+    coordinates.chain(rates).chain(model.states.iter().map(|state| state.name.text.clone())).collect_vec()
 }
 
 /// The name of the rate of a coordinate: that of `arm.angle` is `arm.omega`.

@@ -1,7 +1,8 @@
 //! Whole turns that are counted: where their angles stand, and where they are brought back.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::{Emission, Form, Sizes, number};
 use crate::formulate::Reduced;
@@ -16,7 +17,7 @@ fn places<'a>(emission: &'a Emission, bodies: &'a [Option<usize>]) -> impl Itera
     emission.model.turns.iter().map(move |counted| {
         let of_count = |body: &Option<usize>| body.is_some_and(|body| counted.bodies.contains(&body));
         let places = bodies.iter().enumerate().filter(|(_, body)| of_count(body));
-        let places: Vec<String> = places.map(|(place, _)| place.to_string()).collect();
+        let places: Vec<String> = places.map(|(place, _)| place.to_string()).collect_vec();
         format!("&[{}]", places.join(", "))
     })
 }
@@ -24,7 +25,7 @@ fn places<'a>(emission: &'a Emission, bodies: &'a [Option<usize>]) -> impl Itera
 /// By count, the places of its angles in the pose of all bodies.
 pub(in super::super) fn in_pose(emission: &Emission) -> TokenStream {
     let of_pose = |k: usize| (k % 3 == 2).then_some(k / 3);
-    let bodies: Vec<Option<usize>> = (0..emission.equations.q.len()).map(of_pose).collect();
+    let bodies: Vec<Option<usize>> = (0..emission.equations.q.len()).map(of_pose).collect_vec();
     let places = emission.list(places(emission, &bodies));
     quote!([#places])
 }
@@ -61,13 +62,13 @@ pub(super) fn are_near(emission: &Emission) -> TokenStream {
 
 /// Constants of `Charted`.
 pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
-    let of_all = |bodies: &[Option<usize>]| places(emission, bodies).collect::<Vec<String>>();
-    let charts: Vec<Vec<String>> = reduced.charts.iter().map(|chart| of_all(&chart.turning)).collect();
-    let remembered: Vec<Option<usize>> = reduced.turning.iter().copied().map(Some).collect();
-    let followed: Vec<Option<usize>> = reduced.followed.iter().map(|(_, body)| *body).collect();
+    let of_all = |bodies: &[Option<usize>]| places(emission, bodies).collect_vec();
+    let charts: Vec<Vec<String>> = reduced.charts.iter().map(|chart| of_all(&chart.turning)).collect_vec();
+    let remembered: Vec<Option<usize>> = reduced.turning.iter().copied().map(Some).collect_vec();
+    let followed: Vec<Option<usize>> = reduced.followed.iter().map(|(_, body)| *body).collect_vec();
     let (remembered, followed) = (of_all(&remembered), of_all(&followed));
     let counted = (0..emission.model.turns.len()).map(|k| {
-        let coordinates: Vec<&str> = charts.iter().map(|places| places[k].as_str()).collect();
+        let coordinates: Vec<&str> = charts.iter().map(|places| places[k].as_str()).collect_vec();
         format!(
             "rt::charts::Counted {{ coordinates: &[{}], remembered: {}, followed: {} }}",
             coordinates.join(", "),

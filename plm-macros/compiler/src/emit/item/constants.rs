@@ -1,7 +1,7 @@
 //! Sizes as constants, and the files that are read.
 
+use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::{Emission, Sizes, docs};
 

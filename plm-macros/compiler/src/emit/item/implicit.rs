@@ -1,7 +1,9 @@
 //! The linearly implicit step: the equations linearised where it begins, eliminated entry by entry, solved four times.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::contract::charted::in_held;
@@ -15,7 +17,7 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let systems = emission.systems();
     let resolvents: Vec<&Resolvent> =
-        systems.iter().filter_map(|system| system.linearised.resolvent.as_ref()).collect();
+        systems.iter().filter_map(|system| system.linearised.resolvent.as_ref()).collect_vec();
     if resolvents.is_empty() {
         return by_matrix(emission);
     }

@@ -1,7 +1,8 @@
 //! Inputs, and what is held over a step beside them.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::lower::inline;
 use super::super::{Emission, docs, memory, number};
@@ -52,7 +53,7 @@ pub(crate) fn declared(emission: &Emission) -> TokenStream {
     let bindings = emission.parameters();
     let values = model.inputs.iter().zip(&fields.inputs);
     let values = values.map(|(input, field)| format!("{field}: {}", inline(input.default, &bindings)));
-    let (literals, values) = emission.values(values.collect());
+    let (literals, values) = emission.values(values.collect_vec());
     let none = model.inputs.is_empty().then(|| quote!(none: core::marker::PhantomData));
     quote! {
         impl<S: Scalar> #name<S> {

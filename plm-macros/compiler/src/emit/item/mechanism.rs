@@ -1,7 +1,8 @@
 //! The mechanism: parameters, constructors, the way into a run.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, docs};
@@ -42,9 +43,9 @@ pub(crate) fn definition(emission: &Emission) -> TokenStream {
 pub(crate) fn constructors(emission: &Emission) -> TokenStream {
     let Emission { model, fields, name, shown, .. } = emission;
     let required: Vec<(&Param, &Ident)> =
-        model.params.iter().zip(&fields.params).filter(|(param, _)| param.required).collect();
-    let taken: Vec<&Ident> = required.iter().map(|(_, field)| *field).collect();
-    let names = taken.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ");
+        model.params.iter().zip(&fields.params).filter(|(param, _)| param.required).collect_vec();
+    let taken: Vec<&Ident> = required.iter().map(|(_, field)| *field).collect_vec();
+    let names = taken.iter().map(ToString::to_string).collect_vec().join(", ");
     let documented = |first: String| {
         let more = required.iter().map(|(param, field)| {
             let (own, unit) = (&param.name.text, docs::si(&param.unit));

@@ -1,7 +1,9 @@
 //! What can be read from a state: poses, the user's outputs, energies.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::lower::{Around, Bindings, statements};
@@ -183,7 +185,7 @@ fn observed(emission: &Emission) -> TokenStream {
         columns_of(emission, "state", Columns::All).into_iter().unzip();
     let (count, names) = (number(names.len()), emission.lines(names));
     let blocks: Vec<Ident> =
-        (0..values.len().div_ceil(BLOCK)).map(|block| format_ident!("block_{block}")).collect();
+        (0..values.len().div_ceil(BLOCK)).map(|block| format_ident!("block_{block}")).collect_vec();
     let contents = values.chunks(BLOCK).enumerate().map(|(block, values)| {
         let arms = values.iter().zip(block * BLOCK..);
         emission.lines(arms.map(|(value, k)| format!("{k} => {value}")))

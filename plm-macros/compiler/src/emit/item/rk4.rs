@@ -1,7 +1,8 @@
 //! W. Kutta's step by itself: a straight line where the rate is short.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::super::function::{direct_angles, is_straight};
 use super::super::{Emission, Form, Sizes};
@@ -55,8 +56,8 @@ fn straight(emission: &Emission) -> TokenStream {
         Form::Tree(chart) => (Some(chart), "self.motion::<true>"),
         Form::Absolute => (None, ""),
     };
-    let angles: Vec<usize> = chart.into_iter().flat_map(direct_angles).map(|(place, _)| place).collect();
-    let of_stage = |x: &str| angles.iter().map(|k| format!("{x}[{k}]")).collect::<Vec<_>>().join(", ");
+    let angles: Vec<usize> = chart.into_iter().flat_map(direct_angles).map(|(place, _)| place).collect_vec();
+    let of_stage = |x: &str| angles.iter().map(|k| format!("{x}[{k}]")).collect_vec().join(", ");
     let is_loop = emission.loops().is_some();
     // Each look is a branch. Without any, compilers mix the stages, and run out of registers where there are several angles.
     let looks_each = angles.len() > 1;

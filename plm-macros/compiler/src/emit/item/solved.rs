@@ -1,7 +1,7 @@
 //! Accelerations and multipliers at a state, for outputs that read them.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::{Emission, Sizes};
 use crate::derive::feeds_back;

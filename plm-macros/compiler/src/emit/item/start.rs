@@ -1,7 +1,8 @@
 //! Start values: as they are declared, at a moment, and as they are assembled.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::contract::limits;
 use super::super::lower::{Bindings, inline};
@@ -40,7 +41,7 @@ pub(super) fn body_start(body: &Body, bindings: &Bindings) -> String {
         let kind = if start.locked { "locked" } else { "free" };
         format!("{name}: Start::{kind}({})", inline(start.value, bindings))
     };
-    let entries: Vec<String> = names.into_iter().zip(starts).map(entry).collect();
+    let entries: Vec<String> = names.into_iter().zip(starts).map(entry).collect_vec();
     format!("BodyStart {{ {} }}", entries.join(", "))
 }
 
@@ -52,7 +53,7 @@ pub(crate) fn declared(emission: &Emission) -> Option<TokenStream> {
     let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, &bindings)));
     let states = model.states.iter().zip(&fields.states);
     let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, &bindings)));
-    let entries: Vec<String> = bodies.chain(states).collect();
+    let entries: Vec<String> = bodies.chain(states).collect_vec();
     let reads_parameters = entries.iter().any(|entry| entry.contains("self."));
     reads_parameters.then(|| {
         let (literals, starts) = emission.values(entries);
@@ -83,7 +84,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     });
     let states = fields.states.iter().zip(2 * nq..);
     let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
-    let (literals, starts) = emission.values(bodies.chain(states).collect());
+    let (literals, starts) = emission.values(bodies.chain(states).collect_vec());
     quote! {
         impl<S: Real> #name<S> {
             fn placed(&self, x: &[S; #full]) -> Starts<S> {

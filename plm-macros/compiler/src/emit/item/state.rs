@@ -1,7 +1,7 @@
 //! The mechanism at one moment.
 
+use crate::emit::template::quote;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::super::contract::turns;
 use super::super::{Emission, Form, Sizes, number};

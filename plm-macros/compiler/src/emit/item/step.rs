@@ -1,7 +1,9 @@
 //! Steps that the user ordered: a method of the state, and the formula as a function of the mechanism.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::super::lower::names::Names;
 use super::super::{Emission, Form, Sizes, docs};
@@ -90,5 +92,5 @@ pub(super) fn locals(emission: &Emission) -> Vec<Ident> {
     let is_one_chart = !matches!(emission.form, Form::Loops(reduced) if reduced.charts.len() > 1);
     let of_state = super::super::contract::system::names_of_state(emission).into_iter();
     let text = of_state.map(|name| if is_one_chart { name } else { "y".to_owned() });
-    text.map(|name| names.unique(&name)).map(|name| format_ident!("{name}")).collect()
+    text.map(|name| names.unique(&name)).map(|name| format_ident!("{name}")).collect_vec()
 }

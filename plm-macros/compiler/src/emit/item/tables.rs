@@ -1,9 +1,10 @@
 //! The tables by which a mechanism describes itself: names, units, who joins whom. Numbers that the rows point at stand in
 //! one row by themselves.
 
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::{Emission, docs, quoted};
 use crate::model::{Instance, Name, Pair};
@@ -28,9 +29,8 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
         .map(|input| quantity(&input.name, &input.docs, &input.unit, declared(input.default)));
     let states =
         model.states.iter().map(|state| quantity(&state.name, &[], &state.unit, declared(state.start)));
-    let [parameters, inputs, states] =
-        [parameters.collect(), inputs.collect(), states.collect::<Vec<String>>()]
-            .map(|rows| emission.lines(rows));
+    let [parameters, inputs, states] = [parameters.collect_vec(), inputs.collect_vec(), states.collect_vec()]
+        .map(|rows| emission.lines(rows));
     let (bodies, ground) = (bodies(emission, figures), ground(emission, figures));
     let parts = model.instances.iter().zip(&figures.parts).map(|(instance, first)| part(instance, *first));
     let (parts, outputs) = (emission.lines(parts), emission.lines(outputs(emission)));
@@ -83,7 +83,7 @@ fn part(instance: &Instance, first: usize) -> String {
         let (body, port) = (frame.body, frame.port);
         format!("described::Frame {{ argument: {argument:?}, body: {body:?}, port: {port} }}")
     });
-    let frames = frames.collect::<Vec<String>>().join(", ");
+    let frames = frames.collect_vec().join(", ");
     let (pair, sizes) = (pair.map(Pair::name), quoted(sizes.iter().map(|size| &size.name)));
     format!(
         "described::Part {{ name: {name:?}, kind: {kind:?}, pair: {pair:?}, frames: &[{frames}], sizes: &[{sizes}], \
@@ -101,7 +101,7 @@ fn outputs(emission: &Emission) -> Vec<String> {
             quantity(&name, std::slice::from_ref(&output.docs), &output.unit, None)
         })
     });
-    rows.collect()
+    rows.collect_vec()
 }
 
 fn reads_row(reads: Option<&Reads>) -> String {

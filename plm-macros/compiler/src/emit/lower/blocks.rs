@@ -3,7 +3,8 @@
 //! rustc recurses over the statements of a block and overflows its stack on some thousands with debug information. So a
 //! long function is a row of blocks, and what later blocks need leaves each as a tuple; optimised code is the same.
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::collect::CollectVec;
+use crate::sorted::{SortedMap, SortedSet};
 use std::fmt::Write;
 
 use super::statement::{Lines, Statement};
@@ -39,10 +40,10 @@ pub(super) fn body(lines: &Lines, indent: usize) -> String {
 pub(super) fn with_literals(mut lines: Lines, by_reference: bool) -> String {
     let mut text = String::new();
     if lines.statements.len() <= SCREEN {
-        let mut read: BTreeMap<String, BTreeMap<usize, usize>> = BTreeMap::new();
+        let mut read: SortedMap<String, SortedMap<usize, usize>> = SortedMap::new();
         lines.statements.retain(|statement| match statement {
             Statement::Read { local, array, element } => {
-                read.entry(array.clone()).or_default().insert(*element, *local);
+                read.or_insert(array.clone(), SortedMap::new()).insert(*element, *local);
                 false
             }
             _ => true,
@@ -62,7 +63,7 @@ pub(super) fn with_literals(mut lines: Lines, by_reference: bool) -> String {
 fn destructure(
     text: &mut String,
     lines: &Lines,
-    (array, read): (&str, &BTreeMap<usize, usize>),
+    (array, read): (&str, &SortedMap<usize, usize>),
     by_reference: bool,
 ) {
     let name = |local: &usize| lines.locals[*local].as_str();
@@ -73,15 +74,16 @@ fn destructure(
         }
         return;
     }
-    let names: Vec<&str> = (0..end).map(|element| read.get(&element).map_or("_", name)).collect();
+    let names: Vec<&str> = (0..end).map(|element| read.get(&element).map_or("_", name)).collect_vec();
     let star = if by_reference && !array.contains('.') { "*" } else { "" };
     line(text, 0, &format!("let [{}, ..] = {star}{array};", names.join(", ")));
 }
 
 /// `live_after[k]`: the locals that statements from `k` on (or the result) read.
-fn live_after(lines: &Lines) -> Vec<BTreeSet<usize>> {
-    let mut live: BTreeSet<usize> = lines.value.iter().flat_map(|(_, reads)| reads.iter().copied()).collect();
-    let mut all = vec![BTreeSet::new(); lines.statements.len() + 1];
+fn live_after(lines: &Lines) -> Vec<SortedSet<usize>> {
+    let mut live: SortedSet<usize> =
+        lines.value.iter().flat_map(|(_, reads)| reads.iter().copied()).collect();
+    let mut all = vec![SortedSet::new(); lines.statements.len() + 1];
     all[lines.statements.len()].clone_from(&live);
     for (k, statement) in lines.statements.iter().enumerate().rev() {
         live.extend(statement.reads());
@@ -97,12 +99,12 @@ fn write_block(
     text: &mut String,
     lines: &Lines,
     range: std::ops::Range<usize>,
-    live: &BTreeSet<usize>,
+    live: &SortedSet<usize>,
     indent: usize,
 ) {
     let statements = &lines.statements[range];
     let made = statements.iter().flat_map(Statement::makes).filter(|local| live.contains(local));
-    let names: Vec<&str> = made.map(|local| lines.locals[local].as_str()).collect();
+    let names: Vec<&str> = made.map(|local| lines.locals[local].as_str()).collect_vec();
     let tuple = match names.as_slice() {
         [] => None,
         [one] => Some((*one).to_owned()),

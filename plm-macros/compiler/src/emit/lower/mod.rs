@@ -3,7 +3,8 @@
 //! What is used once stands where it is used, what is used again gets a `let` with the name that derivation gave it.
 //! The operations and their order are those of the tape, so that the interpreter is the oracle of the emitted code.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::{Count, Expr, Op, Ref, Tape};
 
@@ -28,7 +29,7 @@ const WHOLE_VECTORS: [usize; 2] = [8, 4];
 const SHORT: usize = 40;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
-pub(super) type Bindings = BTreeMap<Expr, String>;
+pub(super) type Bindings = SortedMap<Expr, String>;
 
 /// What surrounds the statements of a function.
 pub(super) struct Around<'a> {
@@ -53,7 +54,7 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
         return literal(number.to_f64());
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
-    let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect();
+    let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
     let around = Around { reserved: &reserved, by_reference: true, direct: None };
     let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
@@ -104,7 +105,7 @@ struct Lowering<'a> {
     /// Sines (by instruction) whose angles are coordinates, in groups that are computed together.
     groups: Vec<Vec<usize>>,
     /// What was lowered before its turn.
-    early: BTreeMap<usize, Piece>,
+    early: SortedMap<usize, Piece>,
     lines: Lines,
 }
 
@@ -123,7 +124,7 @@ impl<'a> Lowering<'a> {
             is_result[result.index()] = true;
         }
         let pieces = Vec::with_capacity(tape.ops.len());
-        let early = BTreeMap::new();
+        let early = SortedMap::new();
         Lowering { tape, bindings, direct, names, uses, is_result, pieces, groups, early, lines }
     }
 
@@ -377,7 +378,7 @@ fn angle_groups(tape: &Tape, uses: &[u32]) -> Vec<Vec<usize>> {
         Op::Sin(angle) => matches!(tape.ops[angle.index()].op, Op::Symbol(_)) && is_pair(tape, uses, *index),
         _ => false,
     };
-    let sines: Vec<usize> = (0..tape.ops.len()).filter(of_symbol).collect();
+    let sines: Vec<usize> = (0..tape.ops.len()).filter(of_symbol).collect_vec();
     let (mut groups, mut rest) = (Vec::new(), sines.as_slice());
     for lanes in WHOLE_VECTORS {
         while let Some((group, others)) = rest.split_at_checked(lanes) {

@@ -1,6 +1,6 @@
 //! Identifiers of the emitted code.
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::sorted::{SortedMap, SortedSet};
 
 /// Is it one of these words?
 fn is_among(words: &str, word: &str) -> bool {
@@ -110,10 +110,10 @@ pub(crate) fn module_name(name: &str) -> String {
 /// Names of one scope, none twice.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
-    taken: BTreeSet<String>,
+    taken: SortedSet<String>,
     numbered: usize,
     /// The next number behind a name that was taken.
-    next: BTreeMap<String, usize>,
+    next: SortedMap<String, usize>,
 }
 
 impl Names {
@@ -122,7 +122,7 @@ impl Names {
         Names {
             taken: reserved.iter().map(|&name| name.to_owned()).collect(),
             numbered: 0,
-            next: BTreeMap::new(),
+            next: SortedMap::new(),
         }
     }
 
@@ -133,7 +133,7 @@ impl Names {
         if self.taken.insert(name.clone()) {
             return name;
         }
-        let number = self.next.entry(base.clone()).or_insert(2);
+        let number = self.next.or_insert(base.clone(), 2);
         loop {
             name = format!("{base}_{number}");
             *number += 1;

@@ -1,5 +1,7 @@
 //! Text of a value that stands where it is used.
 
+use crate::collect::CollectVec;
+
 /// Text of a value while it has no name.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Piece {
@@ -47,7 +49,7 @@ impl Piece {
 
     /// `self.function(arguments)`.
     pub(super) fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
-        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
+        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect_vec();
         let mut all = vec![self];
         all.extend(arguments);
         Piece {
@@ -60,7 +62,7 @@ impl Piece {
 
     /// `function(arguments)`.
     pub(super) fn call(function: &str, arguments: &[&Piece]) -> Piece {
-        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect();
+        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect_vec();
         Piece {
             text: format!("{function}({})", listed.join(", ")),
             strength: 4,
@@ -71,5 +73,5 @@ impl Piece {
 }
 
 fn merged(pieces: &[&Piece]) -> Vec<usize> {
-    pieces.iter().flat_map(|piece| piece.reads.iter().copied()).collect()
+    pieces.iter().flat_map(|piece| piece.reads.iter().copied()).collect_vec()
 }

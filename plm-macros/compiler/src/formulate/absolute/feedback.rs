@@ -10,6 +10,7 @@
 //! (2)  s_k  = (s_k - sum_{j > k} m_kj s_j) / m_kk
 //! ```
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 /// The signals, and how far the smallest pivot is from having cancelled.
@@ -29,7 +30,7 @@ pub(super) fn solve(s_0: Vec<Expr>, units: &[Vec<Expr>]) -> Solved {
         let identity = if i == j { Expr::ONE } else { Expr::ZERO };
         (identity - units[j][i]).named(format!("loop_{i}_{j}"))
     };
-    let mut m: Vec<Vec<Expr>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+    let mut m: Vec<Vec<Expr>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect_vec()).collect_vec();
     trace.extend(m.iter().flatten());
     let mut s = s_0;
     let mut health = Expr::ONE;

@@ -7,7 +7,8 @@
 //! Their derivatives by coordinates, velocities, accelerations and multipliers tie neighbours only. A multiplier is
 //! eliminated behind the coordinates of its row: its pivot is then the sum of `phi_q^2 / m`, which masses make positive.
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, algebra};
 
@@ -22,14 +23,14 @@ use crate::model::Model;
 /// hold.
 pub(crate) fn linearised(model: &Model, equations: &Equations) -> Option<Augmented> {
     let Equations { q, v, a, x, lambda, mass, force, phi_q, x_dot, signals, .. } = equations;
-    let unknown: BTreeSet<Expr> = a.iter().chain(lambda).copied().collect();
+    let unknown: SortedSet<Expr> = a.iter().chain(lambda).copied().collect();
     let read = algebra::symbols(&[force.as_slice(), x_dot].concat());
     if !signals.is_empty() || read.iter().any(|symbol| unknown.contains(symbol)) {
         return None;
     }
     let (n, states) = (q.len(), x.len());
     let row_of = |row: usize| n + states + row;
-    let mut residuals: Vec<Expr> = force.iter().map(|&force| -force).collect();
+    let mut residuals: Vec<Expr> = force.iter().map(|&force| -force).collect_vec();
     let mut terms = Terms::new();
     for (i, &mass) in mass.iter().enumerate() {
         residuals[i] += mass * a[i];

@@ -20,7 +20,8 @@ mod linearised;
 mod motion;
 mod normal;
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, algebra};
 
@@ -74,12 +75,12 @@ pub(crate) struct Absolute {
 /// Lays out absolute coordinates.
 pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     let symbols = |name: &str, count: usize| -> Vec<Expr> {
-        (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect()
+        (0..count).map(|k| Expr::symbol(format!("{name}_{k}"))).collect_vec()
     };
     let weights = symbols("w", equations.q.len());
     let r = symbols("dphi", equations.phi.len());
-    let entries: Vec<Expr> = equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
-    let inverse_mass: Vec<Expr> = equations.mass.iter().map(|mass| mass.recip()).collect();
+    let entries: Vec<Expr> = equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect_vec();
+    let inverse_mass: Vec<Expr> = equations.mass.iter().map(|mass| mass.recip()).collect_vec();
     let motion = motion(model, equations, &inverse_mass);
     // What the unknowns do to forces and rates elsewhere.
     let read = motion.read.clone();
@@ -116,7 +117,7 @@ pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
             holding[column].push(row);
         }
     }
-    let mut near = vec![BTreeSet::new(); equations.phi_q.len()];
+    let mut near = vec![SortedSet::new(); equations.phi_q.len()];
     for rows in &holding {
         for &row in rows {
             near[row].extend(rows.iter().copied().filter(|&other| other != row));
@@ -171,7 +172,7 @@ fn at_rest(equations: &Equations) -> Function {
             force[k] += gain * signal.symbol;
         }
     }
-    let still: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, Expr::ZERO)).collect();
+    let still: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, Expr::ZERO)).collect_vec();
     let mut results = stored("force", force.iter());
     results.extend(stored("x_dot", equations.x_dot.iter()));
     Function::of_results(results).substitute(&still)
@@ -183,7 +184,7 @@ fn stabilised(model: &Model, equations: &Equations) -> Vec<Expr> {
     let alpha = tau.recip();
     let beta = alpha;
     let rows = equations.gamma.iter().zip(&equations.phi_dot).zip(&equations.phi);
-    rows.map(|((&gamma, &phi_dot), &phi)| gamma - (2 * alpha * phi_dot + beta * beta * phi)).collect()
+    rows.map(|((&gamma, &phi_dot), &phi)| gamma - (2 * alpha * phi_dot + beta * beta * phi)).collect_vec()
 }
 
 /// `arm_x`, `arm_y`, `arm_angle` for the three coordinates of a body.

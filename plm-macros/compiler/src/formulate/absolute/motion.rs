@@ -1,5 +1,6 @@
 //! Accelerations and multipliers at a state, forces that read them included.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use super::feedback;
@@ -28,12 +29,12 @@ pub(super) fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]
     let gamma = stabilised(model, equations);
     let solver = Solver { model, equations, normal: &normal, factor: &factor };
     let free = equations.force.iter().zip(inverse_mass).map(|(&force, &inverse)| force * inverse);
-    let mut solution = solver.solve(free.collect(), &gamma, "");
+    let mut solution = solver.solve(free.collect_vec(), &gamma, "");
     let arms = equations.phi_q.iter().flatten().chain(normal.y.iter().flatten());
     let mut sections = vec![
         Section::new(
             "Arms from G to each port: the entries of phi_q, and of phi_q M^-1",
-            arms.map(|&(_, entry)| entry).collect(),
+            arms.map(|&(_, entry)| entry).collect_vec(),
         ),
         Section::new("Accelerations without constraints, M^-1 Q", solution.free.clone()),
         Section::new("phi_q M^-1 phi_q^T = L D L^T", factor.trace.clone()),
@@ -51,7 +52,7 @@ pub(super) fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]
     let mut readers = equations.x_dot.clone();
     readers.extend(equations.signals.iter().map(|signal| signal.symbol));
     let held = algebra::symbols(&readers);
-    let read = solution.unknowns(equations).filter(|(symbol, _)| held.contains(symbol)).collect();
+    let read = solution.unknowns(equations).filter(|(symbol, _)| held.contains(symbol)).collect_vec();
     Motion { acceleration: solution.acceleration, lambda: solution.lambda, read, health, sections }
 }
 
@@ -106,17 +107,17 @@ impl Solver<'_> {
             let coordinate = coordinate_name(self.model, k);
             value.named(format!("free_{coordinate}{suffix}"))
         });
-        let free: Vec<Expr> = named.collect();
+        let free: Vec<Expr> = named.collect_vec();
         let rhs = self.equations.phi_q.iter().zip(gamma).map(|(row, &gamma)| {
             let of_free: Expr = row.iter().map(|&(j, entry)| entry * free[j]).sum();
             of_free - gamma // (2)
         });
-        let rhs: Vec<Expr> = rhs.collect();
+        let rhs: Vec<Expr> = rhs.collect_vec();
         let rows = self.model.rows.iter();
-        let names: Vec<String> = rows.map(|row| format!("lambda_{}{suffix}", row.name)).collect();
+        let names: Vec<String> = rows.map(|row| format!("lambda_{}{suffix}", row.name)).collect_vec();
         let (lambda, trace) = self.factor.solve(&rhs, &names);
         let held = self.normal.transposed(&lambda, free.len());
-        let acceleration = free.iter().zip(held).map(|(&free, held)| free - held).collect(); // (3)
+        let acceleration = free.iter().zip(held).map(|(&free, held)| free - held).collect_vec(); // (3)
         Solution { free, acceleration, lambda, trace }
     }
 
@@ -131,18 +132,18 @@ impl Solver<'_> {
             }
             self.solve(free, &still, &format!("_of_signal_{k}"))
         });
-        let units: Vec<Solution> = units.collect();
+        let units: Vec<Solution> = units.collect_vec();
         let read = |solution: &Solution| -> Vec<Expr> {
             let value = |symbol: Expr| solution.unknowns(self.equations).find(|of| of.0 == symbol);
-            signals.iter().map(|signal| value(signal.symbol).map_or(signal.symbol, |of| of.1)).collect()
+            signals.iter().map(|signal| value(signal.symbol).map_or(signal.symbol, |of| of.1)).collect_vec()
         };
-        let columns: Vec<Vec<Expr>> = units.iter().map(read).collect();
+        let columns: Vec<Vec<Expr>> = units.iter().map(read).collect_vec();
         let mut solved = feedback::solve(read(motion), &columns);
         for (unit, &signal) in units.iter().zip(&solved.signals) {
             motion.add(signal, unit);
         }
         let of_units = units.into_iter().flat_map(|unit| unit.trace);
-        solved.trace = of_units.chain(solved.trace).collect();
+        solved.trace = of_units.chain(solved.trace).collect_vec();
         solved
     }
 }

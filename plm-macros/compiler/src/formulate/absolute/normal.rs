@@ -10,7 +10,8 @@
 //!
 //! (G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed. 2013, section 5.6.)
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::Expr;
 
@@ -34,23 +35,23 @@ impl Normal {
         for (i, row) in phi_q.iter().enumerate() {
             let weighted =
                 row.iter().map(|&(j, entry)| (j, (entry * weights[j]).named(format!("y_{i}_{j}"))));
-            y.push(weighted.collect());
+            y.push(weighted.collect_vec());
             for &(j, entry) in row {
                 by_column[j].push((i, entry));
             }
         }
-        let mut terms: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
+        let mut terms: SortedMap<(usize, usize), Vec<Expr>> = SortedMap::new();
         for (i, row) in y.iter().enumerate() {
             for &(j, y_ij) in row {
                 for &(k, entry) in by_column[j].iter().filter(|&&(k, _)| k <= i) {
-                    terms.entry((i, k)).or_default().push(y_ij * entry);
+                    terms.or_insert((i, k), Vec::new()).push(y_ij * entry);
                 }
             }
         }
         let mut s: Symmetric = terms.into_iter().map(|(key, terms)| (key, terms.iter().sum())).collect();
         s.retain(|&(i, k), entry| i == k || !entry.is_zero());
         for i in 0..phi_q.len() {
-            s.entry((i, i)).or_insert(Expr::ZERO);
+            s.or_insert((i, i), Expr::ZERO);
         }
         Normal { y, s }
     }
@@ -63,7 +64,7 @@ impl Normal {
                 terms[j].push(y_ij * lambda_i);
             }
         }
-        terms.iter().map(|terms| terms.iter().sum()).collect()
+        terms.iter().map(|terms| terms.iter().sum()).collect_vec()
     }
 }
 
@@ -71,7 +72,7 @@ impl Normal {
 pub(super) fn min_norm(equations: &Equations, weights: &[Expr], r: &[Expr], most_growth: Expr) -> Function {
     let normal = Normal::new(&equations.phi_q, weights);
     let factor = factorise(equations.phi.len(), &normal.s, Some(most_growth));
-    let names: Vec<String> = (0..r.len()).map(|k| format!("mu_{k}")).collect();
+    let names: Vec<String> = (0..r.len()).map(|k| format!("mu_{k}")).collect_vec();
     let (mu, solution) = factor.solve(r, &names); // (1)
     let dq = normal.transposed(&mu, weights.len()); // (2)
     let mut results = stored("dq", dq.iter());

@@ -9,7 +9,8 @@
 //! from the body before it, so that the work is in proportion to the bodies. What [`inertia`](super::inertia) sets up for all
 //! unknowns of the loops is constant but for cosines and sines; it grows with the square of their number.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::{Expr, Vec2};
 
@@ -31,7 +32,7 @@ struct Moves {
 pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
     let freedom = motion.independent.len();
     let moves = moves(model, motion);
-    let mut mass: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+    let mut mass: SortedMap<(usize, usize), Expr> = SortedMap::new();
     let (mut applied, mut turning) = (vec![Expr::ZERO; freedom], vec![Expr::ZERO; freedom]);
     let mut momentum = vec![Vec2::ZERO; freedom];
     for (body, declared) in model.bodies.iter().enumerate() {
@@ -43,7 +44,7 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
             let turned = declared.inertia * spin;
             for l in 0..=k {
                 let entry = own.dot(partial[l]) + turned * motion.turning_by(class, l);
-                *mass.entry((k, l)).or_insert(Expr::ZERO) += entry;
+                *mass.or_insert((k, l), Expr::ZERO) += entry;
             }
             momentum[k] += own;
             applied[k] += partial[k].dot(Vec2::new(x, y)) + spin * torque;
@@ -74,14 +75,14 @@ fn moves(model: &Model, motion: &Motion) -> Vec<Moves> {
                 beyond(model, motion, before, (edge, joint))
             }
             None => Moves {
-                partial: (0..still.partial.len()).map(|k| free(&motion.gains(k))).collect(),
+                partial: (0..still.partial.len()).map(|k| free(&motion.gains(k))).collect_vec(),
                 bias: free(&motion.bias),
             },
         };
         let name = &model.bodies[body].name.text;
         let partial = found.partial.into_iter().enumerate();
         moves[body] = Moves {
-            partial: partial.map(|(k, partial)| partial.named(format!("{name}.partial_{k}"))).collect(),
+            partial: partial.map(|(k, partial)| partial.named(format!("{name}.partial_{k}"))).collect_vec(),
             bias: found.bias.named(format!("{name}.turning")),
         };
     }

@@ -1,5 +1,6 @@
 //! Accelerations from the dense mass matrix.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::function::Section;
@@ -9,10 +10,13 @@ use crate::formulate::reduced::motion::Motion;
 
 /// Solves `M a = Q`, and how a person would write that down.
 pub(crate) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<Section>) {
-    let names: Vec<String> =
-        motion.independent.iter().map(|&unknown| format!("{}_acceleration", motion.names[unknown])).collect();
+    let names: Vec<String> = motion
+        .independent
+        .iter()
+        .map(|&unknown| format!("{}_acceleration", motion.names[unknown]))
+        .collect_vec();
     let mut mass = dense.mass.clone();
-    for (&(i, j), entry) in &mut mass {
+    for (&(i, j), entry) in mass.iter_mut() {
         *entry = (*entry).named(format!("m_{i}_{j}"));
     }
     let force: Vec<Expr> = dense
@@ -20,8 +24,8 @@ pub(crate) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<S
         .into_iter()
         .enumerate()
         .map(|(i, force)| force.named(format!("force_{i}")))
-        .collect();
-    let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect();
+        .collect_vec();
+    let mut roots: Vec<Expr> = mass.values().copied().chain(force.iter().copied()).collect_vec();
     let at = |key| mass.get(&key).copied();
     let solution = match (force.as_slice(), at((1, 0))) {
         (&[], _) => Vec::new(),
@@ -47,5 +51,5 @@ pub(crate) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<S
         }
     };
     let named = solution.iter().zip(&names).map(|(&value, name)| value.named(name));
-    (named.collect(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
+    (named.collect_vec(), vec![Section::new("Masses and forces along the coordinates: M a = Q", roots)])
 }

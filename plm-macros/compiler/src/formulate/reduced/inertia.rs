@@ -5,7 +5,8 @@
 //! over the bodies are constants, and what is left of a pair of classes is the cosine and the sine of the angle between
 //! them.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::algebra::{self, dot};
 use plm_cas::{Expr, Vec2};
@@ -19,7 +20,7 @@ use crate::model::Model;
 #[derive(Clone, Debug)]
 pub(crate) struct Dense {
     /// Lower entries of M, (row, column) with `row >= column`; what is absent is zero.
-    pub(crate) mass: BTreeMap<(usize, usize), Expr>,
+    pub(crate) mass: SortedMap<(usize, usize), Expr>,
     /// Forces; without a pace, less what the velocities ask for.
     pub(crate) force: Vec<Expr>,
     /// With a pace, what the velocities ask for over its square.
@@ -34,16 +35,16 @@ struct Term {
 }
 
 /// Sums of `m u . w` and `m u x w` over the bodies, by (class of u, class of w, factor).
-type Sums = BTreeMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
+type Sums = SortedMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
 
 /// Sets up the equations; `force` are the applied forces at each G in absolute axes, without gravity.
 pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dense {
     let coordinates = motion.coordinates;
     let count = coordinates.unknowns.len();
-    let mut mass: BTreeMap<(usize, usize), Sums> = BTreeMap::new();
-    let mut spin: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
-    let mut inertial: Vec<Sums> = (0..count).map(|_| Sums::new()).collect();
-    let mut turning: Vec<Sums> = (0..count).map(|_| Sums::new()).collect();
+    let mut mass: SortedMap<(usize, usize), Sums> = SortedMap::new();
+    let mut spin: SortedMap<(usize, usize), Vec<Expr>> = SortedMap::new();
+    let mut inertial: Vec<Sums> = (0..count).map(|_| Sums::new()).collect_vec();
+    let mut turning: Vec<Sums> = (0..count).map(|_| Sums::new()).collect_vec();
     let mut applied: Vec<Vec<Expr>> = vec![Vec::new(); count];
     for (body, declared) in model.bodies.iter().enumerate() {
         let columns = partial_velocities(motion, &coordinates.centres[body]);
@@ -51,7 +52,7 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
         let bias = bias(model, motion, &coordinates.centres[body]);
         for (k, (i, left)) in columns.iter().enumerate() {
             for (j, right) in &columns[..=k] {
-                let entry = mass.entry((*i, *j)).or_default();
+                let entry = mass.or_insert((*i, *j), SortedMap::new());
                 multiply(motion, entry, declared.mass, (left, right));
             }
             multiply(motion, &mut inertial[*i], declared.mass, (left, &weight));
@@ -65,31 +66,32 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
             }
         }
         if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
-            spin.entry((angle, angle)).or_default().push(declared.inertia);
+            spin.or_insert((angle, angle), Vec::new()).push(declared.inertia);
             applied[angle].push(force[body][2]);
         }
     }
-    let mut entries: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+    let mut entries: SortedMap<(usize, usize), Expr> = SortedMap::new();
     for (key, sums) in mass {
         entries.insert(key, collect(motion, sums));
     }
     for (key, terms) in spin {
-        *entries.entry(key).or_insert(Expr::ZERO) += algebra::sum(&terms);
+        *entries.or_insert(key, Expr::ZERO) += algebra::sum(&terms);
     }
     entries.retain(|&(i, j), entry| i == j || !entry.is_zero());
     let force = inertial.into_iter().zip(applied).map(|(inertial, applied)| {
         let against = collect(motion, inertial);
         algebra::sum(&applied) - against
     });
-    let force = force.collect();
-    let turning = turning.into_iter().map(|sums| collect(motion, sums)).collect();
+    let force = force.collect_vec();
+    let turning = turning.into_iter().map(|sums| collect(motion, sums)).collect_vec();
     Dense { mass: entries, force, turning }
 }
 
 impl Dense {
     /// `M a - Q`, zero along the motion.
     pub(crate) fn residuals(&self, motion: &Motion, a: &[Expr]) -> Vec<Expr> {
-        let mut residuals: Vec<Expr> = self.right_hand_side(motion).into_iter().map(|force| -force).collect();
+        let mut residuals: Vec<Expr> =
+            self.right_hand_side(motion).into_iter().map(|force| -force).collect_vec();
         for (&(i, j), &mass) in &self.mass {
             residuals[i] += mass * a[j];
             if i != j {
@@ -107,19 +109,19 @@ impl Dense {
             let force = force.named(format!("still_{i}"));
             force - pace.squared() * turning.named(format!("turning_{i}"))
         });
-        each.collect()
+        each.collect_vec()
     }
 }
 
 /// The equations of the coordinates alone: `K^T M K` and `K^T Q - (M K)^T b`.
 pub(crate) fn along_independent(dense: &Dense, motion: &Motion) -> Dense {
     let independent = motion.independent.len();
-    let (mut mass, mut force, mut turning) = (BTreeMap::new(), Vec::new(), Vec::new());
+    let (mut mass, mut force, mut turning) = (SortedMap::new(), Vec::new(), Vec::new());
     for j in 0..independent {
         let column = motion.gains(j);
         let moved = times(dense, &column).into_iter().enumerate();
         let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
-        let moved: Vec<Expr> = moved.collect();
+        let moved: Vec<Expr> = moved.collect_vec();
         for i in j..independent {
             let entry = dot(&motion.gains(i), &moved);
             if i == j || !entry.is_zero() {
@@ -144,7 +146,7 @@ fn times(dense: &Dense, u: &[Expr]) -> Vec<Expr> {
             terms[j].push(entry * u[i]);
         }
     }
-    terms.iter().map(|terms| algebra::sum(terms)).collect()
+    terms.iter().map(|terms| algebra::sum(terms)).collect_vec()
 }
 
 /// The acceleration with which the ground would have to move instead of gravity. Where it lies along an axis its size is left
@@ -168,17 +170,17 @@ pub(crate) fn pairs(motion: &Motion) -> usize {
 /// `dp/dy_i` of a place, for every coordinate that moves it, ascending.
 fn partial_velocities(motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)> {
     let coordinates = motion.coordinates;
-    let mut columns: BTreeMap<usize, Vec<Term>> = BTreeMap::new();
+    let mut columns: SortedMap<usize, Vec<Term>> = SortedMap::new();
     for (class, slide, vector) in place.terms() {
         let factor = slide.map_or(Expr::ONE, |slide| motion.value[slide]);
         if let Some(angle) = coordinates.angle_of_class[class] {
-            columns.entry(angle).or_default().push(Term { class, factor, vector: vector.left() });
+            columns.or_insert(angle, Vec::new()).push(Term { class, factor, vector: vector.left() });
         }
         if let Some(slide) = slide {
-            columns.entry(slide).or_default().push(Term { class, factor: Expr::ONE, vector });
+            columns.or_insert(slide, Vec::new()).push(Term { class, factor: Expr::ONE, vector });
         }
     }
-    columns.into_iter().collect()
+    columns.into_iter().collect_vec()
 }
 
 /// The acceleration of a place while the second derivatives of the coordinates are zero; with a pace, over its square.
@@ -212,7 +214,7 @@ fn multiply(motion: &Motion, into: &mut Sums, mass: Expr, (left, right): (&[Term
             };
             let products = Products::of(over_base(a), over_base(b));
             let factor = a.factor * b.factor;
-            let (dots, crosses) = into.entry((a.class, b.class, factor)).or_default();
+            let (dots, crosses) = into.or_insert((a.class, b.class, factor), Default::default());
             dots.push(mass * products.dot);
             crosses.push(mass * products.cross);
         }

@@ -3,6 +3,7 @@
 //! `M a - Q = 0` along the motion, so `M da = -(d(M a - Q)/dy) dy - ...` with the accelerations as they are: derivatives of
 //! sums, none of a solution, and one factorisation for all columns.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use super::inertia::Dense;
@@ -34,14 +35,14 @@ pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr
     let n = motion.independent.len();
     let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
     let state = [y, y_dot, x.to_vec()].concat();
-    let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
+    let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect_vec();
     let mut dense = dense.clone();
-    for (&(i, j), mass) in &mut dense.mass {
+    for (&(i, j), mass) in dense.mass.iter_mut() {
         *mass = mass.named(format!("m_{i}_{j}"));
     }
     let residuals = dense.residuals(motion, &accelerations);
     let mut results: Vec<(Place, Expr)> =
-        (0..n).map(|i| (Place::Entry("by_x", i, n + i), Expr::ONE)).collect();
+        (0..n).map(|i| (Place::Entry("by_x", i, n + i), Expr::ONE)).collect_vec();
     let factor = factorise(n, &dense.mass, None);
     let mut columns = vec![vec![Expr::ZERO; n]; state.len()];
     for (i, &residual) in residuals.iter().enumerate() {
@@ -51,7 +52,7 @@ pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr
     }
     let held = columns.iter().enumerate().filter(|(_, column)| column.iter().any(|slope| !slope.is_zero()));
     for (j, column) in held {
-        let names: Vec<String> = (0..n).map(|i| format!("by_{i}_{j}")).collect();
+        let names: Vec<String> = (0..n).map(|i| format!("by_{i}_{j}")).collect_vec();
         let (solution, _) = factor.solve(column, &names);
         let entries = solution.into_iter().enumerate();
         results.extend(entries.map(|(i, entry)| (Place::Entry("by_x", n + i, j), entry)));

@@ -1,5 +1,6 @@
 //! What the functions of all charts are laid out from.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use crate::derive::Equations;
@@ -25,7 +26,7 @@ pub(crate) fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
             sum.push(component);
         }
     }
-    let sums: Vec<Expr> = terms.iter().flatten().map(|sum| algebra::sum(sum)).collect();
+    let sums: Vec<Expr> = terms.iter().flatten().map(|sum| algebra::sum(sum)).collect_vec();
     let sums = algebra::substitute(&sums, &motion.substitution);
-    sums.chunks_exact(3).map(|sum| [sum[0], sum[1], sum[2]]).collect()
+    sums.chunks_exact(3).map(|sum| [sum[0], sum[1], sum[2]]).collect_vec()
 }

@@ -5,6 +5,7 @@
 //! moves no other. Implicit methods eliminate these equations in the order of minimum degree
 //! ([`Pattern`](crate::formulate::pattern::Pattern)).
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use super::inertia::Dense;
@@ -17,7 +18,7 @@ use crate::formulate::order::minimum_degree_of;
 pub(crate) fn laid_out(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Augmented {
     let n = motion.independent.len();
     let (y, y_dot) = (motion.of_independent(&motion.value), motion.of_independent(&motion.rate));
-    let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect();
+    let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect_vec();
     let mut residuals = dense.residuals(motion, &accelerations);
     let mut terms = Terms::new();
     for (&(i, j), &mass) in &dense.mass {

@@ -15,6 +15,7 @@ mod linearised;
 mod motion;
 mod tree;
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use self::charts::Scheme;
@@ -155,14 +156,14 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
         return Err(format!("it has {freedom} degrees of freedom"));
     }
     let dyads = schemes.iter().map(|scheme| scheme.loops().count()).max().unwrap_or(0);
-    let mut iterated: Vec<usize> = schemes.iter().flat_map(Scheme::iterated).collect();
+    let mut iterated: Vec<usize> = schemes.iter().flat_map(Scheme::iterated).collect_vec();
     iterated.sort_unstable();
     iterated.dedup();
     let memory = Memory::new(&coordinates, (freedom, dyads), &iterated);
     let length = Expr::from(plm_cas::Number::from_f64(known.length));
     let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length };
-    let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect();
-    let turning = coordinates.unknowns.iter().filter_map(|unknown| unknown.turning_body()).collect();
+    let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect_vec();
+    let turning = coordinates.unknowns.iter().filter_map(|unknown| unknown.turning_body()).collect_vec();
     let owner = |unknown: usize| {
         let unknown = &coordinates.unknowns[unknown];
         (owner(&unknown.name(model)).to_owned(), unknown.turning_body())
@@ -170,9 +171,9 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
     Ok(Reduced {
         turning,
         charts,
-        memory: memory.symbols().into_iter().zip(memory.paths()).collect(),
+        memory: memory.symbols().into_iter().zip(memory.paths()).collect_vec(),
         areas: memory.areas(),
-        followed: memory.followed().map(owner).collect(),
+        followed: memory.followed().map(owner).collect_vec(),
     })
 }
 
@@ -234,10 +235,10 @@ impl Layout<'_> {
         let tree = scheme.groups.is_empty();
         let large = tree.then(|| augmented(model, equations, &motion)).flatten();
         let names: Vec<String> =
-            motion.independent.iter().map(|&unknown| motion.names[unknown].clone()).collect();
+            motion.independent.iter().map(|&unknown| motion.names[unknown].clone()).collect_vec();
         let parts = names.iter().map(|name| owner(name).to_owned());
         let turning = |&unknown: &usize| coordinates.unknowns[unknown].turning_body();
-        let in_loops: Vec<usize> = scheme.loops().flat_map(Group::unknowns).collect();
+        let in_loops: Vec<usize> = scheme.loops().flat_map(Group::unknowns).collect_vec();
         let is_loose = |k: usize| in_loops.iter().all(|&unknown| motion.gain[unknown][k].is_zero());
         let remember = loops.then(|| self.remember(scheme, &motion));
         // Where a pose is read nothing is held.
@@ -245,7 +246,7 @@ impl Layout<'_> {
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
         let described = |group: &Group| {
             let names: Vec<&str> =
-                group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect();
+                group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect_vec();
             format!("{} {}", group.name(), names.join(", "))
         };
         let closing = |group: &Group| {
@@ -264,11 +265,11 @@ impl Layout<'_> {
         let by_time = orders_step(model).then(|| by_time(&rate, model.time)).flatten();
         let jacobian = dense.filter(|_| loops).and_then(|dense| self.by_state(&motion, &dense, &rate));
         Chart {
-            parts: parts.collect(),
+            parts: parts.collect_vec(),
             names,
-            turning: motion.independent.iter().map(turning).collect(),
+            turning: motion.independent.iter().map(turning).collect_vec(),
             found: coordinates.places_of_angles(&in_loops),
-            loose: (0..motion.independent.len()).map(is_loose).collect(),
+            loose: (0..motion.independent.len()).map(is_loose).collect_vec(),
             y: motion.of_independent(&motion.value),
             y_dot: motion.of_independent(&motion.rate),
             method,
@@ -282,8 +283,8 @@ impl Layout<'_> {
             project,
             remember,
             remember_pose,
-            groups: scheme.groups.iter().map(described).collect(),
-            closing: scheme.loops().filter_map(closing).collect(),
+            groups: scheme.groups.iter().map(described).collect_vec(),
+            closing: scheme.loops().filter_map(closing).collect_vec(),
         }
     }
 
@@ -360,7 +361,7 @@ impl Layout<'_> {
         loops: bool,
     ) -> Function {
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
-        let rates: Vec<Expr> = motion.independent.iter().map(|&unknown| motion.rate[unknown]).collect();
+        let rates: Vec<Expr> = motion.independent.iter().map(|&unknown| motion.rate[unknown]).collect_vec();
         let mut results = stored("dx", rates.iter().chain(&acceleration).chain(&x_dot));
         if loops {
             results.push((Place::Value, measure(&motion.solutions)));
@@ -398,8 +399,9 @@ fn project(
     let values: Vec<Expr> = independent
         .iter()
         .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
-        .collect();
-    let mut flow: Vec<(Expr, Expr)> = equations.q.iter().copied().zip(equations.v.iter().copied()).collect();
+        .collect_vec();
+    let mut flow: Vec<(Expr, Expr)> =
+        equations.q.iter().copied().zip(equations.v.iter().copied()).collect_vec();
     flow.push((model.time, Expr::ONE));
     let rates = algebra::directionals(&values, &flow);
     Function::of_results(stored("x", values.iter().chain(&rates)))

@@ -3,6 +3,7 @@
 //! Names are bound before anything is evaluated, so that the order of declaration does not matter: a force may read
 //! the output of a part that stands below it.
 
+use crate::collect::CollectVec;
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -113,8 +114,8 @@ impl<'a> Resolver<'a> {
         if let Some((row, _)) = self.names.scopes[home].rows.get(key.as_ref()) {
             return Ok(*row);
         }
-        let rows: Vec<String> = self.names.scopes[home].rows.keys().map(ToString::to_string).collect();
-        let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+        let rows: Vec<String> = self.names.scopes[home].rows.keys().map(ToString::to_string).collect_vec();
+        let rows: Vec<&str> = rows.iter().map(String::as_str).collect_vec();
         let diagnostic =
             self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));
         help_similar(diagnostic, &key, "row", "rows here", &rows);

@@ -3,8 +3,10 @@
 mod lookup;
 pub(super) mod unknown;
 
+use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
+use crate::sorted::{SortedMap, SortedSet};
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::Use;
 use crate::resolve::settle::warnings::Readable;
@@ -34,7 +36,7 @@ pub(crate) struct Names<'a> {
     /// Params, inputs and `let`s of the user's own, with their names.
     pub(crate) readable: Vec<(String, Readable)>,
     /// Definitions whose outputs are among the checks already.
-    pub(crate) checked: BTreeSet<&'a str>,
+    pub(crate) checked: SortedSet<&'a str>,
 }
 
 /// Names of one block.
@@ -43,11 +45,11 @@ pub(crate) struct Scope<'a> {
     /// Where to look next: from one turn of a repetition to what encloses it.
     pub(crate) parent: Option<ScopeId>,
     /// Names of values, parts, bodies.
-    pub(crate) names: BTreeMap<Cow<'a, str>, SlotId>,
+    pub(crate) names: SortedMap<Cow<'a, str>, SlotId>,
     /// Names of constraint rows.
-    pub(crate) rows: BTreeMap<Cow<'a, str>, (usize, Span)>,
+    pub(crate) rows: SortedMap<Cow<'a, str>, (usize, Span)>,
     /// Outputs of a part.
-    pub(crate) outputs: BTreeMap<Cow<'a, str>, SlotId>,
+    pub(crate) outputs: SortedMap<Cow<'a, str>, SlotId>,
     /// The part whose inside this is.
     instance: Option<usize>,
 }
@@ -118,7 +120,7 @@ impl<'a> Names<'a> {
 
     /// The uses that lead to a scope, from the declaration inwards.
     pub(crate) fn uses(&self, scope: ScopeId) -> Vec<Use> {
-        let mut uses: Vec<Use> = self.around(scope).map(|part| self.instances[part].as_use()).collect();
+        let mut uses: Vec<Use> = self.around(scope).map(|part| self.instances[part].as_use()).collect_vec();
         uses.reverse();
         uses
     }
@@ -144,11 +146,12 @@ impl<'a> Names<'a> {
         let mut names: Vec<(&str, SlotId)> = scopes
             .flat_map(|scope| &self.scopes[scope].names)
             .map(|(name, slot)| (name.as_ref(), *slot))
-            .collect();
-        names.sort_by_key(|(_, slot)| *slot);
+            .collect_vec();
+        sort_by_key(&mut names, |(_, slot)| *slot);
         let rows = &self.scopes[self.home(scope)].rows;
-        let mut rows: Vec<(&str, usize)> = rows.iter().map(|(name, row)| (name.as_ref(), row.0)).collect();
-        rows.sort_by_key(|(_, row)| *row);
-        names.into_iter().chain(rows).map(|(name, _)| name.to_string()).collect()
+        let mut rows: Vec<(&str, usize)> =
+            rows.iter().map(|(name, row)| (name.as_ref(), row.0)).collect_vec();
+        sort_by_key(&mut rows, |(_, row)| *row);
+        names.into_iter().chain(rows).map(|(name, _)| name.to_string()).collect_vec()
     }
 }

@@ -1,5 +1,6 @@
 //! What is said of a name that there is not.
 
+use crate::collect::CollectVec;
 use crate::diag::{Code, help_similar, nearest};
 use crate::library::of_manual;
 use crate::resolve::Resolver;
@@ -39,7 +40,7 @@ impl Resolver<'_> {
         let names = self.names.visible(scope);
         let stem = format!("{text}[");
         let elements: Vec<&str> =
-            names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect();
+            names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect_vec();
         if let (Some(first), Some(last)) = (elements.first(), elements.last()) {
             let note = format!("there is `{first}` to `{last}`");
             let (code, message) = if name.indices.is_empty() {
@@ -59,7 +60,7 @@ impl Resolver<'_> {
         let home = self.names.home(scope);
         let is_row = self.names.scopes[home].rows.contains_key(key);
         let outside = self.names.instance(scope).is_some() && self.names.find(0, key).is_some();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
         let is_near = nearest(key, names.iter().copied()).is_some();
         let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
         if is_row {
@@ -87,7 +88,7 @@ impl Resolver<'_> {
 
     pub(crate) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {
         let kind = &ast.kind.text;
-        let mut names: Vec<&str> = self.library.kinds().collect();
+        let mut names: Vec<&str> = self.library.kinds().collect_vec();
         names.sort_unstable();
         names.dedup();
         let lower = kind.to_lowercase();

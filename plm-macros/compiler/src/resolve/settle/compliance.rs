@@ -4,8 +4,8 @@
 //! the limit of no compliance (J. Garcia de Jalon, E. Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
 //! chapter 5: penalty formulations). So `reaction(row)` keeps its meaning.
 
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::{Expr, algebra};
 
@@ -45,14 +45,14 @@ impl<'a> Resolver<'a> {
         states: &mut [State],
         outputs: &mut [Output],
     ) -> Eval<(Vec<Row>, Vec<Row>)> {
-        let mut multipliers: BTreeMap<usize, Expr> = BTreeMap::new();
+        let mut multipliers: SortedMap<usize, Expr> = SortedMap::new();
         let mut sound = Ok(());
         for instance in 0..self.names.instances.len() {
             if WORDS.iter().all(|word| self.names.word(instance, word).is_none()) {
                 continue;
             }
             let within = |row: &usize| self.names.instance(self.draft.rows[*row].scope) == Some(instance);
-            let of_instance: OfInstance = (0..rows.len()).filter(within).collect();
+            let of_instance: OfInstance = (0..rows.len()).filter(within).collect_vec();
             let found = self.multipliers(instance, &rows, of_instance);
             sound = sound.and(found.map(|found| multipliers.extend(found)));
         }
@@ -77,7 +77,7 @@ impl<'a> Resolver<'a> {
         }
         let (soft, rigid): (Vec<_>, Vec<_>) =
             rows.into_iter().enumerate().partition(|(row, _)| multipliers.contains_key(row));
-        let of = |rows: Vec<(usize, Row)>| rows.into_iter().map(|(_, row)| row).collect();
+        let of = |rows: Vec<(usize, Row)>| rows.into_iter().map(|(_, row)| row).collect_vec();
         Ok((of(rigid), of(soft)))
     }
 
@@ -123,7 +123,7 @@ impl<'a> Resolver<'a> {
             self.error(word.scope, Code::UnknownField, word.field.span(), message);
             return Err(Failed);
         }
-        let mut known: BTreeMap<Dimension, Expr> = BTreeMap::new();
+        let mut known: SortedMap<Dimension, Expr> = SortedMap::new();
         for &row in &own {
             let dimension = rows[row].unit.dimension;
             // phi over lambda; phi lambda is an energy.
@@ -132,11 +132,11 @@ impl<'a> Resolver<'a> {
             } else {
                 dimension.power(2).over(Dimension::TORQUE)
             };
-            if let Entry::Vacant(unknown) = known.entry(dimension) {
-                unknown.insert(self.positive(&word, wanted, false)?);
+            if !known.contains_key(&dimension) {
+                known.insert(dimension, self.positive(&word, wanted, false)?);
             }
         }
-        Ok(own.into_iter().map(|row| (row, known[&rows[row].unit.dimension])).collect())
+        Ok(own.into_iter().map(|row| (row, known[&rows[row].unit.dimension])).collect_vec())
     }
 
     /// The time in which a row that gives way settles.

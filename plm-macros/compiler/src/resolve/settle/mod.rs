@@ -6,6 +6,7 @@ mod output;
 mod stand_ins;
 pub(super) mod warnings;
 
+use crate::collect::CollectVec;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
@@ -75,7 +76,7 @@ impl<'a> Resolver<'a> {
             states,
             outputs,
             instances: instances.ok()?,
-            files: self.files.keys().cloned().collect(),
+            files: self.files.keys().cloned().collect_vec(),
             switches,
             kinks: Vec::new(),
             turns: Vec::new(),

@@ -4,7 +4,8 @@
 //! part: `Q - phi_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
 //! the ground keeps the balance: constraints hold when everything is moved together, ground included.
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::collect::CollectVec;
+use crate::sorted::{SortedMap, SortedSet};
 
 use plm_cas::Expr;
 use plm_cas::algebra::{self, Vec2};
@@ -27,13 +28,13 @@ struct Actions {
     /// Forces and torques of each part, with those of the parts that it contains.
     applied: Vec<Vec<Action>>,
     /// Whose coordinate a symbol is.
-    coordinates: BTreeMap<Expr, (usize, usize)>,
+    coordinates: SortedMap<Expr, (usize, usize)>,
 }
 
 /// The observed quantities, in order, none twice.
 struct Shown {
     outputs: Vec<Output>,
-    names: BTreeSet<String>,
+    names: SortedSet<String>,
     span: Span,
 }
 
@@ -139,7 +140,7 @@ impl<'a> Resolver<'a> {
     fn show_part(&mut self, id: usize, actions: &Actions, shown: &mut Shown) -> Eval<()> {
         let (inside, name) = (self.names.instances[id].scope, self.names.instances[id].name.clone());
         let outputs = self.names.scopes[inside].outputs.iter();
-        let mut outputs: Vec<_> = outputs.map(|(key, slot)| (*slot, key.to_string())).collect();
+        let mut outputs: Vec<_> = outputs.map(|(key, slot)| (*slot, key.to_string())).collect_vec();
         outputs.sort_unstable();
         for (slot, key) in outputs {
             let value = self.slot_value(slot, inside, shown.span)?;
@@ -150,7 +151,7 @@ impl<'a> Resolver<'a> {
             return Ok(());
         }
         let arguments = self.names.instances[id].definition.arguments.iter();
-        let ports: Vec<&'a str> = arguments.map(|argument| argument.name.text.as_str()).collect();
+        let ports: Vec<&'a str> = arguments.map(|argument| argument.name.text.as_str()).collect_vec();
         let slots = self.names.instances[id].arguments.clone();
         for (port, slot) in ports.into_iter().zip(slots) {
             let Value::Frame(frame) = self.slot_value(slot, inside, shown.span)? else { continue };
@@ -218,12 +219,12 @@ impl<'a> Resolver<'a> {
         body: Option<usize>,
         about: Vec2,
         row: usize,
-        coordinates: &BTreeMap<Expr, (usize, usize)>,
+        coordinates: &SortedMap<Expr, (usize, usize)>,
     ) -> Eval<[Expr; 3]> {
         let (phi, lambda) = (self.row(row)?.phi, self.draft.rows[row].lambda);
         let mut terms = [const { Vec::new() }; 3];
         let held = algebra::symbols(&[phi]);
-        let touched: BTreeSet<usize> =
+        let touched: SortedSet<usize> =
             held.iter().filter_map(|symbol| coordinates.get(symbol)).map(|(i, _)| *i).collect();
         for i in touched.into_iter().filter(|i| body.is_none_or(|body| body == *i)) {
             let q = self.draft.bodies[i].q;

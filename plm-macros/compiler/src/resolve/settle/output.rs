@@ -1,6 +1,7 @@
 //! Outputs of the mechanism.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use crate::diag::Code;
 use crate::model::{Name, Output};
@@ -15,7 +16,7 @@ impl<'a> Resolver<'a> {
     /// All outputs, in the order of declaration.
     pub(crate) fn evaluate_outputs(&mut self) -> Vec<Output> {
         let mut outputs: Vec<Output> = Vec::new();
-        let mut names: BTreeMap<String, Span> = BTreeMap::new();
+        let mut names: SortedMap<String, Span> = SortedMap::new();
         for (scope, ast, docs) in std::mem::take(&mut self.draft.outputs) {
             let Ok(output) = self.output(scope, ast, docs) else { continue };
             let Name { text, span } = output.name.clone();
@@ -71,7 +72,7 @@ impl<'a> Resolver<'a> {
             .iter()
             .map(|argument| argument.name.text.as_str());
         let arguments: Vec<(&str, SlotId)> =
-            names.zip(self.names.instances[part].arguments.iter().copied()).collect();
+            names.zip(self.names.instances[part].arguments.iter().copied()).collect_vec();
         let mut words = docs.split('`');
         let mut told = words.next().unwrap_or_default().to_owned();
         // Code and prose by turns.
@@ -162,5 +163,5 @@ impl<'a> Resolver<'a> {
 }
 
 fn one_line(docs: &[String]) -> String {
-    docs.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ")
+    docs.iter().map(|line| line.trim()).collect_vec().join(" ")
 }

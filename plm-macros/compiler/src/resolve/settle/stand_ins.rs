@@ -1,7 +1,8 @@
 //! Rates of states and sums at nodes are known last. Until then symbols stand in for them; here each symbol is replaced by its
 //! value.
 
-use std::collections::BTreeSet;
+use crate::collect::CollectVec;
+use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, algebra};
 
@@ -38,12 +39,12 @@ impl Resolver<'_> {
         places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
         places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
         places.extend(switches.iter_mut().map(|switch| &mut switch.difference));
-        let roots: Vec<Expr> = places.iter().map(|place| **place).collect();
+        let roots: Vec<Expr> = places.iter().map(|place| **place).collect_vec();
         self.add_rates_of_sums(&roots, &mut stand_ins);
         if stand_ins.is_empty() || !self.free_of_each_other(&mut stand_ins) {
             return;
         }
-        let pairs: Vec<(Expr, Expr)> = stand_ins.iter().map(|of| (of.symbol, of.value)).collect();
+        let pairs: Vec<(Expr, Expr)> = stand_ins.iter().map(|of| (of.symbol, of.value)).collect_vec();
         for (place, root) in places.into_iter().zip(algebra::substitute(&roots, &pairs)) {
             *place = root;
         }
@@ -56,7 +57,7 @@ impl Resolver<'_> {
             what: format!("the rate of `{}`", found.name.text),
             span: found.name.span,
         });
-        let mut stand_ins: Vec<StandIn> = rates.collect();
+        let mut stand_ins: Vec<StandIn> = rates.collect_vec();
         for node in &self.draft.nodes {
             for through in &node.through {
                 let value = algebra::sum(&through.terms);
@@ -76,7 +77,7 @@ impl Resolver<'_> {
         loop {
             let mut read: Vec<Expr> = roots.to_vec();
             read.extend(stand_ins.iter().map(|of| of.value));
-            let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
+            let read: SortedSet<Expr> = algebra::symbols(&read).into_iter().collect();
             let is_read =
                 |&(node, k): &(usize, usize)| read.contains(&self.draft.nodes[node].through[k].rate);
             let (now, later): (Vec<_>, Vec<_>) = open.into_iter().partition(is_read);
@@ -96,7 +97,7 @@ impl Resolver<'_> {
         let NodeDraft { name, span, scope, .. } = &self.draft.nodes[node];
         let (what, span, scope) = (format!("the rate of what acts on `{name}`"), *span, *scope);
         let inputs = self.calculus.held.clone();
-        let accelerations: Vec<Expr> = self.draft.bodies.iter().flat_map(|body| body.a).collect();
+        let accelerations: Vec<Expr> = self.draft.bodies.iter().flat_map(|body| body.a).collect_vec();
         if holds_any(sum, &inputs) {
             self.error(scope, Code::NoRate, span, format!("{what} is not known: it reads inputs"))
                 .note("inputs are held over a step; a `state` has a rate");
@@ -112,10 +113,10 @@ impl Resolver<'_> {
     /// Frees the stand_ins values of the symbols of others. One may hold another: as many rounds as there are values reach the
     /// last in a row. False if one needs itself.
     fn free_of_each_other(&mut self, stand_ins: &mut [StandIn]) -> bool {
-        let symbols: Vec<Expr> = stand_ins.iter().map(|of| of.symbol).collect();
-        let mut values: Vec<Expr> = stand_ins.iter().map(|of| of.value).collect();
+        let symbols: Vec<Expr> = stand_ins.iter().map(|of| of.symbol).collect_vec();
+        let mut values: Vec<Expr> = stand_ins.iter().map(|of| of.value).collect_vec();
         for _ in 0..symbols.len() {
-            let pairs: Vec<(Expr, Expr)> = symbols.iter().copied().zip(values.iter().copied()).collect();
+            let pairs: Vec<(Expr, Expr)> = symbols.iter().copied().zip(values.iter().copied()).collect_vec();
             let next = algebra::substitute(&values, &pairs);
             if next == values {
                 break;

@@ -1,6 +1,7 @@
 //! What is right and yet hardly meant: gravity upwards, parts that do nothing, names that nothing reads.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::algebra::Vec2;
 
@@ -60,10 +61,10 @@ impl<'a> Resolver<'a> {
 
     /// A part of forces and torques alone, all of which are zero whatever happens.
     fn warn_of_idle_parts(&mut self) {
-        let mut acts: BTreeMap<usize, bool> = BTreeMap::new();
+        let mut acts: SortedMap<usize, bool> = SortedMap::new();
         for action in &self.draft.applied {
             if let Some(instance) = self.names.around(action.scope).last() {
-                let acts = acts.entry(instance).or_insert(false);
+                let acts = acts.or_insert(instance, false);
                 *acts |= !action.force.is_zero() || !action.torque.is_zero();
             }
         }
@@ -81,7 +82,7 @@ impl<'a> Resolver<'a> {
         }
         for (instance, _) in acts.into_iter().filter(|(_, acts)| !acts) {
             let state = &self.names.instances[instance];
-            let params: Vec<&str> = state.definition.items.iter().filter_map(settable).collect();
+            let params: Vec<&str> = state.definition.items.iter().filter_map(settable).collect_vec();
             let message = format!("`{}` does nothing: all that it applies is zero", state.name);
             let diagnostic = self.sink.warning(Code::Idle, state.span, message);
             if !params.is_empty() {
@@ -93,10 +94,10 @@ impl<'a> Resolver<'a> {
     /// In a part that is used several times, and in a repetition, one reader is enough. Parts that were carried here are not
     /// for who uses them to mend.
     fn warn_of_unread_names(&mut self, carried: &[Span]) {
-        let mut read: BTreeMap<Span, (String, &'static str, bool)> = BTreeMap::new();
+        let mut read: SortedMap<Span, (String, &'static str, bool)> = SortedMap::new();
         for (name, Readable { what, slot }) in std::mem::take(&mut self.names.readable) {
             let slot = &self.names.slots[slot];
-            read.entry(slot.span).or_insert((name, what, false)).2 |= slot.is_read;
+            read.or_insert(slot.span, (name, what, false)).2 |= slot.is_read;
         }
         let is_carried = |span: Span| carried.iter().any(|of| (of.first..=of.last).contains(&span.first));
         for (span, (name, what, _)) in read.into_iter().filter(|(_, (.., is_read))| !is_read) {

@@ -1,6 +1,7 @@
 //! What the use of a part sets: parameters, inputs, choices, starts of states and requirements, also of the parts that it
 //! contains.
 
+use crate::collect::CollectVec;
 use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::names::{Names, ScopeId};
@@ -35,7 +36,7 @@ impl<'a> Resolver<'a> {
     pub(crate) fn fields_of(&mut self, scope: ScopeId, ast: &'a Instance) -> Vec<(String, &'a Field)> {
         let mut fields = Vec::with_capacity(ast.fields.len());
         for field in &ast.fields {
-            let keys: Vec<_> = field.path.iter().map(|name| self.key(scope, name)).collect();
+            let keys: Vec<_> = field.path.iter().map(|name| self.key(scope, name)).collect_vec();
             if let Ok(keys) = keys.into_iter().collect::<Result<Vec<_>, _>>() {
                 fields.push((keys.join("."), field));
             }
@@ -75,7 +76,7 @@ impl<'a> Resolver<'a> {
         let text = last.ident.text.as_str();
         let required = requirements(&definition.items);
         let mut known: Vec<&str> =
-            definition.items.iter().filter_map(|item| field_name(&item.kind)).collect();
+            definition.items.iter().filter_map(|item| field_name(&item.kind)).collect_vec();
         if definition.is_joint {
             known.extend(WORDS);
         }
@@ -139,7 +140,7 @@ fn part_names(items: &[Item]) -> Vec<&str> {
         ItemKind::Repeat(repeat) => part_names(&repeat.items),
         _ => Vec::new(),
     });
-    names.collect()
+    names.collect_vec()
 }
 
 /// Names of the requirements among items.
@@ -149,7 +150,7 @@ fn requirements(items: &[Item]) -> Vec<&str> {
         ItemKind::Repeat(repeat) => requirements(&repeat.items),
         _ => Vec::new(),
     });
-    names.collect()
+    names.collect_vec()
 }
 
 fn field_name(item: &ItemKind) -> Option<&str> {

@@ -4,6 +4,7 @@
 //! `y_G + px sin(theta) + py cos(theta)` (manual, section 4.2.2.1, relations (a) to (d)): `G + R(theta) p`. Each body has one
 //! rotation `R(theta)`, so that all that is derived from it shares its sine and cosine.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
@@ -79,7 +80,7 @@ impl<'a> Draft<'a> {
     }
 
     pub(crate) fn port_names(&self, body: Option<usize>) -> Vec<String> {
-        self.ports(body).iter().map(|port| port.name.clone()).collect()
+        self.ports(body).iter().map(|port| port.name.clone()).collect_vec()
     }
 }
 

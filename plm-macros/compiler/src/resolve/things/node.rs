@@ -3,6 +3,7 @@
 //! A storage gives a node its across quantity (a pressure, a position); what acts on the node adds to its through
 //! quantities (flows, forces), which the storage reads. Until everything that acts is known, a symbol stands for the sum.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::diag::{Code, help_similar};
@@ -102,7 +103,7 @@ impl<'a> Resolver<'a> {
             self.calculus.changes(symbol, rate);
             Through { symbol, rate, terms: Vec::new() }
         });
-        let through = through.collect();
+        let through = through.collect_vec();
         self.draft.nodes.push(NodeDraft { domain, name, scope, span, across: None, through });
         self.draft.nodes.len() - 1
     }
@@ -177,7 +178,7 @@ impl<'a> Resolver<'a> {
         let prefix = format!("{}.", self.names.instances[instance].name);
         let nodes = self.draft.nodes.iter().filter(|node| std::ptr::eq(node.domain, domain));
         let names = nodes.filter_map(|node| node.name.strip_prefix(&prefix));
-        names.filter(|name| !name.contains('.')).map(ToString::to_string).collect()
+        names.filter(|name| !name.contains('.')).map(ToString::to_string).collect_vec()
     }
 
     /// `node.pressure`, `node.flow`
@@ -195,7 +196,7 @@ impl<'a> Resolver<'a> {
     pub(crate) fn members_of_node(&self, node: usize) -> Vec<&'a str> {
         let domain = self.draft.nodes[node].domain;
         let through = domain.through.iter().map(|quantity| quantity.name.text.as_str());
-        std::iter::once(domain.across.name.text.as_str()).chain(through).collect()
+        std::iter::once(domain.across.name.text.as_str()).chain(through).collect_vec()
     }
 
     /// The node behind `from`: of the same domain.
@@ -227,7 +228,7 @@ impl<'a> Resolver<'a> {
         let domain = self.draft.nodes[node].domain;
         let name = &ast.quantity;
         let Some(k) = domain.through.iter().position(|of| of.name.text == name.text) else {
-            let names: Vec<&str> = domain.through.iter().map(|of| of.name.text.as_str()).collect();
+            let names: Vec<&str> = domain.through.iter().map(|of| of.name.text.as_str()).collect_vec();
             let message =
                 format!("`{}` does not act on a port of the domain `{}`", name.text, domain.name.text);
             let diagnostic = self.error(scope, Code::UnknownMember, name.span, message);

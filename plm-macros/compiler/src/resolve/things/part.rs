@@ -1,5 +1,6 @@
 //! Parts in use.
 
+use crate::collect::CollectVec;
 use std::borrow::Cow;
 
 use crate::diag::{Code, Use};
@@ -157,7 +158,7 @@ impl<'a> Resolver<'a> {
         let (wanted, found) = (definition.arguments.len(), ast.arguments.len());
         let is_read = !ast.arguments.iter().any(|of| matches!(of.kind, ast::ExprKind::Unknown));
         if wanted != found && is_read {
-            let names: Vec<&str> = definition.arguments.iter().map(|of| of.name.text.as_str()).collect();
+            let names: Vec<&str> = definition.arguments.iter().map(|of| of.name.text.as_str()).collect_vec();
             let message = format!("`{}` joins {wanted} ports, found {found}", definition.name.text);
             self.error(outer, Code::WrongCount, ast.name.ident.span, message)
                 .note(format!("its ports: {}", names.join(", ")));
@@ -206,7 +207,7 @@ impl<'a> Resolver<'a> {
 
     pub(crate) fn declare_choice(&mut self, scope: ScopeId, choice: &'a ast::Choice) {
         let Some(id) = self.names.instance(scope) else { return };
-        let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect();
+        let options: Vec<&'a str> = choice.options.iter().map(|option| option.text.as_str()).collect_vec();
         let chosen = match (self.names.field(id, &choice.name.text), &choice.default) {
             (Some((outer, Field { value: expr, .. })), _) => {
                 if let ast::ExprKind::Name(name) = &expr.kind {

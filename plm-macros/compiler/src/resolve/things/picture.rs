@@ -1,5 +1,6 @@
 //! What pictures show of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
@@ -47,7 +48,7 @@ impl<'a> Resolver<'a> {
 
     /// What tables tell of the parts: of all in the declaration, and inside of them of those that join frames or have sizes.
     pub(crate) fn evaluate_instances(&mut self) -> Eval<Vec<Instance>> {
-        let mut sizes: Vec<Vec<Size>> = self.names.instances.iter().map(|_| Vec::new()).collect();
+        let mut sizes: Vec<Vec<Size>> = self.names.instances.iter().map(|_| Vec::new()).collect_vec();
         let drafts = std::mem::take(&mut self.draft.sizes).into_iter();
         let known = all(drafts.map(|SizeDraft { instance, name, slot, scope, span }| {
             self.size(slot, scope, span).map(|value| (instance, Size { name, value }))
@@ -56,7 +57,7 @@ impl<'a> Resolver<'a> {
             sizes[instance].push(size);
         }
         let instances = sizes.into_iter().enumerate().filter_map(|(id, sizes)| self.told(id, sizes));
-        Ok(instances.collect())
+        Ok(instances.collect_vec())
     }
 
     fn size(&mut self, slot: SlotId, scope: ScopeId, span: Span) -> Eval<Expr> {
@@ -79,7 +80,7 @@ impl<'a> Resolver<'a> {
                 Ok(Value::Frame(frame)) => Some((argument.name.text.clone(), frame)),
                 _ => None,
             })
-            .collect();
+            .collect_vec();
         let is_inside = self.names.instance(outer).is_some();
         if is_inside && frames.is_empty() && sizes.is_empty() {
             return None;
@@ -116,7 +117,7 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         }
         let placement = self.placement(body)?;
-        Ok(points.into_iter().map(|at| placement.place(at)).collect())
+        Ok(points.into_iter().map(|at| placement.place(at)).collect_vec())
     }
 
     fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<Vec2>> {
@@ -132,7 +133,7 @@ impl<'a> Resolver<'a> {
             }
         };
         match outline::read(content) {
-            Ok(points) => Ok(points.into_iter().map(|at| Vec2::from(at.map(Expr::from))).collect()),
+            Ok(points) => Ok(points.into_iter().map(|at| Vec2::from(at.map(Expr::from))).collect_vec()),
             Err(outline::Problem { line, column, what }) => {
                 let message = format!("`{name}`, line {line}, column {column}: {what}");
                 Err(self.bad_file(scope, span, message))

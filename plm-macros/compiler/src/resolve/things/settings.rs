@@ -1,6 +1,6 @@
 //! What is said once of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
 
-use std::collections::BTreeMap;
+use crate::sorted::SortedMap;
 
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
@@ -23,7 +23,7 @@ pub(crate) struct Settings<'a> {
     stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
     pub(crate) rung: Option<(Rung, Span)>,
     /// Steps that the code is to hold, and where they are asked for.
-    pub(crate) steps: BTreeMap<Step, Span>,
+    pub(crate) steps: SortedMap<Step, Span>,
     /// Codes of warnings.
     pub(crate) allowed: Vec<String>,
 }

@@ -1,5 +1,6 @@
 //! First-order states and their rates.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::diag::Code;
@@ -105,7 +106,7 @@ impl<'a> Resolver<'a> {
     /// All states whose start and rate could be evaluated.
     pub(crate) fn evaluate_states(&mut self) -> Vec<State> {
         self.assign_rates();
-        (0..self.draft.states.len()).filter_map(|state| self.evaluate_state(state)).collect()
+        (0..self.draft.states.len()).filter_map(|state| self.evaluate_state(state)).collect_vec()
     }
 
     fn evaluate_state(&mut self, state: usize) -> Option<State> {

@@ -1,5 +1,6 @@
 //! Calls of the functions of the language.
 
+use crate::collect::CollectVec;
 use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
@@ -45,7 +46,7 @@ impl<'a> Resolver<'a> {
 
     fn unknown_function(&mut self, scope: ScopeId, name: &Ident, arguments: &[ast::Expr]) -> Failed {
         let text = name.text.as_str();
-        let names: Vec<&str> = FUNCTIONS.iter().map(|function| function.name).collect();
+        let names: Vec<&str> = FUNCTIONS.iter().map(|function| function.name).collect_vec();
         let elsewhere = function_elsewhere(text, arguments);
         let diagnostic =
             self.error(scope, Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
@@ -114,7 +115,7 @@ impl<'a> Resolver<'a> {
         for other in &found[1..] {
             first.nature = self.joined(scope, span, first, *other)?;
         }
-        Ok((found.iter().map(|of| of.value).collect(), first.nature))
+        Ok((found.iter().map(|of| of.value).collect_vec(), first.nature))
     }
 
     fn of_alike(

@@ -1,5 +1,6 @@
 //! Conditions and what hangs on them.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::diag::{Code, help_similar};
@@ -169,7 +170,7 @@ impl Condition {
 
 /// A single condition that is `decisive` decides; else all must be known.
 fn decided(conditions: &[Condition], decisive: bool) -> Option<bool> {
-    let each: Vec<Option<bool>> = conditions.iter().map(Condition::known).collect();
+    let each: Vec<Option<bool>> = conditions.iter().map(Condition::known).collect_vec();
     if each.contains(&Some(decisive)) {
         return Some(decisive);
     }

@@ -1,5 +1,6 @@
 //! Tables: values at points, straight lines or a smooth curve between them.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Number};
 
 use crate::diag::Code;
@@ -109,13 +110,13 @@ struct Spline {
 
 impl Spline {
     fn new(points: &[Point]) -> Spline {
-        let knots: Vec<f64> = points.iter().map(|point| number_of(point.x)).collect();
-        let runs: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let y: Vec<Expr> = points.iter().map(|point| point.y).collect();
+        let knots: Vec<f64> = points.iter().map(|point| number_of(point.x)).collect_vec();
+        let runs: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect_vec();
+        let y: Vec<Expr> = points.iter().map(|point| point.y).collect_vec();
         // Slopes are linear in the values: those of a value of 1 at one point, and 0 at all others, are its weights.
-        let columns: Vec<Vec<f64>> = (0..y.len()).map(|of| slopes(&runs, of)).collect();
+        let columns: Vec<Vec<f64>> = (0..y.len()).map(|of| slopes(&runs, of)).collect_vec();
         let slope = |k: usize| y.iter().zip(&columns).map(|(&y, weights)| scaled(weights[k], y)).sum();
-        let slopes = (0..y.len()).map(slope).collect();
+        let slopes = (0..y.len()).map(slope).collect_vec();
         Spline { runs, y, slopes }
     }
 

@@ -1,5 +1,6 @@
 //! Members: what stands behind a point.
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
@@ -123,7 +124,7 @@ impl<'a> Resolver<'a> {
             Value::Body(body) => {
                 let ports = self.draft.port_names(*body);
                 let of = body.map_or("ground".to_string(), |body| self.draft.bodies[body].name.text.clone());
-                let names: Vec<&str> = ports.iter().map(String::as_str).collect();
+                let names: Vec<&str> = ports.iter().map(String::as_str).collect_vec();
                 let message = format!("unknown port `{name}` of `{of}`");
                 let diagnostic = self.error(scope, Code::UnknownPort, span, message);
                 help_similar(diagnostic, name, "port", &format!("ports of `{of}`"), &names);
@@ -148,8 +149,8 @@ impl<'a> Resolver<'a> {
             Value::Instance(instance) => {
                 let inside = self.names.instances[*instance].scope;
                 let names: Vec<String> =
-                    self.names.scopes[inside].outputs.keys().map(ToString::to_string).collect();
-                let names: Vec<&str> = names.iter().map(String::as_str).collect();
+                    self.names.scopes[inside].outputs.keys().map(ToString::to_string).collect_vec();
+                let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
                 let of = self.names.instances[*instance].name.clone();
                 let message = format!("the part `{of}` has no output `{name}`");
                 let diagnostic = self.error(scope, Code::UnknownMember, span, message);

@@ -1,5 +1,6 @@
 //! The members of bodies and frames, as a table.
 
+use crate::collect::CollectVec;
 use Of::{Angle, Axis, Body, Normal, Position, X, Y};
 
 /// What has members.
@@ -81,7 +82,7 @@ impl Member {
 
     /// Names of all members of bodies or of frames.
     pub(crate) fn names(owner: Owner) -> Vec<&'static str> {
-        MEMBERS.iter().filter(|member| member.owners.contains(&owner)).map(|member| member.name).collect()
+        MEMBERS.iter().filter(|member| member.owners.contains(&owner)).map(|member| member.name).collect_vec()
     }
 
     /// What is shown of a body at its centre of gravity, or of a port.

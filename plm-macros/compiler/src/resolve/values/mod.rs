@@ -13,6 +13,7 @@ pub(super) mod member_table;
 mod quantity;
 mod rate;
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::model::FrameRef;
@@ -97,6 +98,6 @@ pub(crate) type Eval<T> = Result<T, Failed>;
 
 /// All values, or the first failure; every one is worked out, so that the mistakes of all are found.
 pub(crate) fn all<T>(results: impl Iterator<Item = Eval<T>>) -> Eval<Vec<T>> {
-    let results: Vec<Eval<T>> = results.collect();
+    let results: Vec<Eval<T>> = results.collect_vec();
     results.into_iter().collect()
 }

@@ -1,5 +1,6 @@
 //! Numbers and vectors, with what is known of them: dimension, how they came about, what they read.
 
+use crate::collect::CollectVec;
 use core::ops::{Add, Neg, Sub};
 
 use plm_cas::Expr;
@@ -76,7 +77,7 @@ impl Reads {
     /// `positions and the time`
     pub(crate) fn describe(self) -> String {
         let names: Vec<&str> =
-            Reads::NAMES.iter().filter(|(of, _)| self.has(*of)).map(|(_, name)| *name).collect();
+            Reads::NAMES.iter().filter(|(of, _)| self.has(*of)).map(|(_, name)| *name).collect_vec();
         match names.split_last() {
             None => "nothing".to_string(),
             Some((last, [])) => (*last).to_string(),

@@ -5,10 +5,12 @@ pub(crate) mod kinematics;
 pub(crate) mod redundant;
 pub(crate) mod remember;
 
+use crate::collect::CollectVec;
 use crate::formulate::reduced::groups::Group;
 use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::model::{Model, Rung};
+use crate::sorted::sort_by_key;
 use crate::topology::{Block, Choice, Equation, independent_sets};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
@@ -52,7 +54,7 @@ pub(crate) fn schemes(model: &Model, coordinates: &Coordinates) -> Result<Vec<Sc
     }
     let equations = equations(coordinates);
     if equations.is_empty() {
-        return Ok(vec![Scheme { independent: (0..n).collect(), groups: Vec::new() }]);
+        return Ok(vec![Scheme { independent: (0..n).collect_vec(), groups: Vec::new() }]);
     }
     let rows: usize = equations.iter().map(|equation| equation.rows).sum();
     let freedom = match n.checked_sub(rows) {
@@ -87,7 +89,7 @@ pub(crate) fn split(
         groups.map(|groups| Scheme { groups, independent: choice.independent })
     };
     let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
-    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect();
+    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect_vec();
     if schemes.is_empty() {
         let unsolved = blocks.iter().find(|block| group(block).is_none());
         return Err(unsolved.map_or_else(String::new, |block| no_form(model, coordinates, block)));
@@ -106,7 +108,7 @@ fn no_form(model: &Model, coordinates: &Coordinates, block: &Block) -> String {
         .enumerate()
         .filter(|(k, _)| block.equations.contains(&(loops + k)))
         .map(|(_, row)| row.name.as_str())
-        .collect();
+        .collect_vec();
     if !own.is_empty() {
         let with_loops = block.equations.iter().any(|equation| *equation < loops);
         let with_loops = if with_loops { " and its loops" } else { "" };
@@ -141,8 +143,8 @@ pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
     let rows = coordinates
         .rows
         .iter()
-        .map(|row| Equation { unknowns: row.held.iter().map(|held| held.0).collect(), rows: 1 });
-    loops.chain(rows).collect()
+        .map(|row| Equation { unknowns: row.held.iter().map(|held| held.0).collect_vec(), rows: 1 });
+    loops.chain(rows).collect_vec()
 }
 
 /// Coordinates in the order in which a person would choose them: what turns or slides on the ground first.
@@ -155,7 +157,7 @@ fn candidates(model: &Model, coordinates: &Coordinates) -> Vec<usize> {
         Unknown::Slide { part } => model.parts[part].frames.iter().any(|frame| frame.body.is_none()),
         Unknown::Centre { .. } => false,
     };
-    let mut candidates: Vec<usize> = (0..coordinates.unknowns.len()).collect();
-    candidates.sort_by_key(|&unknown| !grounded(unknown));
+    let mut candidates: Vec<usize> = (0..coordinates.unknowns.len()).collect_vec();
+    sort_by_key(&mut candidates, |&unknown| !grounded(unknown));
     candidates
 }

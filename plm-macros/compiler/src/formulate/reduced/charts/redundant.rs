@@ -3,6 +3,7 @@
 //! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
 //! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2, algebra};
 
 use crate::derive::Equations;
@@ -96,7 +97,7 @@ fn closes(
     assembled: &Assembled,
 ) -> Option<f64> {
     let Assembled { length, .. } = *assembled;
-    let iterated: Vec<usize> = scheme.iterated().collect();
+    let iterated: Vec<usize> = scheme.iterated().collect_vec();
     let memory = Memory::new(coordinates, (scheme.independent.len(), scheme.loops().count()), &iterated);
     let size = Expr::from(plm_cas::Number::from_f64(length));
     let motion = kinematics(model, coordinates, scheme, &memory, size);
@@ -105,22 +106,22 @@ fn closes(
         layout.remember_pose(scheme)
     };
     let values_of = |roots: &[Expr], values: &[(Expr, f64)]| numeric::run(&algebra::tape(roots), values);
-    let remembered: Vec<Expr> = remember_pose.results.iter().map(|&(_, value)| value).collect();
+    let remembered: Vec<Expr> = remember_pose.results.iter().map(|&(_, value)| value).collect_vec();
     let remembered = values_of(&remembered, &assembled.values);
     let independent: Vec<Expr> = scheme
         .independent
         .iter()
         .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
-        .collect();
+        .collect_vec();
     let start = values_of(&independent, &assembled.values);
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
             let Vec2 { x, y } = motion.position[body];
             [x, y, motion.angle(coordinates.headings[body])]
         })
-        .collect();
+        .collect_vec();
     let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));
-    let others: Vec<(Expr, f64)> = others.copied().collect();
+    let others: Vec<(Expr, f64)> = others.copied().collect_vec();
     let all_close = AWAY.iter().all(|away| {
         let mut at = others.clone();
         at.extend(memory.symbols().into_iter().zip(remembered.iter().copied()));
@@ -142,9 +143,9 @@ fn sets(loops: usize, size: usize) -> Vec<Vec<usize>> {
     for _ in 0..size {
         let longer = sets.iter().flat_map(|set| {
             let below = set.last().copied().unwrap_or(loops);
-            (0..below).rev().map(move |closure| set.iter().copied().chain([closure]).collect())
+            (0..below).rev().map(move |closure| set.iter().copied().chain([closure]).collect_vec())
         });
-        sets = longer.take(MOST_SETS).collect();
+        sets = longer.take(MOST_SETS).collect_vec();
     }
     sets
 }

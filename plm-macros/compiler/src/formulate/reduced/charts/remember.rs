@@ -1,5 +1,6 @@
 //! What is remembered of a state, and how near its loops are to a pose where a chart ends.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Number, algebra};
 
 use crate::formulate::function::{Function, Place};
@@ -35,7 +36,7 @@ impl Layout<'_> {
             reach = -reach;
         }
         boxes.push([self.model.time, reach]);
-        let areas = motion.solutions.iter().map(|solution| solution.determinant).collect();
+        let areas = motion.solutions.iter().map(|solution| solution.determinant).collect_vec();
         self.remembered(motion, (boxes, areas), &motion.solutions)
     }
 
@@ -75,14 +76,14 @@ impl Layout<'_> {
     pub(crate) fn remember_pose(&mut self, scheme: &Scheme) -> Function {
         let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
         let solutions = scheme.loops().filter_map(|group| group.at_pose(&motion));
-        let solutions: Vec<Solution> = solutions.collect();
+        let solutions: Vec<Solution> = solutions.collect_vec();
         let (q, v) = (&self.equations.q, &self.equations.v);
-        let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect();
+        let mut flow: Vec<(Expr, Expr)> = q.iter().copied().zip(v.iter().copied()).collect_vec();
         flow.push((self.model.time, Expr::ONE));
-        let areas = solutions.iter().map(|solution| solution.determinant).collect();
+        let areas = solutions.iter().map(|solution| solution.determinant).collect_vec();
         motion.rate = algebra::directionals(&motion.value, &flow);
         let places = scheme.independent.iter().map(|&coordinate| [motion.value[coordinate], Expr::ZERO]);
-        let boxes = places.chain([[self.model.time, Expr::ZERO]]).collect();
+        let boxes = places.chain([[self.model.time, Expr::ZERO]]).collect_vec();
         self.remembered(&motion, (boxes, areas), &solutions)
     }
 
@@ -109,7 +110,7 @@ impl Layout<'_> {
         let memorable = Memorable { boxes, angle: &angle, areas, followed: &followed };
         let values = self.memory.values(&memorable);
         let places = self.memory.paths().into_iter().map(|path| Place::Path(format!("memory.{path}")));
-        let mut results: Vec<(Place, Expr)> = places.zip(values).collect();
+        let mut results: Vec<(Place, Expr)> = places.zip(values).collect_vec();
         results.push((Place::Value, measure(solutions)));
         Function::of_results(results).optimise()
     }

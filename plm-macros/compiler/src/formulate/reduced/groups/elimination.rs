@@ -6,6 +6,8 @@
 //! left is a system of half the size, of at most four unknowns, whose inverse is written down by minors (Laplace's
 //! expansion, two rows at a time). It is singular where the whole is, and nowhere else.
 
+use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
 use plm_cas::algebra::dot;
 use plm_cas::{Expr, Vec2};
 
@@ -45,40 +47,40 @@ impl Plan {
         let mut best: Option<(usize, Vec<(usize, usize)>)> = None;
         for code in 0..n.pow(squares.len() as u32) {
             let chosen = (0..squares.len()).map(|k| (k, code / n.pow(k as u32) % n));
-            let mut chosen: Vec<(usize, usize)> = chosen.collect();
+            let mut chosen: Vec<(usize, usize)> = chosen.collect_vec();
             let twice = |(place, own): (usize, &(usize, usize))| chosen[..place].iter().any(|c| c.1 == own.1);
             if chosen.iter().any(|&(k, u)| !matches!(squares[k][u], Column::Constant(_)))
                 || chosen.iter().enumerate().any(twice)
             {
                 continue;
             }
-            chosen.sort_by_key(|&(k, u)| (count(u), k));
+            sort_by_key(&mut chosen, |&(k, u)| (count(u), k));
             let Some(cost) = carried(squares, &chosen) else { continue };
             if best.as_ref().is_none_or(|best| cost < best.0) {
                 best = Some((cost, chosen));
             }
         }
         let (_, chosen) = best?;
-        let rest = (0..n).filter(|u| chosen.iter().all(|pivot| pivot.1 != *u)).collect();
+        let rest = (0..n).filter(|u| chosen.iter().all(|pivot| pivot.1 != *u)).collect_vec();
         let pivots = chosen.into_iter().filter_map(|(in_loop, unknown)| match squares[in_loop][unknown] {
             Column::Constant(square) => Some(Pivot { in_loop, unknown, reciprocal: square.recip() }),
             _ => None,
         });
-        Some(Plan { pivots: pivots.collect(), rest })
+        Some(Plan { pivots: pivots.collect_vec(), rest })
     }
 }
 
 /// How many entries elimination touches in this order; nothing if it changes a column before that is a pivot.
 fn carried(squares: &[Vec<Column>], chosen: &[(usize, usize)]) -> Option<usize> {
-    let holds = |row: &Vec<Column>| row.iter().map(|column| *column != Column::Absent).collect();
-    let mut held: Vec<Vec<bool>> = squares.iter().map(holds).collect();
+    let holds = |row: &Vec<Column>| row.iter().map(|column| *column != Column::Absent).collect_vec();
+    let mut held: Vec<Vec<bool>> = squares.iter().map(holds).collect_vec();
     let mut touched = vec![vec![false; squares[0].len()]; squares.len()];
     let mut cost = 0;
     for (place, &(k, u)) in chosen.iter().enumerate() {
         if touched[k][u] {
             return None;
         }
-        let others: Vec<usize> = (0..held[k].len()).filter(|&c| c != u && held[k][c]).collect();
+        let others: Vec<usize> = (0..held[k].len()).filter(|&c| c != u && held[k][c]).collect_vec();
         cost += 2 * others.len();
         for other in 0..squares.len() {
             if other == k || !held[other][u] {
@@ -156,8 +158,7 @@ impl<'a> Elimination<'a> {
             rows.push(across);
             stages.push(stage);
         }
-        let rest =
-            rows.iter().map(|row| plan.rest.iter().map(|&u| row[u]).collect()).collect::<Vec<Vec<Expr>>>();
+        let rest = rows.iter().map(|row| plan.rest.iter().map(|&u| row[u]).collect_vec()).collect_vec();
         let (cofactors, determinant) = cofactors(&rest, name);
         let reciprocal = determinant.recip().named(format!("{name}_reciprocal"));
         let mut inverse = cofactors;
@@ -218,13 +219,13 @@ fn cofactors(rows: &[Vec<Expr>], name: &str) -> (Vec<Vec<Expr>>, Expr) {
     let mut all = vec![vec![Expr::ONE; n]; n];
     for i in 0..n {
         for j in 0..n {
-            let others = |k: usize| (0..n).filter(move |&l| l != k).collect::<Vec<usize>>();
+            let others = |k: usize| (0..n).filter(move |&l| l != k).collect_vec();
             let minor = minor(rows, &others(i), &others(j), name);
             let signed = if (i + j) % 2 == 0 { minor } else { -minor };
             all[j][i] = signed.named(format!("{name}_cofactor_{j}_{i}"));
         }
     }
-    let first: Vec<Expr> = all.iter().map(|row| row[0]).collect();
+    let first: Vec<Expr> = all.iter().map(|row| row[0]).collect_vec();
     let determinant = dot(&first, &rows[0]).named(format!("{name}_determinant"));
     (all, determinant)
 }

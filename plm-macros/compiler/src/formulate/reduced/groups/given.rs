@@ -1,5 +1,6 @@
 //! One unknown that a row gives as a function of others.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -24,16 +25,16 @@ impl Given {
         let row = &motion.coordinates.rows[self.row];
         let Some(own) = row.coefficient(self.unknown) else { return };
         let others = row.held.iter().copied().filter(|(of, _)| *of != self.unknown);
-        let others: Vec<(usize, Expr)> = others.collect();
+        let others: Vec<(usize, Expr)> = others.collect_vec();
         let symbol = row.held.iter().find(|(of, _)| *of == self.unknown);
         let symbol = symbol.map_or(motion.time, |found| found.1);
         let rest = algebra::substitute(&[row.phi], &[(symbol, Expr::ZERO)])[0];
-        let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect();
+        let slopes: Vec<Expr> = others.iter().map(|&(_, symbol)| rest.diff(symbol)).collect_vec();
         // Along the motion, but for the second derivatives of the other unknowns.
         let rates = others.iter().map(|&(of, _)| Expr::symbol(format!("u_rate_{of}")));
-        let rates: Vec<Expr> = rates.collect();
+        let rates: Vec<Expr> = rates.collect_vec();
         let mut flow: Vec<(Expr, Expr)> =
-            others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect();
+            others.iter().zip(&rates).map(|(&(_, symbol), &rate)| (symbol, rate)).collect_vec();
         flow.push((motion.time, Expr::ONE));
         let rate = rest.directional(&flow);
         let curvature = rate.directional(&flow);

@@ -14,6 +14,7 @@
 //! A slide along the ground in the direction `e` instead of the second angle is the same with `r = -J e`, but that this
 //! vector does not turn: the terms with `w^2` are none.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::groups::dyad::{Dyad, Kind};
@@ -53,7 +54,7 @@ impl Link {
         let turns = dyad.classes();
         let mut known = chain.classes().into_iter().filter(|class| *class != 0 && !turns.contains(class));
         let (Some(class), None) = (known.next(), known.next()) else { return None };
-        let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector.components()).collect();
+        let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector.components()).collect_vec();
         let mut slides = chain.terms().filter_map(|(class, slide, _)| Some((class, slide?)));
         if slides.any(|slide| slide != (0, dyad.unknowns[1]))
             || algebra::symbols(&vectors).contains(&motion.time)

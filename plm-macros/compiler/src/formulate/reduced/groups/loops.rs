@@ -5,6 +5,7 @@
 //! `u'' = K y'' + b`, the velocity and acceleration coefficients of the mechanism (E. J. Haug, Computer Aided Kinematics
 //! and Dynamics of Mechanical Systems, 1989, section 3.6).
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
@@ -31,7 +32,7 @@ impl Found<'_> {
             .zip(values)
             .enumerate()
             .map(|(k, (&unknown, value))| (unknown, value.named(format!("{what}_{}_{k}", self.closure))));
-        named.collect()
+        named.collect_vec()
     }
 }
 
@@ -85,7 +86,7 @@ impl<'a> Flow<'a> {
                 let solved = solved.iter().find(|(own, _)| *own == class);
                 (class, solved.map_or_else(|| motion.whole_arm(closure, class), |arm| arm.1))
             })
-            .collect();
+            .collect_vec();
         let mut known: Vec<(usize, Vec2)> = Vec::new();
         for &(class, arm) in &arms {
             known.extend(coordinates.angle_of_class[class].map(|angle| (angle, arm.left())));

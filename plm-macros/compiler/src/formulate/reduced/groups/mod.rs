@@ -9,6 +9,7 @@ pub(crate) mod loops;
 pub(crate) mod newton;
 pub(crate) mod spare_row;
 
+use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::formulate::reduced::groups::dyad::{Dyad, Kind};
@@ -154,7 +155,7 @@ impl Group {
                 let one = |&unknown: &usize| {
                     if slides(unknown) { rate(unknown) / length } else { rate(unknown) }
                 };
-                newton.unknowns.iter().map(one).collect()
+                newton.unknowns.iter().map(one).collect_vec()
             }
         }
     }

@@ -6,6 +6,7 @@
 //! only: a first solution `e` off is `e^2`, then with the same decomposition `e^3`, then `e^6` (J. F. Traub, Iterative
 //! Methods for the Solution of Equations, 1964). Whether that was enough is told by the gap that is left.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::groups::elimination::{Column, Elimination, Plan};
@@ -48,7 +49,7 @@ impl Newton {
             let chain = &coordinates.closures[closure];
             let square = |&unknown: &usize| match coordinates.unknowns[unknown] {
                 Unknown::Angle { class, .. } => {
-                    let vectors: Vec<(Option<usize>, Vec2)> = chain.of_class(class).collect();
+                    let vectors: Vec<(Option<usize>, Vec2)> = chain.of_class(class).collect_vec();
                     match vectors.as_slice() {
                         [] => Column::Absent,
                         &[(None, arm)] => Column::Constant(arm.dot(arm)),
@@ -59,7 +60,7 @@ impl Newton {
                     chain.slide(unknown).map_or(Column::Absent, |(_, axis)| Column::Constant(axis.dot(axis)))
                 }
             };
-            squares.push(unknowns.iter().map(square).collect());
+            squares.push(unknowns.iter().map(square).collect_vec());
         }
         let plan = Plan::new(&squares)?;
         Some(Newton { closures: closures.clone(), unknowns: unknowns.clone(), plan })
@@ -156,24 +157,24 @@ impl Newton {
             .iter()
             .zip(arms)
             .map(|(&closure, arms)| Flow::new(motion, closure, (&self.unknowns, arms)));
-        let flows: Vec<Flow> = flows.collect();
+        let flows: Vec<Flow> = flows.collect_vec();
         let solve = |sums: Vec<Vec2>, what: &str| {
             let values = decomposed.solve(sums, what);
-            values.into_iter().map(|value| -value).collect::<Vec<Expr>>()
+            values.into_iter().map(|value| -value).collect_vec()
         };
         for coordinate in 0..motion.independent.len() {
-            let sums = flows.iter().map(|flow| flow.gain(motion, coordinate)).collect();
+            let sums = flows.iter().map(|flow| flow.gain(motion, coordinate)).collect_vec();
             let values = solve(sums, &format!("gain_{coordinate}"));
             for (&unknown, value) in self.unknowns.iter().zip(values) {
                 motion.gain[unknown][coordinate] = value;
             }
         }
-        let sums = flows.iter().map(|flow| flow.time_rate(motion)).collect();
+        let sums = flows.iter().map(|flow| flow.time_rate(motion)).collect_vec();
         for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "time_rate")) {
             motion.time_rate[unknown] = value;
             motion.set_rate(unknown);
         }
-        let sums = flows.iter().map(|flow| flow.bias(motion)).collect();
+        let sums = flows.iter().map(|flow| flow.bias(motion)).collect_vec();
         for (&unknown, value) in self.unknowns.iter().zip(solve(sums, "bias")) {
             motion.bias[unknown] = value;
         }
@@ -185,13 +186,13 @@ impl Newton {
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
             let moving = chain.classes().into_iter().filter(|&class| self.moves(coordinates, closure, class));
-            let moving: Vec<usize> = moving.collect();
+            let moving: Vec<usize> = moving.collect_vec();
             let arms = moving.into_iter().map(|class| {
                 (class, motion.whole_arm(chain, class).named(format!("arm{tag}_{closure}_{class}")))
             });
-            arms.collect()
+            arms.collect_vec()
         };
-        self.closures.iter().map(of_loop).collect()
+        self.closures.iter().map(of_loop).collect_vec()
     }
 
     /// Does the vector of a loop that turns with a class depend on the unknowns?
@@ -210,7 +211,7 @@ impl Newton {
             let sum: Vec2 = still.map(|class| motion.whole_arm(chain, class)).sum();
             sum.named(format!("loop_{closure}"))
         };
-        self.closures.iter().map(of_loop).collect()
+        self.closures.iter().map(of_loop).collect_vec()
     }
 
     /// What the vectors of each loop sum to: zero at the solution.
@@ -219,7 +220,7 @@ impl Newton {
             let sum = arms.iter().fold(*known, |sum, (_, arm)| sum + *arm);
             sum.named(format!("gap{tag}_{closure}"))
         };
-        self.closures.iter().zip(known).zip(arms).map(of_loop).collect()
+        self.closures.iter().zip(known).zip(arms).map(of_loop).collect_vec()
     }
 
     /// The derivatives of the loops by the unknowns, decomposed.
@@ -235,9 +236,9 @@ impl Newton {
                 let slide = chain.slide(unknown);
                 slide.map_or(Vec2::ZERO, |(class, vector)| motion.turned(class, vector))
             };
-            self.unknowns.iter().map(column).collect()
+            self.unknowns.iter().map(column).collect_vec()
         };
-        let columns = self.closures.iter().zip(arms).map(of_loop).collect();
+        let columns = self.closures.iter().zip(arms).map(of_loop).collect_vec();
         let name = format!("{name}_{}", self.closures.first().copied().unwrap_or(0));
         Elimination::new(&self.plan, columns, &name)
     }

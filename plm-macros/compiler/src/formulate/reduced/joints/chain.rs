@@ -1,6 +1,7 @@
 //! Places as sums of vectors that are fixed in turning axes.
 
-use std::collections::BTreeMap;
+use crate::collect::CollectVec;
+use crate::sorted::SortedMap;
 
 use plm_cas::Vec2;
 
@@ -11,7 +12,7 @@ use plm_cas::Vec2;
 /// multiplied with if it is one along a slide.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Chain {
-    terms: BTreeMap<(usize, Option<usize>), Vec2>,
+    terms: SortedMap<(usize, Option<usize>), Vec2>,
 }
 
 impl Chain {
@@ -39,7 +40,7 @@ impl Chain {
 
     /// The classes that it holds, ascending.
     pub(crate) fn classes(&self) -> Vec<usize> {
-        let mut classes: Vec<usize> = self.terms.keys().map(|&(class, _)| class).collect();
+        let mut classes: Vec<usize> = self.terms.keys().map(|&(class, _)| class).collect_vec();
         classes.dedup();
         classes
     }

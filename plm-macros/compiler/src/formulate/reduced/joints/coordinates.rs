@@ -5,6 +5,7 @@
 //! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class. What is left of a
 //! loop of joints is that its vectors sum to zero.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::joints::chain::Chain;
@@ -100,7 +101,11 @@ impl Coordinates {
     /// Of some unknowns those that are angles, by their places among all angles.
     pub(crate) fn places_of_angles(&self, unknowns: &[usize]) -> Vec<usize> {
         let angles = (0..self.unknowns.len()).filter(|&k| self.unknowns[k].turning_body().is_some());
-        angles.enumerate().filter(|(_, unknown)| unknowns.contains(unknown)).map(|(place, _)| place).collect()
+        angles
+            .enumerate()
+            .filter(|(_, unknown)| unknowns.contains(unknown))
+            .map(|(place, _)| place)
+            .collect_vec()
     }
 
     /// Does nothing tie the unknowns to each other?
@@ -112,7 +117,7 @@ impl Coordinates {
     pub(crate) fn moves_with(&self, time: Expr) -> bool {
         let chains = self.closures.iter().chain(&self.centres);
         let vectors = chains.flat_map(|chain| chain.terms().flat_map(|(_, _, vector)| vector.components()));
-        let all: Vec<Expr> = vectors.chain(self.rows.iter().map(|row| row.phi)).collect();
+        let all: Vec<Expr> = vectors.chain(self.rows.iter().map(|row| row.phi)).collect_vec();
         algebra::symbols(&all).contains(&time)
     }
 
@@ -123,7 +128,8 @@ impl Coordinates {
     pub(crate) fn new(model: &Model) -> Result<Coordinates, String> {
         let joints = joints(model)?;
         let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);
-        let edges: Vec<(usize, usize)> = joints.iter().map(|joint| (node(joint.a), node(joint.b))).collect();
+        let edges: Vec<(usize, usize)> =
+            joints.iter().map(|joint| (node(joint.a), node(joint.b))).collect_vec();
         let nodes = model.bodies.len() + 1;
         let forest = spanning_forest(nodes, &edges);
         let order = forest.order.iter().filter(|&&node| node > 0).map(|&node| {
@@ -131,7 +137,7 @@ impl Coordinates {
             let parent = held.and_then(|(_, parent)| parent.checked_sub(1));
             TreeEdge { body: node - 1, joint: held.map(|(joint, _)| joint), parent }
         });
-        let order: Vec<TreeEdge> = order.collect();
+        let order: Vec<TreeEdge> = order.collect_vec();
         let mut coordinates = Coordinates {
             unknowns: Vec::new(),
             angle_of_class: vec![None],
@@ -149,7 +155,7 @@ impl Coordinates {
             coordinates.add_slide(chord);
         }
         for cycle in shortest_cycle_basis(nodes, &edges) {
-            coordinates.loops.push(cycle.iter().map(|step| step.0).collect());
+            coordinates.loops.push(cycle.iter().map(|step| step.0).collect_vec());
             let mut closure = Chain::default();
             for (joint, along) in cycle {
                 coordinates.add_across(&mut closure, model, joint, !along);
@@ -198,7 +204,7 @@ impl Coordinates {
         let all: Vec<(usize, usize, bool)> = (0..count)
             .flat_map(|i| (0..count).flat_map(move |j| [(i, j, false), (i, j, true)]))
             .filter(|(i, j, _)| i != j)
-            .collect();
+            .collect_vec();
         // Every change shortens a loop, so there is an end.
         while let Some((i, shorter)) = all.iter().find_map(|&(i, j, negative)| {
             let mut sum = self.closures[i].clone();
@@ -230,7 +236,7 @@ impl Coordinates {
             Unknown::Angle { class, .. } => Some(class),
             _ => None,
         };
-        let solved: Vec<usize> = unknowns.iter().filter_map(class).collect();
+        let solved: Vec<usize> = unknowns.iter().filter_map(class).collect_vec();
         let within =
             |frame: FrameRef| frame.body.is_some_and(|body| solved.contains(&self.headings[body].class));
         let rank = |&joint: &usize| {

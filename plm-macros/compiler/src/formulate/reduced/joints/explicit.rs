@@ -1,5 +1,6 @@
 //! Rows that give one unknown as a function of others: prescribed motions, gears, a mass on a rod.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::joints::coordinates::Coordinates;
@@ -26,7 +27,7 @@ impl Explicit {
 /// The row as an explicit one, if it is.
 pub(crate) fn explicit(model: &Model, coordinates: &Coordinates, phi: Expr) -> Option<Explicit> {
     let symbols: Vec<Expr> =
-        (0..coordinates.unknowns.len()).map(|k| Expr::symbol(format!("u_{k}"))).collect();
+        (0..coordinates.unknowns.len()).map(|k| Expr::symbol(format!("u_{k}"))).collect_vec();
     let pairs = poses(model, coordinates, phi, &symbols);
     let phi = algebra::substitute(&[phi], &pairs)[0];
     let left = algebra::symbols(&[phi]);
@@ -40,7 +41,7 @@ pub(crate) fn explicit(model: &Model, coordinates: &Coordinates, phi: Expr) -> O
         return None;
     }
     let held = symbols.iter().enumerate().filter(|(_, symbol)| left.contains(symbol));
-    let held: Vec<(usize, Expr)> = held.map(|(unknown, &symbol)| (unknown, symbol)).collect();
+    let held: Vec<(usize, Expr)> = held.map(|(unknown, &symbol)| (unknown, symbol)).collect_vec();
     let mut coefficients = Vec::new();
     for &(unknown, symbol) in &held {
         let coefficient = phi.diff(symbol);

@@ -5,7 +5,7 @@
 //! tell how: a vector of the class is its base times a constant `v`, and
 //! `conj(a u) b w = (conj(a) b) (conj(u) w)` holds the scalar product of two vectors and their cross product.
 
-use std::collections::BTreeMap;
+use crate::sorted::SortedMap;
 use std::ops::{Add, Neg};
 
 use plm_cas::{Expr, Rotation, Vec2};
@@ -76,9 +76,9 @@ impl Neg for Products {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bases {
     /// By class; of the others the unit vector is the base.
-    of_class: BTreeMap<usize, Base>,
+    of_class: SortedMap<usize, Base>,
     /// Of two bases.
-    products: BTreeMap<(usize, usize), Products>,
+    products: SortedMap<(usize, usize), Products>,
 }
 
 impl Bases {

@@ -1,5 +1,6 @@
 //! What a formulation with loops remembers from the last state that was looked at.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation};
 
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -47,12 +48,12 @@ impl Memory {
         }
         let triple = |kinds: [&str; 3], k: usize| kinds.map(|kind| Expr::symbol(format!("last_{kind}_{k}")));
         let boxes = (0..=freedom).map(|k| ["last", "reach"].map(|kind| Expr::symbol(format!("{kind}_{k}"))));
-        let boxes = boxes.collect();
+        let boxes = boxes.collect_vec();
         let angles = coordinates.unknowns.iter().enumerate().map(|(k, unknown)| {
             matches!(unknown, Unknown::Angle { .. }).then(|| triple(["angle", "cosine", "sine"], k))
         });
-        let angles = angles.collect();
-        let areas = (0..dyads).map(|k| Expr::symbol(format!("last_area_{k}"))).collect();
+        let angles = angles.collect_vec();
+        let areas = (0..dyads).map(|k| Expr::symbol(format!("last_area_{k}"))).collect_vec();
         let mut places = none;
         for &unknown in followed {
             places[unknown] = Some(triple(FOLLOWED, unknown));
@@ -65,7 +66,7 @@ impl Memory {
         let boxes = self.boxes.iter().flatten();
         let angles = self.angles.iter().flatten().flatten();
         let followed = self.followed.iter().flatten().flatten();
-        boxes.chain(angles).chain(&self.areas).chain(followed).copied().collect()
+        boxes.chain(angles).chain(&self.areas).chain(followed).copied().collect_vec()
     }
 
     /// Where each of [`Memory::symbols`] stands in the runtime's `Memory`.
@@ -79,7 +80,7 @@ impl Memory {
         let areas = (0..self.areas.len()).map(|k| format!("areas[{k}]"));
         let followed =
             (0..self.followed().count()).flat_map(|k| FOLLOWED.map(|what| format!("followed[{k}].{what}")));
-        boxes.chain(angles).chain(areas).chain(followed).collect()
+        boxes.chain(angles).chain(areas).chain(followed).collect_vec()
     }
 
     /// How many determinants are remembered.
@@ -94,7 +95,7 @@ impl Memory {
 
     /// The values of [`Memory::symbols`] at a state.
     pub(crate) fn values(&self, of: &Memorable) -> Vec<Expr> {
-        let mut values: Vec<Expr> = of.boxes.iter().flatten().copied().collect();
+        let mut values: Vec<Expr> = of.boxes.iter().flatten().copied().collect_vec();
         for (unknown, angle) in self.angles.iter().enumerate() {
             if angle.is_some() {
                 values.extend((of.angle)(unknown));

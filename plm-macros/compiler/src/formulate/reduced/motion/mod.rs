@@ -4,6 +4,7 @@ pub(crate) mod bases;
 pub(crate) mod memory;
 pub(crate) mod solution;
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
@@ -80,7 +81,7 @@ impl<'a> Motion<'a> {
             coordinates,
             time: model.time,
             independent: Vec::new(),
-            names: coordinates.unknowns.iter().map(|&unknown| unknown.name(model)).collect(),
+            names: coordinates.unknowns.iter().map(|&unknown| unknown.name(model)).collect_vec(),
             length,
             agreement: model.agreement,
             precision: model.precision,
@@ -103,7 +104,7 @@ impl<'a> Motion<'a> {
 
     /// Of values by unknown, those of the independent coordinates.
     pub(crate) fn of_independent(&self, of: &[Expr]) -> Vec<Expr> {
-        self.independent.iter().map(|&unknown| of[unknown]).collect()
+        self.independent.iter().map(|&unknown| of[unknown]).collect_vec()
     }
 
     /// A vector in the axes of a class over the class's base.
@@ -208,7 +209,7 @@ impl<'a> Motion<'a> {
 
     /// A column of `K`.
     pub(crate) fn gains(&self, coordinate: usize) -> Vec<Expr> {
-        self.gain.iter().map(|gains| gains[coordinate]).collect()
+        self.gain.iter().map(|gains| gains[coordinate]).collect_vec()
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.

@@ -13,6 +13,7 @@
 //! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
 //! terms in a revolute; gravity is an acceleration of the ground against it.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::function::Section;
@@ -61,11 +62,11 @@ pub(crate) fn accelerations(
     force: &[[Expr; 3]],
 ) -> (Vec<Expr>, Vec<Section>) {
     let coordinates = motion.coordinates;
-    let squares = motion.omega.iter().map(|omega| omega.squared().named("omega_squared")).collect();
+    let squares = motion.omega.iter().map(|omega| omega.squared().named("omega_squared")).collect_vec();
     let mut work = Elimination { model, coordinates, motion, squares, trace: Vec::new() };
     let against_gravity = Spatial::new(-model.gravity, Expr::ZERO);
     let bodies = 0..model.bodies.len();
-    let mut answers: Vec<Answer> = bodies.map(|body| work.alone(body, Spatial(force[body]))).collect();
+    let mut answers: Vec<Answer> = bodies.map(|body| work.alone(body, Spatial(force[body]))).collect_vec();
     let mut held = Vec::new();
     for edge in coordinates.order.iter().rev() {
         let link = work.link(edge);
@@ -166,7 +167,7 @@ impl Elimination<'_> {
             _ => None,
         };
         let unknowns = self.coordinates.unknowns.iter().enumerate();
-        let freedoms = unknowns.filter_map(|(k, unknown)| Some((k, moves(unknown)?))).collect();
+        let freedoms = unknowns.filter_map(|(k, unknown)| Some((k, moves(unknown)?))).collect_vec();
         Link { lever: Vec2::ZERO, bias: Vec2::ZERO, turns_along: false, freedoms }
     }
 

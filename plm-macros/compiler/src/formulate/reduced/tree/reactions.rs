@@ -4,6 +4,7 @@
 //! multipliers of what holds it, those further out being known (J. Y. S. Luh, M. W. Walker, R. P. C. Paul, J. Dyn. Syst.
 //! Meas. Control 102, 1980: the recursive Newton-Euler method). So every joint costs a system of at most three rows.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2, algebra};
 
 use crate::derive::SparseRow;
@@ -19,10 +20,10 @@ impl Layout<'_> {
     pub(crate) fn reactions(&mut self, motion: &Motion, rate: &Function) -> Option<Function> {
         let (n, bodies) = (motion.independent.len(), self.model.bodies.len());
         let of_independent: Vec<Expr> =
-            rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect();
+            rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect_vec();
         let second = second_derivatives(motion, &of_independent);
         let acceleration = self.accelerations(motion, &second);
-        let a: Vec<Expr> = acceleration.iter().flat_map(|a| a.0).collect();
+        let a: Vec<Expr> = acceleration.iter().flat_map(|a| a.0).collect_vec();
         let phi_q = self.phi_q(motion);
         let force = algebra::substitute(&self.equations.force, &motion.substitution);
         let mut left: Vec<Vec<Expr>> = Vec::with_capacity(3 * bodies);
@@ -50,7 +51,7 @@ impl Layout<'_> {
             let rows = (0..phi_q.len()).filter(|&row| lambda[row].is_none());
             let holding = rows.map(|row| (row, column(&phi_q[row], body)));
             let holding: Vec<(usize, Spatial)> =
-                holding.filter(|(_, column)| *column != Spatial::ZERO).collect();
+                holding.filter(|(_, column)| *column != Spatial::ZERO).collect_vec();
             if holding.is_empty() {
                 continue;
             }
@@ -59,7 +60,7 @@ impl Layout<'_> {
                 let sum = algebra::sum(&left[3 * body + axis]);
                 sum.named(format!("{name}.left_{}", ["x", "y", "angle"][axis]))
             });
-            let columns: Vec<Spatial> = holding.iter().map(|held| held.1).collect();
+            let columns: Vec<Spatial> = holding.iter().map(|held| held.1).collect_vec();
             let is_pair =
                 |&(row, _): &(usize, Spatial)| self.model.parts[self.model.rows[row].part].pair.is_some();
             let solution = solve(&columns, Spatial(asked), holding.iter().all(is_pair))?;
@@ -136,10 +137,10 @@ impl Layout<'_> {
 
     /// `phi_q` as a function of the coordinates.
     fn phi_q(&mut self, motion: &Motion) -> Vec<SparseRow> {
-        let entries: Vec<Expr> = self.equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect();
+        let entries: Vec<Expr> = self.equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect_vec();
         let mut entries = algebra::substitute(&entries, &motion.substitution).into_iter();
-        let row = |row: &SparseRow| row.iter().map(|&(k, _)| k).zip(entries.by_ref()).collect();
-        self.equations.phi_q.iter().map(row).collect()
+        let row = |row: &SparseRow| row.iter().map(|&(k, _)| k).zip(entries.by_ref()).collect_vec();
+        self.equations.phi_q.iter().map(row).collect_vec()
     }
 }
 
@@ -203,5 +204,5 @@ fn second_derivatives(motion: &Motion, of_independent: &[Expr]) -> Vec<Expr> {
         terms.extend(moving.map(|(&gain, &value)| gain * value));
         algebra::sum(&terms)
     });
-    values.collect()
+    values.collect_vec()
 }

@@ -17,6 +17,7 @@
 mod rows;
 mod unknowns;
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2, algebra};
 
 use self::rows::Way;
@@ -45,9 +46,9 @@ pub(crate) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) ->
     let unknowns = Unknowns::new(model, equations, motion);
     let (ways, mut terms) = rows::terms(model, motion, &unknowns);
     let (pairs, sections) = known(model, motion, &unknowns, &ways);
-    let values: Vec<Expr> = terms.values().copied().collect();
+    let values: Vec<Expr> = terms.values().copied().collect_vec();
     let values = algebra::substitute(&values, &pairs);
-    for (old, value) in terms.values_mut().zip(values) {
+    for ((_, old), value) in terms.iter_mut().zip(values) {
         *old = value;
     }
     let order = unknowns.order(coordinates);

@@ -1,5 +1,6 @@
 //! The equations, linearised term by term.
 
+use crate::collect::CollectVec;
 use plm_cas::{Expr, Vec2, algebra};
 
 use super::unknowns::{Kind, Unknowns};
@@ -21,7 +22,7 @@ pub(crate) struct Way {
 pub(crate) fn terms(model: &Model, motion: &Motion, unknowns: &Unknowns) -> (Vec<Way>, Terms) {
     let coordinates = motion.coordinates;
     let mut work = Rows { model, coordinates: motion.coordinates, motion, unknowns, terms: Terms::new() };
-    let ways: Vec<Way> = coordinates.order.iter().map(|edge| work.way(edge)).collect();
+    let ways: Vec<Way> = coordinates.order.iter().map(|edge| work.way(edge)).collect_vec();
     work.kinematics(&ways);
     work.forces();
     work.virtual_power(&ways);
@@ -51,7 +52,7 @@ impl Rows<'_> {
     }
 
     fn add_term(&mut self, key: (usize, usize, Part), value: Expr) {
-        *self.terms.entry(key).or_insert(Expr::ZERO) += value;
+        *self.terms.or_insert(key, Expr::ZERO) += value;
     }
 
     /// From G of the body that holds it, or from the origin, to G of a body.
@@ -59,7 +60,7 @@ impl Rows<'_> {
         let position = self.position(edge);
         let symbols = algebra::symbols(&position.components());
         let touches = |k: &usize| symbols.binary_search(&self.motion.value[*k]).is_ok();
-        let touched: Vec<usize> = (0..self.motion.value.len()).filter(touches).collect();
+        let touched: Vec<usize> = (0..self.motion.value.len()).filter(touches).collect_vec();
         let mut flow = vec![(self.model.time, Expr::ONE)];
         for &k in &touched {
             let (value, speed) = (self.motion.value[k], self.motion.rate[k]);

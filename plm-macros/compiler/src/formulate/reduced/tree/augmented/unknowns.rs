@@ -1,6 +1,8 @@
 //! What the linearised equations are solved for, and in which order.
 
-use std::collections::{BTreeMap, BTreeSet};
+use crate::collect::CollectVec;
+use crate::sorted::sort_by_key;
+use crate::sorted::{SortedMap, SortedSet};
 
 use plm_cas::{Expr, Vec2, algebra};
 
@@ -17,9 +19,9 @@ pub(crate) struct Unknowns {
     /// Force through the joint of each body.
     pub(crate) forces: Vec<Vec2>,
     /// What a symbol stands for: unknown and part of it.
-    pub(crate) column: BTreeMap<Expr, (usize, Part)>,
+    pub(crate) column: SortedMap<Expr, (usize, Part)>,
     /// By body: acceleration and force, then place and velocity where they are wanted.
-    pub(crate) of_body: Vec<BTreeMap<Kind, [usize; 2]>>,
+    pub(crate) of_body: Vec<SortedMap<Kind, [usize; 2]>>,
     states: usize,
     count: usize,
 }
@@ -39,12 +41,12 @@ impl Unknowns {
         let n = coordinates.unknowns.len();
         let bodies = model.bodies.len();
         let mut unknowns = Unknowns {
-            accelerations: (0..n).map(|_| Expr::symbol("acceleration")).collect(),
+            accelerations: (0..n).map(|_| Expr::symbol("acceleration")).collect_vec(),
             forces: (0..bodies)
                 .map(|_| Vec2::new(Expr::symbol("force_x"), Expr::symbol("force_y")))
-                .collect(),
-            column: BTreeMap::new(),
-            of_body: vec![BTreeMap::new(); bodies],
+                .collect_vec(),
+            column: SortedMap::new(),
+            of_body: vec![SortedMap::new(); bodies],
             states: equations.x.len(),
             count: n + equations.x.len(),
         };
@@ -81,8 +83,8 @@ impl Unknowns {
     /// Places and velocities that forces or rates depend on, and those that they follow from.
     fn add_wanted(&mut self, model: &Model, equations: &Equations, coordinates: &Coordinates) {
         let loads = model.loads.iter().flat_map(|load| load.force);
-        let read: Vec<Expr> = loads.chain(equations.x_dot.iter().copied()).collect();
-        let read: BTreeSet<Expr> = algebra::symbols(&read).into_iter().collect();
+        let read: Vec<Expr> = loads.chain(equations.x_dot.iter().copied()).collect_vec();
+        let read: SortedSet<Expr> = algebra::symbols(&read).into_iter().collect();
         let mut wanted = vec![[false; 2]; model.bodies.len()];
         for edge in coordinates.order.iter().rev() {
             let declared = &model.bodies[edge.body];
@@ -109,7 +111,7 @@ impl Unknowns {
     /// and of what h makes of stiffness and damping.
     pub(crate) fn order(&self, coordinates: &Coordinates) -> Vec<usize> {
         let n = coordinates.unknowns.len();
-        let mut order: Vec<usize> = (n..n + self.states).collect();
+        let mut order: Vec<usize> = (n..n + self.states).collect_vec();
         for edge in coordinates.order.iter().rev() {
             order.extend(self.of_body[edge.body].values().flatten());
             let slide = edge.joint.and_then(|joint| coordinates.joints[joint].slide);
@@ -117,8 +119,8 @@ impl Unknowns {
                 Unknown::Angle { body, .. } | Unknown::Centre { body, .. } => body == edge.body,
                 Unknown::Slide { .. } => slide == Some(*k),
             });
-            let mut own: Vec<usize> = own.map(|(k, _)| k).collect();
-            own.sort_by_key(|&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));
+            let mut own: Vec<usize> = own.map(|(k, _)| k).collect_vec();
+            sort_by_key(&mut own, |&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));
             order.extend(own);
         }
         order
