@@ -1,6 +1,8 @@
 //! What the program `work_precision` takes for near, and how it ends.
 #![allow(clippy::unwrap_used, unreachable_pub, reason = "tests")]
 
+#[path = "../examples/work_precision/beside.rs"]
+mod beside;
 #[path = "../examples/work_precision/measure.rs"]
 #[allow(dead_code, reason = "the program measures more")]
 mod measure;
@@ -30,7 +32,7 @@ fn line(rung: &'static str, errors: &[f64], seconds: f64) -> Line {
     let outcome =
         |&error: &f64| Point { setting: 1e-3, outcome: Ok(Outcome { error, seconds, evaluations: 1 }) };
     let points = errors.iter().map(outcome).collect();
-    Line { method: "RK4", rung, look: Look::Peer(0), facts: String::new(), points }
+    Line { method: "RK4".to_owned(), rung, look: Look::Peer(0), facts: String::new(), points }
 }
 
 #[test]
@@ -71,4 +73,21 @@ fn errors_are_those_of_the_number_that_is_farthest_off() {
     // What is not a number must not be lost among numbers.
     let bench = Bench { scene: &SCENE, reference: vec![4.0, f64::NAN, -0.2], effort: &effort };
     assert!(bench.peer(0, &peer).points.iter().all(|point| point.outcome.as_ref().unwrap().error.is_nan()));
+}
+
+/// What another program has written: a line for each of its methods in each scene; a row that is no run is told.
+#[test]
+fn runs_of_another_program_are_lines_beside() {
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("beside.csv");
+    let read = |rows: &str| {
+        std::fs::write(&file, format!("scene,method,setting,error,seconds,evaluations\n{rows}")).unwrap();
+        beside::read(&file, 3).map_err(|error| error.to_string())
+    };
+    let lines = read("S1,a,1e-3,1e-4,2e-5,7\nS1,a,1e-4,1e-5,3e-5,8\nS2,a,1e-3,1e-4,2e-5,9\n").unwrap();
+    let counts: Vec<(&str, usize)> =
+        lines.iter().map(|(scene, line)| (scene.as_str(), line.points.len())).collect();
+    assert_eq!(counts, [("S1", 2), ("S2", 1)]);
+    assert_eq!(lines[0].1.points[1].outcome.as_ref().unwrap().evaluations, 8);
+    let said = read("S1,a,1e-3,1e-4,2e-5,7\nS1,a,fine\n").err().unwrap();
+    assert!(said.ends_with(".csv:3: `S1,a,fine` is no run"), "{said}");
 }
