@@ -13,7 +13,7 @@ use crate::formulate::{Chart, Function, Place};
 
 /// Operations side by side that a value must save which goes from there to the rates: it is stored and read twice, and what
 /// reads it waits. Instructions of a step in pairs over those without (x86-64-v3 with `fma`): Andrews' mechanism (63
-/// operations a value) 0.55, four-bar linkage (20) 0.61, slider-crank (13) 0.64; but chains of 4 bars (3.9) 1.08, of 16
+/// operations a value) 0.55, four-bar linkage (20) 0.63, slider-crank (13) 0.67; but chains of 4 bars (3.9) 1.08, of 16
 /// (5.0) 0.94, of 64 (5.1) 1.29.
 const LEAST: usize = 6;
 /// Operations that a function by itself costs.
