@@ -177,6 +177,8 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     const TWOFOLD_EPSILON: Self;
     /// Larger than every finite number.
     const INFINITY: Self;
+    /// Does the target have vectors of such numbers?
+    const VECTORS: bool = false;
     /// The largest integer that is not above the number.
     #[must_use]
     fn floor(self) -> Self;
@@ -318,6 +320,7 @@ macro_rules! real {
             const RANK_TOLERANCE: Self = $rank_tolerance;
             const TWOFOLD_EPSILON: Self = $real::EPSILON * $real::EPSILON;
             const INFINITY: Self = $real::INFINITY;
+            const VECTORS: bool = cfg!(any(target_feature = "sse2", target_arch = "aarch64"));
 
             #[inline]
             fn are_direct<const N: usize>(angles: [Self; N]) -> bool {

@@ -26,6 +26,25 @@ pub trait System {
     /// The rate `dx` of the state, as straight-line code without pivoting.
     fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
 
+    /// It pays to compute what depends on the poses of two stages alone side by side, by [`rate_pair`](Self::rate_pair).
+    const PAIRED: bool = false;
+
+    /// Two rates in a row: that at `x[0]`, and that at the state which `second` makes of it; the positions of the latter are
+    /// those of `x[1]`. To the bit the same as one by one.
+    #[inline]
+    fn rate_pair(
+        &self,
+        t: [Self::S; 2],
+        u: &Self::U,
+        x: [&Self::X; 2],
+        dx: &mut [Self::X; 2],
+        second: impl FnOnce(&Self::X) -> Self::X,
+    ) -> Health<Self::S> {
+        let ([t, later], [x, _], [first, last]) = (t, x, dx);
+        let health = self.rate(t, u, x, first);
+        health.worst(self.rate(later, u, &second(first), last))
+    }
+
     /// The rate where [`rate`](Self::rate) is unhealthy: by a rank-revealing decomposition.
     ///
     /// # Errors
@@ -165,6 +184,15 @@ pub trait System {
     fn name_of_state(&self, index: usize) -> &'static str {
         self.part_of_state(index)
     }
+}
+
+/// A rate apart from the way that is taken: states are copied, so that those of that way stay in registers.
+#[cold]
+#[inline(never)]
+pub fn rate_aside<M: System>(system: &M, t: M::S, u: &M::U, x: M::X) -> (M::X, Health<M::S>) {
+    let mut dx = x;
+    let health = system.rate(t, u, &x, &mut dx);
+    (dx, health)
 }
 
 /// A step that was made, as those see it that look at steps.

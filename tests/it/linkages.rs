@@ -6,7 +6,7 @@ use crate::random::Random;
 
 macro_rules! linkage {
     ($module:ident, $rung:ident) => {
-        mod $module {
+        pub(crate) mod $module {
             plm::mechanism! {
                 pub FourBar {
                     rung: $rung;

@@ -22,6 +22,7 @@ mod newton;
 mod observe;
 mod operations;
 mod oracle;
+mod pairs;
 mod physics;
 mod pictures;
 #[path = "../support/random.rs"]

@@ -50,6 +50,7 @@ mod plm_arm_on_jack_ {
     mod code_ {
         use super::type_::ArmOnJack;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 

@@ -44,6 +44,7 @@ mod plm_bouncer_ {
     mod code_ {
         use super::type_::Bouncer;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 

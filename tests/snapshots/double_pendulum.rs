@@ -40,6 +40,7 @@ mod plm_double_pendulum_ {
     mod code_ {
         use super::type_::DoublePendulum;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 

@@ -46,6 +46,7 @@ mod plm_driven_crank_ {
     mod code_ {
         use super::type_::DrivenCrank;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 

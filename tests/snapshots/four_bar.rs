@@ -46,6 +46,7 @@ mod plm_four_bar_ {
     mod code_ {
         use super::type_::FourBar;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 
@@ -465,6 +466,29 @@ mod plm_four_bar_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            const PAIRED: bool = S::VECTORS;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 2]; 2],
+                dx: &mut [[S; 2]; 2],
+                second: impl FnOnce(&[S; 2]) -> [S; 2],
+            ) -> rt::Health<S> {
+                let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else {
+                    let (k, health) = rt::system::rate_aside(self, t[0], u, *x[0]);
+                    dx[0] = k;
+                    let (k, other) = rt::system::rate_aside(self, t[1], u, second(&k));
+                    dx[1] = k;
+                    return health.worst(other);
+                };
+                let shared = Self::of_two_poses(m, x[0][0], x[1][0]);
+                let health = self.rate_at_pose::<false>(t[0], u, m, x[0], &shared, &mut dx[0]);
+                let next = second(&dx[0]);
+                health.worst(self.rate_at_pose::<true>(t[1], u, m, &next, &shared, &mut dx[1]))
+            }
+
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> Result<(), Fault> {
                 if rt::System::rate(self, t, u, x, dx).is_good() {
@@ -510,6 +534,85 @@ mod plm_four_bar_ {
                     Some(name) => name,
                     None => "",
                 }
+            }
+        }
+
+        impl<S: Scalar> FourBar<S> {
+            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// function of its own.
+            #[inline(never)]
+            fn of_two_poses(m: &rt::charts::Memory<S, 1, 3, 1, 0>, first_0: S, second_0: S) -> [Two<S>; 4] {
+                let x: &[Two<S>; 1] = &[Two([first_0, second_0])];
+                let [crank_angle, ..] = *x;
+                let lit = Two::<S>::lit;
+                let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
+                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = lit(0.3) * sin_crank_angle;
+                let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
+                let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
+                let inverse_0 = lit(1.0) / distance_0;
+                let way_0_x = along_0 * inverse_0;
+                let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
+                let last_area_0 = Two::both(m.areas[0]);
+                let area_0 = lit(0.0).max(square_0).sqrt()
+                    * Two::<S>::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
+                let way_0_y = area_0 * inverse_0;
+                let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
+                let t1 = cos_crank_angle - lit(0.3);
+                let cross_0_0 = (-t1).mul_add(way_0_y, sin_crank_angle * way_0_x);
+                let cross_0_1 = sin_crank_angle + cross_0_0;
+                let reciprocal_0 = lit(1.0) / area_0;
+                let ratio_0_0 = lit(0.3) * cross_0_1 * reciprocal_0;
+                let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
+                let still_0 = (-(lit(4.4145) * -(loop_0_x + rocker_arm_x))).mul_add(
+                    ratio_0_1,
+                    lit(-3.09015).mul_add(cos_crank_angle, lit(3.4335) * rocker_arm_x * ratio_0_0),
+                );
+                let momentum_0_1 = lit(0.11433333333333333) * ratio_0_0;
+                let t2 = ratio_0_1 * ratio_0_1;
+                let dot_0_0 = -sin_crank_angle.mul_add(way_0_y, t1 * way_0_x);
+                let dot_0_1 = dot_0_0 - t1;
+                let t3 = along_0 + lit(0.49);
+                let t4 = ratio_0_0 * ratio_0_0;
+                let momentum_0_2 = lit(-0.135).mul_add(dot_0_1, lit(0.243) * ratio_0_1);
+                let t5 = lit(0.135) * ratio_0_1;
+                let t6 = momentum_0_2.mul_add(
+                    reciprocal_0 * lit(-0.49).mul_add(t4, lit(-0.3).mul_add(dot_0_0, t3 * t2)),
+                    momentum_0_1
+                        * (reciprocal_0 * (-t3).mul_add(t4, lit(-0.3).mul_add(dot_0_1, lit(0.81) * t2))),
+                );
+                [
+                    still_0,
+                    (-(cross_0_1 * ratio_0_1)).mul_add(lit(0.135) - t5, t6),
+                    lit(1.0)
+                        / ratio_0_1.mul_add(
+                            momentum_0_2,
+                            ratio_0_0.mul_add(momentum_0_1, (-t5).mul_add(dot_0_1, lit(0.09))),
+                        ),
+                    lit(2.5195263290501386) * square_0,
+                ]
+            }
+
+            /// The rate in one of two stages, at its pose.
+            #[inline(always)]
+            fn rate_at_pose<const SECOND: bool>(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                x: &[S; 2],
+                shared: &[Two<S>; 4],
+                dx: &mut [S; 2],
+            ) -> rt::Health<S> {
+                rt::Health({
+                    let [_, crank_omega, ..] = *x;
+                    let crank_angle_acceleration = (-(crank_omega * crank_omega))
+                        .mul_add(shared[1].of::<SECOND>(), shared[0].of::<SECOND>())
+                        * shared[2].of::<SECOND>();
+                    dx[0] = crank_omega;
+                    dx[1] = crank_angle_acceleration;
+                    shared[3].of::<SECOND>()
+                })
             }
         }
 

@@ -47,6 +47,7 @@ mod plm_plate_on_three_pins_ {
     mod code_ {
         use super::type_::PlateOnThreePins;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 
@@ -516,6 +517,29 @@ mod plm_plate_on_three_pins_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            const PAIRED: bool = S::VECTORS;
+            #[inline]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 0]; 2],
+                dx: &mut [[S; 0]; 2],
+                second: impl FnOnce(&[S; 0]) -> [S; 0],
+            ) -> rt::Health<S> {
+                let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else {
+                    let (k, health) = rt::system::rate_aside(self, t[0], u, *x[0]);
+                    dx[0] = k;
+                    let (k, other) = rt::system::rate_aside(self, t[1], u, second(&k));
+                    dx[1] = k;
+                    return health.worst(other);
+                };
+                let shared = Self::of_two_poses(m, Two(t));
+                let health = self.rate_at_pose::<false>(t[0], u, m, x[0], &shared, &mut dx[0]);
+                let next = second(&dx[0]);
+                health.worst(self.rate_at_pose::<true>(t[1], u, m, &next, &shared, &mut dx[1]))
+            }
+
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
                 if rt::System::rate(self, t, u, x, dx).is_good() {
@@ -552,6 +576,297 @@ mod plm_plate_on_three_pins_ {
                     Some(name) => name,
                     None => "",
                 }
+            }
+        }
+
+        impl<S: Scalar> PlateOnThreePins<S> {
+            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// function of its own.
+            #[inline(never)]
+            fn of_two_poses(m: &rt::charts::Memory<S, 0, 4, 1, 4>, t: Two<S>) -> [Two<S>; 1] {
+                let x: &[Two<S>; 0] = &[];
+                let lit = Two::<S>::lit;
+                let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
+                let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
+                let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
+                let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
+                let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
+                let last_cosine_3 = Two::both(m.turns[3].cos);
+                let last_0 = Two::both(m.time.last);
+                let since_remembered = t - last_0;
+                let last_rate_3 = Two::both(m.followed[0].rate);
+                let last_bend_3 = Two::both(m.followed[0].bend);
+                let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
+                let plate_angle_expected_tangent =
+                    t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
+                let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
+                    / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
+                let last_sine_3 = Two::both(m.turns[3].sin);
+                let plate_angle_expected_cos = (-plate_angle_expected_sine)
+                    .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
+                let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
+                    (-last_sine_3).mul_add(plate_angle_expected_tangent, last_cosine_3),
+                    last_sine_3,
+                );
+                let t2 = lit(0.8191520442889918)
+                    .mul_add(plate_angle_expected_sin, lit(0.573576436351046) * plate_angle_expected_cos);
+                let t3 = lit(0.984807753012208)
+                    .mul_add(plate_angle_expected_sin, lit(0.17364817766693033) * plate_angle_expected_cos);
+                let t4 = lit(-0.573576436351046)
+                    .mul_add(plate_angle_expected_sin, lit(0.8191520442889918) * plate_angle_expected_cos);
+                let t5 = lit(-0.17364817766693033)
+                    .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
+                let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
+                let last_value_4 = Two::both(m.followed[1].value);
+                let last_rate_4 = Two::both(m.followed[1].rate);
+                let last_bend_4 = Two::both(m.followed[1].bend);
+                let slot_0_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
+                let last_value_5 = Two::both(m.followed[2].value);
+                let last_rate_5 = Two::both(m.followed[2].rate);
+                let last_bend_5 = Two::both(m.followed[2].bend);
+                let slot_1_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
+                let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
+                let t7 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
+                let t8 = lit(0.573576436351046) * slot_0_displacement_expected;
+                let t9 = lit(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
+                let arm0_0_4_x = (-t7).mul_add(plate_angle_expected_cos, t9 * plate_angle_expected_sin);
+                let t10 = lit(0.6427876096865393)
+                    .mul_add(plate_angle_expected_sin, lit(0.766044443118978) * plate_angle_expected_cos);
+                let arm0_0_4_y = -t9.mul_add(plate_angle_expected_cos, t7 * plate_angle_expected_sin);
+                let t11 = lit(-0.766044443118978)
+                    .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
+                let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
+                let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
+                let last_value_6 = Two::both(m.followed[3].value);
+                let last_rate_6 = Two::both(m.followed[3].rate);
+                let last_bend_6 = Two::both(m.followed[3].bend);
+                let slot_2_displacement_expected = lit(0.4)
+                    * since_remembered
+                        .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
+                let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
+                let t13 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
+                let arm0_1_4_x = (-t12).mul_add(plate_angle_expected_cos, t13 * plate_angle_expected_sin);
+                let arm0_1_4_y = -t13.mul_add(plate_angle_expected_cos, t12 * plate_angle_expected_sin);
+                let j0_0_across_1_0 = (-t3).mul_add(arm0_1_4_x, t5 * arm0_1_4_y);
+                let j0_0_reciprocal =
+                    lit(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
+                let j0_0_inverse_0_0 = j0_0_across_1_1 * j0_0_reciprocal;
+                let loop_0_y = lit(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
+                let gap0_0_y = loop_0_y + arm0_0_4_y;
+                let gap0_0_x = loop_0_x + arm0_0_4_x;
+                let j0_0_step_0_across_0 = -t11.mul_add(gap0_0_x, t10 * gap0_0_y);
+                let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
+                let crank_2_angle = lit(0.2).mul_add((lit(4.0) * t).sin(), lit(-0.1));
+                let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
+                let loop_1_y = lit(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
+                let gap0_1_y = arm0_1_4_y + loop_1_y;
+                let loop_1_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
+                let gap0_1_x = arm0_1_4_x + loop_1_x;
+                let j0_0_step_0_across_1 = -t5.mul_add(gap0_1_x, t3 * gap0_1_y);
+                let j0_0_step_0_0 =
+                    j0_0_inverse_0_1.mul_add(j0_0_step_0_across_1, j0_0_inverse_0_0 * j0_0_step_0_across_0);
+                let plate_angle_0_tangent = lit(-0.5) * j0_0_step_0_0;
+                let plate_angle_0_sine = lit(2.0) * plate_angle_0_tangent
+                    / plate_angle_0_tangent.mul_add(plate_angle_0_tangent, lit(1.0));
+                let plate_angle_0_cos = (-plate_angle_0_sine).mul_add(
+                    plate_angle_expected_cos.mul_add(plate_angle_0_tangent, plate_angle_expected_sin),
+                    plate_angle_expected_cos,
+                );
+                let plate_angle_0_sin = plate_angle_0_sine.mul_add(
+                    (-plate_angle_expected_sin).mul_add(plate_angle_0_tangent, plate_angle_expected_cos),
+                    plate_angle_expected_sin,
+                );
+                let j0_0_inverse_1_0 = -(j0_0_across_1_0 * j0_0_reciprocal);
+                let j0_0_inverse_1_1 = j0_0_across_0_0 * j0_0_reciprocal;
+                let j0_0_step_0_1 =
+                    j0_0_step_0_across_1.mul_add(j0_0_inverse_1_1, j0_0_step_0_across_0 * j0_0_inverse_1_0);
+                let slot_0_displacement_0 = slot_0_displacement_expected - j0_0_step_0_1;
+                let j0_0_along_0_0 = lit(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
+                let j0_0_along_0_1 = lit(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
+                let j0_0_step_0_2 = (-j0_0_step_0_1).mul_add(
+                    j0_0_along_0_1,
+                    (-j0_0_step_0_0).mul_add(
+                        j0_0_along_0_0,
+                        lit(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
+                    ),
+                );
+                let slot_1_displacement_0 = slot_1_displacement_expected - j0_0_step_0_2;
+                let t14 = lit(0.8191520442889918) * slot_0_displacement_0;
+                let t15 = lit(0.766044443118978).mul_add(slot_1_displacement_0, t14) - lit(0.8);
+                let t16 = lit(0.573576436351046) * slot_0_displacement_0;
+                let t17 = lit(-0.6427876096865393).mul_add(slot_1_displacement_0, t16);
+                let gap1_0_y = loop_0_y + -plate_angle_0_cos.mul_add(t17, plate_angle_0_sin * t15);
+                let gap1_0_x = loop_0_x + (-plate_angle_0_cos).mul_add(t15, plate_angle_0_sin * t17);
+                let j0_0_step_1_across_0 = -t11.mul_add(gap1_0_x, t10 * gap1_0_y);
+                let j0_0_along_1_0 = lit(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
+                let j0_0_along_1_1 = lit(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
+                let j0_0_step_0_3 = (-j0_0_step_0_1).mul_add(
+                    j0_0_along_1_1,
+                    (-j0_0_step_0_0).mul_add(
+                        j0_0_along_1_0,
+                        lit(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
+                    ),
+                );
+                let slot_2_displacement_0 = slot_2_displacement_expected - j0_0_step_0_3;
+                let t18 = lit(0.17364817766693033).mul_add(slot_2_displacement_0, t14) - lit(0.4);
+                let t19 = lit(-0.984807753012208).mul_add(slot_2_displacement_0, t16) - lit(0.7);
+                let gap1_1_y = loop_1_y + -plate_angle_0_cos.mul_add(t19, plate_angle_0_sin * t18);
+                let gap1_1_x = loop_1_x + (-plate_angle_0_cos).mul_add(t18, plate_angle_0_sin * t19);
+                let j0_0_step_1_across_1 = -t5.mul_add(gap1_1_x, t3 * gap1_1_y);
+                let j0_0_step_1_0 =
+                    j0_0_inverse_0_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_0_0 * j0_0_step_1_across_0);
+                let plate_angle_1_tangent = lit(-0.5) * j0_0_step_1_0;
+                let plate_angle_1_sine = lit(2.0) * plate_angle_1_tangent
+                    / plate_angle_1_tangent.mul_add(plate_angle_1_tangent, lit(1.0));
+                let plate_angle_1_cos = (-plate_angle_1_sine).mul_add(
+                    plate_angle_0_cos.mul_add(plate_angle_1_tangent, plate_angle_0_sin),
+                    plate_angle_0_cos,
+                );
+                let plate_angle_1_sin = plate_angle_1_sine.mul_add(
+                    (-plate_angle_0_sin).mul_add(plate_angle_1_tangent, plate_angle_0_cos),
+                    plate_angle_0_sin,
+                );
+                let t20 = lit(0.8191520442889918)
+                    .mul_add(plate_angle_1_sin, lit(0.573576436351046) * plate_angle_1_cos);
+                let t21 = lit(0.984807753012208)
+                    .mul_add(plate_angle_1_sin, lit(0.17364817766693033) * plate_angle_1_cos);
+                let t22 = lit(-0.573576436351046)
+                    .mul_add(plate_angle_1_sin, lit(0.8191520442889918) * plate_angle_1_cos);
+                let t23 = lit(-0.17364817766693033)
+                    .mul_add(plate_angle_1_sin, lit(0.984807753012208) * plate_angle_1_cos);
+                let j2_0_across_1_1 = t22.mul_add(t23, t20 * t21);
+                let j0_0_step_1_1 =
+                    j0_0_inverse_1_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_1_0 * j0_0_step_1_across_0);
+                let slot_0_displacement_1 = slot_0_displacement_0 - j0_0_step_1_1;
+                let j0_0_step_1_2 = (-j0_0_along_0_1).mul_add(
+                    j0_0_step_1_1,
+                    (-j0_0_along_0_0).mul_add(
+                        j0_0_step_1_0,
+                        lit(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
+                    ),
+                );
+                let slot_1_displacement_1 = slot_1_displacement_0 - j0_0_step_1_2;
+                let t24 = lit(0.8191520442889918) * slot_0_displacement_1;
+                let t25 = lit(0.766044443118978).mul_add(slot_1_displacement_1, t24) - lit(0.8);
+                let t26 = lit(0.573576436351046) * slot_0_displacement_1;
+                let t27 = lit(-0.6427876096865393).mul_add(slot_1_displacement_1, t26);
+                let arm2_0_4_x = (-plate_angle_1_cos).mul_add(t25, plate_angle_1_sin * t27);
+                let t28 = lit(0.6427876096865393)
+                    .mul_add(plate_angle_1_sin, lit(0.766044443118978) * plate_angle_1_cos);
+                let arm2_0_4_y = -plate_angle_1_cos.mul_add(t27, plate_angle_1_sin * t25);
+                let t29 = lit(-0.766044443118978)
+                    .mul_add(plate_angle_1_sin, lit(0.6427876096865393) * plate_angle_1_cos);
+                let j2_0_across_0_0 = (-arm2_0_4_x).mul_add(t28, arm2_0_4_y * t29);
+                let j2_0_across_0_1 = t22.mul_add(t29, t20 * t28);
+                let j0_0_step_1_3 = (-j0_0_along_1_1).mul_add(
+                    j0_0_step_1_1,
+                    (-j0_0_along_1_0).mul_add(
+                        j0_0_step_1_0,
+                        lit(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
+                    ),
+                );
+                let slot_2_displacement_1 = slot_2_displacement_0 - j0_0_step_1_3;
+                let t30 = lit(0.17364817766693033).mul_add(slot_2_displacement_1, t24) - lit(0.4);
+                let t31 = lit(-0.984807753012208).mul_add(slot_2_displacement_1, t26) - lit(0.7);
+                let arm2_1_4_x = (-plate_angle_1_cos).mul_add(t30, plate_angle_1_sin * t31);
+                let arm2_1_4_y = -plate_angle_1_cos.mul_add(t31, plate_angle_1_sin * t30);
+                let j2_0_across_1_0 = (-t21).mul_add(arm2_1_4_x, t23 * arm2_1_4_y);
+                let j2_0_reciprocal =
+                    lit(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
+                let gap2_0_y = loop_0_y + arm2_0_4_y;
+                let gap2_0_x = loop_0_x + arm2_0_4_x;
+                let j2_0_step_2_across_0 = -t29.mul_add(gap2_0_x, t28 * gap2_0_y);
+                let gap2_1_y = loop_1_y + arm2_1_4_y;
+                let gap2_1_x = loop_1_x + arm2_1_4_x;
+                let j2_0_step_2_across_1 = -t23.mul_add(gap2_1_x, t21 * gap2_1_y);
+                let j2_0_step_2_0 = (-(j2_0_across_0_1 * j2_0_reciprocal))
+                    .mul_add(j2_0_step_2_across_1, j2_0_across_1_1 * j2_0_reciprocal * j2_0_step_2_across_0);
+                let plate_angle_2_tangent = lit(-0.5) * j2_0_step_2_0;
+                let plate_angle_2_sine = lit(2.0) * plate_angle_2_tangent
+                    / plate_angle_2_tangent.mul_add(plate_angle_2_tangent, lit(1.0));
+                let plate_angle_2_cos = (-plate_angle_2_sine).mul_add(
+                    plate_angle_1_cos.mul_add(plate_angle_2_tangent, plate_angle_1_sin),
+                    plate_angle_1_cos,
+                );
+                let j2_0_step_2_1 = j2_0_step_2_across_1.mul_add(
+                    j2_0_across_0_0 * j2_0_reciprocal,
+                    j2_0_step_2_across_0 * -(j2_0_across_1_0 * j2_0_reciprocal),
+                );
+                let slot_0_displacement_2 = slot_0_displacement_1 - j2_0_step_2_1;
+                let t32 = (-j2_0_step_2_0).mul_add(
+                    lit(1.0000000000000002) * arm2_0_4_x.mul_add(t29, t28 * arm2_0_4_y),
+                    lit(-1.0000000000000002) * (-t29).mul_add(gap2_0_y, t28 * gap2_0_x),
+                );
+                let slot_1_displacement_2 = slot_1_displacement_1
+                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t20).mul_add(t29, t22 * t28), t32);
+                let t33 = lit(0.8191520442889918) * slot_0_displacement_2;
+                let t34 = lit(0.766044443118978).mul_add(slot_1_displacement_2, t33) - lit(0.8);
+                let plate_angle_2_sin = plate_angle_2_sine.mul_add(
+                    (-plate_angle_1_sin).mul_add(plate_angle_2_tangent, plate_angle_1_cos),
+                    plate_angle_1_sin,
+                );
+                let t35 = lit(0.573576436351046) * slot_0_displacement_2;
+                let t36 = lit(-0.6427876096865393).mul_add(slot_1_displacement_2, t35);
+                let arm_0_4_x = (-plate_angle_2_cos).mul_add(t34, plate_angle_2_sin * t36);
+                let gap_0_x = loop_0_x + arm_0_4_x;
+                let arm_0_4_y = -plate_angle_2_cos.mul_add(t36, t34 * plate_angle_2_sin);
+                let gap_0_y = loop_0_y + arm_0_4_y;
+                let t37 = (-j2_0_step_2_0).mul_add(
+                    lit(1.0000000000000002) * t23.mul_add(arm2_1_4_x, t21 * arm2_1_4_y),
+                    lit(-1.0000000000000002) * (-t23).mul_add(gap2_1_y, t21 * gap2_1_x),
+                );
+                let slot_2_displacement_2 = slot_2_displacement_1
+                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t20).mul_add(t23, t21 * t22), t37);
+                let t38 = lit(0.17364817766693033).mul_add(slot_2_displacement_2, t33) - lit(0.4);
+                let t39 = lit(-0.984807753012208).mul_add(slot_2_displacement_2, t35) - lit(0.7);
+                let arm_1_4_x = (-plate_angle_2_cos).mul_add(t38, plate_angle_2_sin * t39);
+                let gap_1_x = loop_1_x + arm_1_4_x;
+                let arm_1_4_y = -plate_angle_2_cos.mul_add(t39, plate_angle_2_sin * t38);
+                let gap_1_y = loop_1_y + arm_1_4_y;
+                let precision = lit(S::PRECISION);
+                let t40 = gap_1_y
+                    .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
+                    .lt(lit(2684354.5600000005) * precision * precision);
+                let t41 = lit(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, lit(0.766044443118978) * plate_angle_2_cos);
+                let t42 = lit(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, lit(0.6427876096865393) * plate_angle_2_cos);
+                let j_0_across_0_0 = (-arm_0_4_x).mul_add(t41, arm_0_4_y * t42);
+                let t43 = lit(0.8191520442889918)
+                    .mul_add(plate_angle_2_sin, lit(0.573576436351046) * plate_angle_2_cos);
+                let t44 = lit(0.984807753012208)
+                    .mul_add(plate_angle_2_sin, lit(0.17364817766693033) * plate_angle_2_cos);
+                let t45 = lit(-0.573576436351046)
+                    .mul_add(plate_angle_2_sin, lit(0.8191520442889918) * plate_angle_2_cos);
+                let t46 = lit(-0.17364817766693033)
+                    .mul_add(plate_angle_2_sin, lit(0.984807753012208) * plate_angle_2_cos);
+                let j_0_across_1_1 = t45.mul_add(t46, t43 * t44);
+                let j_0_across_0_1 = t42.mul_add(t45, t41 * t43);
+                let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
+                let j_0_determinant =
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
+                let t47 = j_0_determinant * j_0_determinant
+                    / (j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0)
+                        * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
+                [Two::<S>::select(t40, t47, lit(-1.0))]
+            }
+
+            /// The rate in one of two stages, at its pose.
+            #[inline]
+            fn rate_at_pose<const SECOND: bool>(
+                &self,
+                t: S,
+                u: &Held<S>,
+                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                x: &[S; 0],
+                shared: &[Two<S>; 1],
+                dx: &mut [S; 0],
+            ) -> rt::Health<S> {
+                rt::Health({ shared[0].of::<SECOND>() })
             }
         }
 

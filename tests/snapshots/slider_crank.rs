@@ -42,6 +42,7 @@ mod plm_slider_crank_ {
     mod code_ {
         use super::type_::SliderCrank;
         use ::plm::runtime as rt;
+        use ::plm::runtime::lanes::Two;
         use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
         use ::plm::runtime::{absolute, described};
 

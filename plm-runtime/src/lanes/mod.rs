@@ -5,8 +5,10 @@
 
 mod batch;
 mod lane;
+mod two;
 
 pub use batch::Batch;
+pub use two::Two;
 
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;

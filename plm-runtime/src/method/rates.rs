@@ -10,6 +10,20 @@ use crate::system::{Health, System};
 pub trait Rates<M: System> {
     /// Writes the rate `dx` at `(t, x)`.
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X);
+
+    /// Writes two rates as [`System::rate_pair`] does.
+    #[allow(clippy::inline_always, reason = "as the formulas")]
+    #[inline(always)]
+    fn pair(
+        &mut self,
+        [t, later]: [M::S; 2],
+        [x, _]: [&M::X; 2],
+        [first, last]: &mut [M::X; 2],
+        second: impl FnOnce(&M::X) -> M::X,
+    ) {
+        self.at(t, x, first);
+        self.at(later, &second(first), last);
+    }
 }
 
 /// The stages of a formula by their numbers, which follow each other: a copy of the body for each if `short`, a loop otherwise.
@@ -58,5 +72,11 @@ impl<M: System> Rates<M> for &mut Watched<'_, M> {
     #[inline(always)]
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {
         self.worst = self.worst.worst(self.system.rate(t, self.held, x, dx));
+    }
+
+    #[allow(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    fn pair(&mut self, t: [M::S; 2], x: [&M::X; 2], dx: &mut [M::X; 2], second: impl FnOnce(&M::X) -> M::X) {
+        self.worst = self.worst.worst(self.system.rate_pair(t, self.held, x, dx, second));
     }
 }

@@ -23,6 +23,10 @@ impl Formula for Rk4Formula {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, mut rates: impl Rates<M>) {
+        if M::PAIRED {
+            let [[k1, k2], [k3, k4]] = pairs::<M>(t, h, x, rates);
+            return end::<M>(h, x, &[k1, k2, k3, k4]);
+        }
         let lit = M::S::lit;
         let (zero, half) = (lit(0.0), lit(0.5) * h);
         let stages = [(zero, half), (half, half), (half, h), (h, zero)];
@@ -41,6 +45,26 @@ impl Formula for Rk4Formula {
         });
         end::<M>(h, x, &k);
     }
+}
+
+/// The rates of the stages, two by two: the positions of a stage follow from the velocities of the one before it. Components
+/// are written one by one: a copy of several waits for all of them.
+#[allow(clippy::inline_always, reason = "as the step")]
+#[inline(always)]
+fn pairs<M: System>(t: M::S, h: M::S, x: &M::X, mut rates: impl Rates<M>) -> [[M::X; 2]; 2] {
+    let (zero, half) = (M::S::lit(0.0), M::S::lit(0.5) * h);
+    let stages = [(zero, half), (half, h)];
+    let along = |step: M::S, k: &M::X| M::X::from_fn(|i| step.mul_add(k.at(i), x.at(i)));
+    let mut k = [[M::X::fill(zero); 2]; 2];
+    each_stage!(M::SHORT, i in [0, 1] {
+        let (node, next) = stages[i];
+        let stage = if i == 0 { *x } else { along(half, &k[0][1]) };
+        let ahead = M::X::from_fn(|i| {
+            if i < M::NQ { next.mul_add(stage.at(M::NQ + i), x.at(i)) } else { zero }
+        });
+        rates.pair([t + node, t + next], [&stage, &ahead], &mut k[i], |k| along(next, k));
+    });
+    k
 }
 
 /// The weighted sum of the rates. Those of positions are the velocities of the stages, v and v + h/2 k1 and so on, and sum

@@ -184,6 +184,7 @@ fn module(emission: &Emission) -> TokenStream {
                 };
                 use #path::runtime as rt;
                 use #path::runtime::{absolute, described};
+                use #path::runtime::lanes::Two;
 
                 #(#items)*
             }

@@ -7,6 +7,7 @@ pub(super) mod limits;
 pub(super) mod linear;
 pub(super) mod moment;
 pub(super) mod pack;
+mod pairs;
 pub(super) mod ports;
 pub(super) mod rate;
 pub(super) mod singular;

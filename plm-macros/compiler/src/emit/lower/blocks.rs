@@ -7,6 +7,7 @@ use crate::collect::CollectVec;
 use crate::sorted::{SortedMap, SortedSet};
 use std::fmt::Write;
 
+use super::Around;
 use super::statement::{Lines, Statement};
 
 /// Statements that can be seen at once.
@@ -37,7 +38,7 @@ pub(super) fn body(lines: &Lines, indent: usize) -> String {
 
 /// [`body`] with `lit` in front if it holds constants. What is read of arrays stands at the top of what can be seen at once;
 /// in longer code where it is used first, which is near, and takes fewer registers.
-pub(super) fn with_literals(mut lines: Lines, by_reference: bool) -> String {
+pub(super) fn with_literals(mut lines: Lines, around: &Around) -> String {
     let mut text = String::new();
     if lines.statements.len() <= SCREEN {
         let mut read: SortedMap<String, SortedMap<usize, usize>> = SortedMap::new();
@@ -49,12 +50,12 @@ pub(super) fn with_literals(mut lines: Lines, by_reference: bool) -> String {
             _ => true,
         });
         for (array, elements) in &read {
-            destructure(&mut text, &lines, (array, elements), by_reference);
+            destructure(&mut text, &lines, (array, elements), around.by_reference);
         }
     }
     let body = body(&lines, 0);
     if body.contains("lit(") {
-        line(&mut text, 0, "let lit = S::lit;");
+        line(&mut text, 0, &format!("let lit = {}::lit;", around.scalar));
     }
     text + &body
 }

@@ -5,28 +5,25 @@
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedMap;
-
 use plm_cas::{Count, Expr, Op, Ref, Tape};
 
 mod blocks;
 pub(crate) mod names;
+mod parts;
 mod piece;
+mod sines;
 mod statement;
 
 use self::names::Names;
+pub(super) use self::parts::{Part, Parts, parts};
 use self::piece::{Piece, literal};
+use self::sines::{angle_groups, is_pair};
 use self::statement::{Lines, Statement};
 use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
 /// such values stays within 16.
 const MOST_TERMS: usize = 8;
-/// Numbers of angles whose sines and cosines fill a vector.
-const WHOLE_VECTORS: [usize; 2] = [8, 4];
-/// Two or three angles that are left over go into a vector too where sines are most of the work: up to so many operations
-/// an angle. In longer code the way into vectors and back stands on a critical path that has room for sines one by one
-/// (per step, in vectors or not: double pendulum 77 ns or 96; four-bar linkage in absolute coordinates 414 or 330).
-const SHORT: usize = 40;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = SortedMap<Expr, String>;
@@ -37,6 +34,8 @@ pub(super) struct Around<'a> {
     pub(super) reserved: &'a [&'a str],
     /// Arrays among them are references, or values.
     pub(super) by_reference: bool,
+    /// The type of the numbers.
+    pub(super) scalar: &'a str,
     /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
     pub(super) direct: Option<&'a [Expr]>,
 }
@@ -45,7 +44,7 @@ pub(super) struct Around<'a> {
 pub(super) fn statements(function: &Function, bindings: &Bindings, around: &Around) -> (String, Count) {
     let lines = lower(function, bindings, around);
     let count = lines.count;
-    (blocks::with_literals(lines, around.by_reference), count)
+    (blocks::with_literals(lines, around), count)
 }
 
 /// An expression as one of Rust: a block where it needs locals.
@@ -55,7 +54,7 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
-    let around = Around { reserved: &reserved, by_reference: true, direct: None };
+    let around = Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None };
     let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
@@ -67,7 +66,8 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
 fn lower(function: &Function, bindings: &Bindings, around: &Around) -> Lines {
     let tape = function.tape();
     let first_result = tape.outputs.len() - function.results.len();
-    let mut lowering = Lowering::new(&tape, first_result, bindings, around);
+    let results: Vec<usize> = tape.outputs[first_result..].iter().map(|result| result.index()).collect_vec();
+    let mut lowering = Lowering::new(&tape, &results, bindings, around);
     let mut root = 0;
     let mut done = 0;
     for section in &function.sections {
@@ -81,10 +81,9 @@ fn lower(function: &Function, bindings: &Bindings, around: &Around) -> Lines {
     if !function.sections.is_empty() {
         lowering.title("Results");
     }
-    for (k, (place, _)) in function.results.iter().enumerate() {
-        let result = tape.outputs[first_result + k];
-        lowering.lower_until((result.index() + 1).max(done));
-        done = done.max(result.index() + 1);
+    for ((place, _), &result) in function.results.iter().zip(&results) {
+        lowering.lower_until((result + 1).max(done));
+        done = done.max(result + 1);
         lowering.store(place, result);
     }
     lowering.finish()
@@ -93,6 +92,7 @@ fn lower(function: &Function, bindings: &Bindings, around: &Around) -> Lines {
 struct Lowering<'a> {
     tape: &'a Tape,
     bindings: &'a Bindings,
+    scalar: &'a str,
     /// Angles that `DIRECT` tells of.
     direct: Option<&'a [Expr]>,
     names: Names,
@@ -102,6 +102,12 @@ struct Lowering<'a> {
     is_result: Vec<bool>,
     /// Text of the instructions before `pieces.len()`.
     pieces: Vec<Piece>,
+    /// Has the instruction a name?
+    named: Vec<bool>,
+    /// Of a part of a function: what has a name in the whole.
+    known_names: Option<&'a [bool]>,
+    /// Instructions whose values are known, as text.
+    known: SortedMap<usize, String>,
     /// Sines (by instruction) whose angles are coordinates, in groups that are computed together.
     groups: Vec<Vec<usize>>,
     /// What was lowered before its turn.
@@ -110,9 +116,10 @@ struct Lowering<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    fn new(tape: &'a Tape, first_result: usize, bindings: &'a Bindings, around: &Around<'a>) -> Self {
-        let &Around { reserved, direct, .. } = around;
-        let uses = uses(tape, &tape.outputs[first_result..]);
+    fn new(tape: &'a Tape, results: &[usize], bindings: &'a Bindings, around: &Around<'a>) -> Self {
+        let &Around { reserved, direct, scalar, .. } = around;
+        let known = SortedMap::new();
+        let uses = uses(tape, results, &known);
         let groups = angle_groups(tape, &uses);
         let needed =
             tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
@@ -120,12 +127,27 @@ impl<'a> Lowering<'a> {
             Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
         let names = Names::with_reserved(reserved);
         let mut is_result = vec![false; tape.ops.len()];
-        for result in &tape.outputs[first_result..] {
-            is_result[result.index()] = true;
+        for &result in results {
+            is_result[result] = true;
         }
-        let pieces = Vec::with_capacity(tape.ops.len());
-        let early = SortedMap::new();
-        Lowering { tape, bindings, direct, names, uses, is_result, pieces, groups, early, lines }
+        let (pieces, named) = (Vec::with_capacity(tape.ops.len()), vec![false; tape.ops.len()]);
+        let (early, known_names) = (SortedMap::new(), None);
+        Lowering {
+            tape,
+            bindings,
+            scalar,
+            direct,
+            names,
+            uses,
+            is_result,
+            pieces,
+            named,
+            known_names,
+            known,
+            groups,
+            early,
+            lines,
+        }
     }
 
     /// Announces a section; a section without statements leaves no title.
@@ -150,6 +172,10 @@ impl<'a> Lowering<'a> {
         if let Some(piece) = self.early.remove(&index) {
             return piece;
         }
+        if let Some(text) = self.known.get(&index) {
+            let piece = Piece::atom(text.clone());
+            return if self.uses[index] > 1 { self.bind(index, piece) } else { piece };
+        }
         let op = self.tape.ops[index].op;
         if let Op::Sin(angle) = op
             && is_pair(self.tape, &self.uses, index)
@@ -163,59 +189,11 @@ impl<'a> Lowering<'a> {
         }
         let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
         let reads_symbol = matches!(op, Op::Symbol(_)) && !(self.uses[index] == 1 && self.is_result[index]);
-        if again || reads_symbol || piece.terms > MOST_TERMS { self.bind(index, piece) } else { piece }
-    }
-
-    /// Sine and cosine of an angle, with all angles of its group.
-    fn bind_sines(&mut self, index: usize, angle: Ref) {
-        if let Some(at) = self.groups.iter().position(|group| group.contains(&index)) {
-            let sines = self.groups.swap_remove(at);
-            self.bind_group(&sines);
-            return;
-        }
-        let by = if self.is_direct(angle) { "sin_cos_by::<DIRECT>" } else { "sin_cos" };
-        let angle = self.pieces[angle.index()].clone();
-        let (sine, cosine) = self.local_pair(&angle);
-        let pattern = format!("({}, {})", sine.text, cosine.text);
-        let value = format!("{}.{by}()", angle.within(4));
-        let makes = vec![sine.reads[0], cosine.reads[0]];
-        self.lines.statements.push(Statement::Let { makes, pattern, value, reads: angle.reads });
-        self.early.insert(index, sine);
-        self.early.insert(index + 1, cosine);
-    }
-
-    /// `let ([sin_a, sin_b], [cos_a, cos_b]) = S::sin_cos_all([a, b]);`
-    fn bind_group(&mut self, sines: &[usize]) {
-        let (mut makes, mut reads) = (Vec::new(), Vec::new());
-        let mut angles = sines.iter().filter_map(|&index| self.tape.ops[index].op.operands().next());
-        let by = if angles.all(|angle| self.is_direct(angle)) {
-            "sin_cos_all_by::<DIRECT, _>"
-        } else {
-            "sin_cos_all"
+        let is_named = match self.known_names {
+            Some(named) => named[index],
+            None => again || reads_symbol || piece.terms > MOST_TERMS,
         };
-        let mut texts: [Vec<String>; 3] = Default::default();
-        for &index in sines {
-            let Some(angle) = self.tape.ops[index].op.operands().next() else { continue };
-            let angle = self.angle(angle.index());
-            let (sine, cosine) = self.local_pair(&angle);
-            makes.extend([sine.reads[0], cosine.reads[0]]);
-            for (list, piece) in texts.iter_mut().zip([&sine, &cosine, &angle]) {
-                list.push(piece.text.clone());
-            }
-            reads.extend(angle.reads);
-            self.early.insert(index, sine);
-            self.early.insert(index + 1, cosine);
-        }
-        let [sines, cosines, angles] = texts.map(|list| list.join(", "));
-        let pattern = format!("([{sines}], [{cosines}])");
-        let value = format!("S::{by}([{angles}])");
-        self.lines.statements.push(Statement::Let { makes, pattern, value, reads });
-    }
-
-    /// Is an angle one that `DIRECT` tells of?
-    fn is_direct(&self, angle: Ref) -> bool {
-        let angles = self.direct.unwrap_or_default();
-        matches!(self.tape.ops[angle.index()].op, Op::Symbol(symbol) if angles.contains(&symbol))
+        if is_named { self.bind(index, piece) } else { piece }
     }
 
     /// What the root of `max(0, a)` is the root of, where numbers below zero are refused by `DIRECT`.
@@ -229,25 +207,9 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// A coordinate, before its turn if need be.
-    fn angle(&mut self, index: usize) -> Piece {
-        if let Some(piece) = self.pieces.get(index).or_else(|| self.early.get(&index)) {
-            return piece.clone();
-        }
-        let piece = self.piece(self.tape.ops[index].op);
-        let bound = self.bind(index, piece);
-        self.early.insert(index, bound.clone());
-        bound
-    }
-
-    fn local_pair(&mut self, angle: &Piece) -> (Piece, Piece) {
-        let suffix =
-            if angle.strength == 4 && angle.reads.len() == 1 { angle.text.as_str() } else { "angle" };
-        (self.local(&format!("sin_{suffix}")), self.local(&format!("cos_{suffix}")))
-    }
-
     /// Gives a value a name.
     fn bind(&mut self, index: usize, piece: Piece) -> Piece {
+        self.named[index] = true;
         let hint = self.tape.ops[index].expr.and_then(Expr::name);
         let name = match hint {
             Some(hint) => self.names.unique(&hint),
@@ -312,7 +274,7 @@ impl<'a> Lowering<'a> {
             Op::Min(a, b) => at(a).called("min", &[at(b)]),
             Op::Max(a, b) => at(a).called("max", &[at(b)]),
             Op::Less(a, b) => at(a).called("lt", &[at(b)]),
-            Op::Select(c, a, b) => Piece::call("S::select", &[at(c), at(a), at(b)]),
+            Op::Select(c, a, b) => Piece::call(&format!("{}::select", self.scalar), &[at(c), at(a), at(b)]),
         }
     }
 
@@ -332,8 +294,8 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn store(&mut self, place: &Place, value: Ref) {
-        let piece = self.pieces[value.index()].clone();
+    fn store(&mut self, place: &Place, value: usize) {
+        let piece = self.pieces[value].clone();
         let place = match place {
             Place::Value => {
                 self.lines.value = Some((piece.text, piece.reads));
@@ -344,6 +306,14 @@ impl<'a> Lowering<'a> {
             Place::Path(path) => path.clone(),
         };
         self.lines.statements.push(Statement::Store { place, value: piece.text, reads: piece.reads });
+    }
+
+    /// Some values are what the function returns, as an array.
+    fn list(&mut self, values: &[usize]) {
+        let pieces = values.iter().map(|&value| &self.pieces[value]);
+        let (texts, reads): (Vec<&str>, Vec<&[usize]>) =
+            pieces.map(|piece| (piece.text.as_str(), piece.reads.as_slice())).unzip();
+        self.lines.value = Some((format!("[{}]", texts.join(", ")), reads.concat()));
     }
 
     fn finish(mut self) -> Lines {
@@ -365,41 +335,14 @@ fn element(text: &str) -> Option<(&str, usize)> {
     Some((array, element.parse().ok()?)).filter(|_| array.split('.').all(is_name))
 }
 
-/// Is this a sine that is wanted with the cosine behind it?
-fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
-    let next = tape.ops.get(index + 1).map(|next| next.op);
-    let same = matches!((tape.ops[index].op, next), (Op::Sin(a), Some(Op::Cos(b))) if a == b);
-    same && uses[index] > 0 && uses[index + 1] > 0
-}
-
-/// Sines whose angles are inputs of the function, in groups that are computed together.
-fn angle_groups(tape: &Tape, uses: &[u32]) -> Vec<Vec<usize>> {
-    let of_symbol = |index: &usize| match tape.ops[*index].op {
-        Op::Sin(angle) => matches!(tape.ops[angle.index()].op, Op::Symbol(_)) && is_pair(tape, uses, *index),
-        _ => false,
-    };
-    let sines: Vec<usize> = (0..tape.ops.len()).filter(of_symbol).collect_vec();
-    let (mut groups, mut rest) = (Vec::new(), sines.as_slice());
-    for lanes in WHOLE_VECTORS {
-        while let Some((group, others)) = rest.split_at_checked(lanes) {
-            groups.push(group.to_vec());
-            rest = others;
-        }
-    }
-    if rest.len() > 1 && tape.count().total() <= SHORT * sines.len() {
-        groups.push(rest.to_vec());
-    }
-    groups
-}
-
-/// How often the results, and what they need, read each instruction.
-fn uses(tape: &Tape, results: &[Ref]) -> Vec<u32> {
+/// How often the results, and what they need, read each instruction; what is `known` needs nothing.
+fn uses(tape: &Tape, results: &[usize], known: &SortedMap<usize, String>) -> Vec<u32> {
     let mut uses = vec![0; tape.ops.len()];
-    for result in results {
-        uses[result.index()] += 1;
+    for &result in results {
+        uses[result] += 1;
     }
     for (index, instruction) in tape.ops.iter().enumerate().rev() {
-        if uses[index] > 0 {
+        if uses[index] > 0 && !known.contains_key(&index) {
             for operand in instruction.op.operands() {
                 uses[operand.index()] += 1;
             }

@@ -21,7 +21,7 @@ const TAKEN: &str = "plm core std alloc proc_macro test bool char str f16 f32 f6
 /// Types, traits and arguments of generics that emitted code names without a path: the mechanism's type has another name in
 /// it where the user took one of these.
 const IN_USE: &str = "Assembly Augmented BodyStart BodyState Default Err Fault Fn FnMut Held I Input K Method N NC NQ None \
-    Ok Operations Option Real Result S Scalar Sim Some Start Starts State T";
+    Ok Operations Option Real Result S Scalar Sim Some Start Starts State T Two";
 
 /// The name by which emitted code has the mechanism's type: the user's, unless the code has another thing of that name.
 pub(crate) fn free(name: &str) -> &str {
