@@ -28,7 +28,7 @@ fn a_mechanism_may_have_any_name() {
     let fallen = fall! {
         S T I K N X U G Q NQ NC NX NDOF OPERATIONS CONTOURS State Input Held Starts Start BodyStart BodyState Assembly Sim Method
         Operations Option Some None Result Ok Err Scalar Real Fault Plm Core Std Mechanism Mechanism_ Moment Vec String Box
-        Iterator Fn FnMut Default Clone Copy Debug PartialEq Send Drop Display Type F64 Usize Bool Loop Self_ Arm_ Код 日本
+        Two Iterator Fn FnMut Default Clone Copy Debug PartialEq Send Drop Display Type F64 Usize Bool Loop Self_ Arm_ Код 日本
     };
     for (name, height) in fallen {
         assert!((height + 1.0).abs() < 1e-9, "{name}: {height}");
