@@ -41,10 +41,9 @@ pub(crate) struct Scene {
     pub(crate) h: f64,
     /// Instructions that a step may need.
     pub(crate) limit: Option<u32>,
-    /// What a step of `Sim` may need, over its formula. In absolute coordinates some settle every step. What depends on
-    /// parameters alone, a loop over the formula computes once, and `Sim` in each step (the arm: 216 instructions). Of loops
-    /// the formula is short, because stages go in pairs: what `Sim` adds, 220 to 310 instructions, weighs more.
-    pub(crate) with_sim: f64,
+    /// Instructions that a step of `Sim` may need. In absolute coordinates some settle every step. What depends on parameters
+    /// alone, a loop over the formula computes once, and `Sim` in each step (the arm: 216 instructions).
+    pub(crate) with_sim: u32,
     pub(crate) steps: fn(f64, Level) -> Steps,
 }
 
@@ -52,33 +51,33 @@ const fn scene(
     name: &'static str,
     bodies: u32,
     h: f64,
-    (limit, with_sim): (Option<u32>, f64),
+    (limit, with_sim): (Option<u32>, u32),
     steps: fn(f64, Level) -> Steps,
 ) -> Scene {
     Scene { name, bodies, h, limit, with_sim, steps }
 }
 
 pub(crate) const SCENES: &[Scene] = &[
-    scene("S1", 2, 1e-3, (Some(2066), 1.4), |h, level| steps(s1::DoublePendulum::new(), h, level)),
-    scene("S2", 3, 1e-3, (Some(3200), 1.6), |h, level| steps(s2::FourBar::new(), h, level)),
-    scene("S6", 3, 1e-3, (Some(2389), 1.63), |h, level| steps(s6::SliderCrank::new(), h, level)),
-    scene("S5", 7, 1e-5, (Some(9026), 1.32), |h, level| steps(s5::Andrews::new(), h, level)),
-    scene("arm on jack", 1, 1e-5, (None, 1.55), |h, level| steps(arm::Arm::new(), h, level)),
-    scene("S1 absolute", 2, 1e-3, (Some(2066), 4.1), |h, level| {
+    scene("S1", 2, 1e-3, (Some(2066), 600), |h, level| steps(s1::DoublePendulum::new(), h, level)),
+    scene("S2", 3, 1e-3, (Some(3200), 690), |h, level| steps(s2::FourBar::new(), h, level)),
+    scene("S6", 3, 1e-3, (Some(2389), 605), |h, level| steps(s6::SliderCrank::new(), h, level)),
+    scene("S5", 7, 1e-5, (Some(9026), 1390), |h, level| steps(s5::Andrews::new(), h, level)),
+    scene("arm on jack", 1, 1e-5, (None, 1660), |h, level| steps(arm::Arm::new(), h, level)),
+    scene("S1 absolute", 2, 1e-3, (Some(2066), 5330), |h, level| {
         steps(absolute::s1::DoublePendulum::new(), h, level)
     }),
-    scene("S2 absolute", 3, 1e-3, (Some(3200), 1.2), |h, level| {
+    scene("S2 absolute", 3, 1e-3, (Some(3200), 3220), |h, level| {
         steps(absolute::s2::FourBar::new(), h, level)
     }),
-    scene("S6 absolute", 3, 1e-3, (Some(2389), 1.25), |h, level| {
+    scene("S6 absolute", 3, 1e-3, (Some(2389), 2190), |h, level| {
         steps(absolute::s6::SliderCrank::new(), h, level)
     }),
-    scene("S5 absolute", 7, 1e-5, (Some(9026), 3.6), |h, level| {
+    scene("S5 absolute", 7, 1e-5, (Some(9026), 29_700), |h, level| {
         steps(absolute::s5::Andrews::new(), h, level)
     }),
-    scene("chain 4", 4, 1e-3, (None, 1.42), |h, level| steps(Chain4::new(), h, level)),
-    scene("chain 16", 16, 1e-3, (None, 1.08), |h, level| steps(Chain16::new(), h, level)),
-    scene("chain 64", 64, 1e-4, (None, 1.07), |h, level| steps(Chain64::new(), h, level)),
+    scene("chain 4", 4, 1e-3, (None, 1515), |h, level| steps(Chain4::new(), h, level)),
+    scene("chain 16", 16, 1e-3, (None, 8600), |h, level| steps(Chain16::new(), h, level)),
+    scene("chain 64", 64, 1e-4, (None, 36_300), |h, level| steps(Chain64::new(), h, level)),
 ];
 
 /// The scene of this name.

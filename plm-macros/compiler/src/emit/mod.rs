@@ -253,6 +253,12 @@ impl Emission<'_> {
         }
     }
 
+    /// The argument for what is remembered of loops, where there are some: as declared, and as handed over.
+    fn memory_argument(&self) -> [Option<TokenStream>; 2] {
+        let declared = self.loops().map(|reduced| memory(reduced, &quote!(S)));
+        [declared.map(|memory| quote!(m: &#memory,)), self.loops().map(|_| quote!(m,))]
+    }
+
     /// Accelerations and multipliers of a tree; where there are none, rung 5 gives them.
     fn reactions(&self) -> Option<&Function> {
         match self.form {

@@ -4,7 +4,7 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
-use super::super::{Emission, Sizes, memory, number, quoted};
+use super::super::{Emission, Form, Sizes, memory, number, quoted};
 use super::turns;
 use crate::formulate::Reduced;
 
@@ -88,6 +88,23 @@ pub(crate) fn in_held(
             rt::charts::OfLoops::InChart { memory: m, .. } => #other,
             rt::charts::OfLoops::Free { q: free_q, v: free_v } => #free,
         }
+    }
+}
+
+/// How a function is called that each chart has, in the one that is held; `without` stands where there is none.
+pub(crate) fn call(
+    emission: &Emission,
+    function: &str,
+    arguments: &TokenStream,
+    without: &TokenStream,
+) -> TokenStream {
+    let of_chart = |k: usize| {
+        let function = emission.in_chart(function, k);
+        quote!(self.#function(#arguments))
+    };
+    match emission.form {
+        Form::Loops(reduced) => in_held(reduced, &quote!(u), without, of_chart),
+        Form::Tree(_) | Form::Absolute => of_chart(0),
     }
 }
 

@@ -7,8 +7,8 @@ use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::function;
-use super::super::{Emission, Form, Sizes, memory, number};
-use super::charted::in_held;
+use super::super::{Emission, Form, Sizes, number};
+use super::charted::call;
 use crate::formulate::{Augmented, Chart, Linearised, Part, Reduced, Term};
 
 /// `Linear`.
@@ -49,10 +49,7 @@ fn of_charts(emission: &Emission, reduced: &Reduced) -> Option<TokenStream> {
         return None;
     }
     let length = &emission.sizes.length;
-    let entries = in_held(reduced, &quote!(u), &quote!({}), |k| {
-        let function = format_ident!("jacobian_{k}");
-        quote!(self.#function(t, u, m, x, &dx, by_x))
-    });
+    let entries = call(emission, "jacobian", &quote!(t, u, m, x, &dx, by_x), &quote!({}));
     Some(quote! {
         fn jacobian(
             &self,
@@ -133,13 +130,9 @@ pub(crate) fn at_state(emission: &Emission, c: &TokenStream) -> (TokenStream, To
             },
             quote!(self.linearised(t, u, x, &dx, &multipliers, #c)),
         ),
-        Form::Tree(_) => (by_rate, quote!(self.linearised(t, u, x, &dx, #c))),
-        Form::Loops(reduced) => {
-            let call = |k| {
-                let function = format_ident!("linearised_{k}");
-                quote!(self.#function(t, u, m, x, &dx, #c))
-            };
-            (by_rate, in_held(reduced, &quote!(u), &quote!({}), call))
+        Form::Tree(_) | Form::Loops(_) => {
+            let [_, m] = emission.memory_argument();
+            (by_rate, call(emission, "linearised", &quote!(t, u, #m x, &dx, #c), &quote!({})))
         }
     }
 }
@@ -194,8 +187,7 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
         return TokenStream::new();
     }
     let count = emission.coefficients();
-    let memory = emission.loops().map(|reduced| memory(reduced, &quote!(S)));
-    let memory = memory.map(|memory| quote!(m: &#memory,));
+    let [memory, _] = emission.memory_argument();
     let multipliers = (!emission.is_reduced()).then(|| quote!(lambda: &[S; #nc],));
     let functions = systems.iter().enumerate().map(|(k, system)| {
         let name = emission.in_chart("linearised", k);

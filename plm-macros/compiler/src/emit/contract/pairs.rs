@@ -9,7 +9,7 @@ use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::lower::{Around, Part, Parts, parts};
-use super::super::{Emission, Form, Sizes, memory, number};
+use super::super::{Emission, Form, Sizes, number};
 use super::rate;
 use crate::formulate::{Chart, Function, Place};
 
@@ -80,7 +80,7 @@ fn rate_pair(emission: &Emission, parts: &Parts) -> TokenStream {
     });
     let still = reads(emission, &parts.still);
     let given = still.iter().map(|[_, given]| given);
-    let ([_, memory], [.., positions]) = (of_memory(emission), positions(emission));
+    let ([_, memory], [.., positions]) = (emission.memory_argument(), positions(emission));
     let [one, other] = [
         quote!(self.rate_at_pose::<false>(t[0], u, #memory x[0], &shared, &mut dx[0])),
         quote!(self.rate_at_pose::<true>(t[1], u, #memory &next, &shared, &mut dx[1])),
@@ -109,7 +109,7 @@ fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     let arguments = reads(emission, &parts.still);
     let declared = arguments.iter().map(|[declared, _]| declared);
     let [positions, x, _] = positions(emission);
-    let ([memory, _], inlined) = (of_memory(emission), rate::inlined(emission));
+    let ([memory, _], inlined) = (emission.memory_argument(), rate::inlined(emission));
     let health = if matches!(emission.form, Form::Tree(_)) {
         quote!({ #moving } rt::Health::perfect())
     } else {
@@ -136,17 +136,11 @@ fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     }
 }
 
-/// What is remembered of loops, as declared and as handed over.
-fn of_memory(emission: &Emission) -> [Option<TokenStream>; 2] {
-    let declared = emission.loops().map(|reduced| memory(reduced, &quote!(S)));
-    [declared.map(|memory| quote!(m: &#memory,)), emission.loops().map(|_| quote!(m,))]
-}
-
 /// What the first part reads beside the positions, as declared and as handed over: what nobody reads would be handed over all
 /// the same, by a function that is not inlined.
 fn reads(emission: &Emission, still: &Part) -> Vec<[TokenStream; 2]> {
     let reads = |start: &str| still.symbols.iter().any(|text| text.contains(start));
-    let [memory, remembered] = of_memory(emission);
+    let [memory, remembered] = emission.memory_argument();
     let all = [
         (reads("self."), quote!(&self,), quote!(self,)),
         (reads("u."), quote!(u: &Held<S>,), quote!(u,)),

@@ -3,13 +3,12 @@
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
-use quote::format_ident;
 
 use super::super::bindings::Origin;
-use super::super::contract::charted::in_held;
+use super::super::contract::charted::call;
 use super::super::contract::linear::at_state;
 use super::super::function::function;
-use super::super::{Emission, Form, Sizes, memory, number};
+use super::super::{Emission, Form, Sizes, number};
 use crate::formulate::{Chart, Function, Resolvent};
 
 /// `step_linearly_implicit` and the linear algebra that belongs to it.
@@ -64,20 +63,12 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
     }
 }
 
-/// How elimination and solution are called, in the chart that is held.
+/// How elimination and solution are called.
 fn calls(emission: &Emission) -> (TokenStream, TokenStream) {
     let (eliminate, solve) = (quote!(&c, lambda, inverse, &mut e), quote!(&c, &e, inverse, r, k));
-    let Form::Loops(reduced) = emission.form else {
-        return (quote!(self.eliminated(#eliminate)), quote!(self.solved(#solve)));
-    };
-    let of = |function: &str, arguments: &TokenStream, free: &TokenStream| {
-        in_held(reduced, &quote!(u), free, |k| {
-            let function = format_ident!("{function}_{k}");
-            quote!(self.#function(#arguments))
-        })
-    };
     // Without a chart no step is begun.
-    (of("eliminated", &eliminate, &quote!(S::lit(f64::NAN))), of("solved", &solve, &quote!({})))
+    let without = quote!(S::lit(f64::NAN));
+    (call(emission, "eliminated", &eliminate, &without), call(emission, "solved", &solve, &quote!({})))
 }
 
 /// The derivative of the rate by the time, where it depends on it, and the functions that give it.
@@ -88,7 +79,7 @@ fn by_time(emission: &Emission) -> (TokenStream, TokenStream) {
     let charts: Vec<&Chart> = match emission.form {
         Form::Absolute => Vec::new(),
         Form::Tree(chart) => vec![chart],
-        Form::Loops(reduced) => reduced.charts.iter().collect(),
+        Form::Loops(reduced) => reduced.charts.iter().collect_vec(),
     };
     let found: Option<Vec<&Function>> = charts.iter().map(|chart| chart.by_time.as_ref()).collect();
     let Some(functions) = found.filter(|functions| !functions.is_empty()) else {
@@ -98,18 +89,8 @@ fn by_time(emission: &Emission) -> (TokenStream, TokenStream) {
         };
         return (by_dual_numbers, TokenStream::new());
     };
-    let call = emission.loops().map_or_else(
-        || quote!(self.by_time(t, u, x, &mut by_t)),
-        |reduced| {
-            in_held(reduced, &quote!(u), &quote!({}), |k| {
-                let function = format_ident!("by_time_{k}");
-                quote!(self.#function(t, u, m, x, &mut by_t))
-            })
-        },
-    );
-    let length = &emission.sizes.length;
-    let memory =
-        emission.loops().map(|reduced| memory(reduced, &quote!(S))).map(|memory| quote!(m: &#memory,));
+    let ([memory, m], length) = (emission.memory_argument(), &emission.sizes.length);
+    let call = call(emission, "by_time", &quote!(t, u, #m x, &mut by_t), &quote!({}));
     let functions = charts.iter().zip(functions).enumerate().map(|(k, (chart, slopes))| {
         let name = emission.in_chart("by_time", k);
         function(
