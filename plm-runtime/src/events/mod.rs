@@ -14,6 +14,7 @@ mod looks;
 mod past;
 mod root;
 mod search;
+mod still;
 mod words;
 
 use self::calm::Calm;
@@ -22,6 +23,7 @@ use self::looks::Looks;
 use self::past::hold_past;
 pub(crate) use self::past::{are_quiet, switch_past};
 use self::search::{Found, Search};
+use self::still::Still;
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, Method};
 use crate::scalar::{Real, Scalar};
@@ -159,14 +161,25 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         }
         self.calm.forget();
         let end = guards_here(course)?;
+        if G::LEN > 0 {
+            method.densify(course)?;
+        }
+        let still = method.path().map_or(Still::UNKNOWN, |path| Still::over(course, &path));
         // What would end a step so early that it hardly moves the time happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
-        let (mut due, mut time) = match self.search(method, course, &start, &end)? {
+        let found = if still.guards {
+            (Found::Nothing, course.time)
+        } else {
+            self.search(method, course, &start, &end)
+        };
+        let (mut due, mut time) = match found {
             (Found::Crossing(index, _), time) => (Some(index), time),
             (Found::Open(_), time) if time - start.time > least => (None, time),
             _ => (None, course.time),
         };
-        if let Some(kink) = kink(method, course, start.time)?.filter(|kink| *kink < time) {
+        if !still.kinks
+            && let Some(kink) = kink(method, course, start.time)?.filter(|kink| *kink < time)
+        {
             (due, time) = (None, kink);
         }
         if time >= course.time {
@@ -253,21 +266,20 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         course: &mut Course<'_, M>,
         start: &Begun<M>,
         end: &G,
-    ) -> Result<(Found<S>, S), Fault> {
+    ) -> (Found<S>, S) {
         if G::LEN == 0 {
-            return Ok((Found::Nothing, course.time));
+            return (Found::Nothing, course.time);
         }
-        method.densify(course)?;
         let Some(path) = method.path() else {
             let began = guards(course.system, start.time, &start.held, &start.x);
             let looks = Looks { method, course, start: start.time, left_over: &self.left_over };
-            return Ok(looks.first(&began, end));
+            return looks.first(&began, end);
         };
         let found = Search::new(course.system, course.held, path, &self.left_over).first();
-        Ok(match found {
+        match found {
             Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
             Found::Nothing => (found, course.time),
-        })
+        }
     }
 
     /// Counts switches; too many in too short a time are a fault of the condition `index`.

@@ -120,26 +120,49 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
     }
 }
 
-/// Ranges of a polynomial and of its derivative up to `radius` from zero, term by term: even powers have one sign.
+/// Ranges of a polynomial and of its derivative up to `radius` from zero, term by term.
 fn enclose<S: Real>(c: [S; POWERS], radius: S) -> Tube<S> {
-    let (mut value, mut slope) = (Interval::point(c[0]), Interval::point(c[1]));
+    let (mut value, mut slope) = (Terms::NONE, Terms::NONE);
     let mut power = radius;
     for k in 1..POWERS {
-        value = reach(value, c[k] * power, k % 2 == 0);
+        value.reach(c[k] * power, k % 2 == 0);
         if k + 1 < POWERS {
-            slope = reach(slope, S::lit((k + 1) as f64) * c[k + 1] * power, k % 2 == 0);
+            slope.reach(S::lit((k + 1) as f64) * c[k + 1] * power, k % 2 == 0);
         }
         power = power * radius;
     }
-    Tube { middle: c[0], value, slope }
+    Tube { middle: c[0], value: value.around(c[0]), slope: slope.around(c[1]) }
 }
 
-/// A range and a term from nothing to `size` if `one_sided`, else to both sides; zero is not rounded outwards.
-fn reach<S: Real>(range: Interval<S>, size: S, one_sided: bool) -> Interval<S> {
-    if size == S::ZERO {
-        return range;
+/// How far the terms of a polynomial reach down and up, both as sums of sizes.
+struct Terms<S> {
+    down: S,
+    up: S,
+}
+
+impl<S: Real> Terms<S> {
+    const NONE: Self = Self { down: S::ZERO, up: S::ZERO };
+
+    /// A term that goes from nothing to `size`, an even power, or to both sides; what is not a number stays none.
+    #[inline]
+    fn reach(&mut self, size: S, is_even: bool) {
+        let (half, both) = (S::lit(0.5), size.abs());
+        let (down, up) = if is_even { (half * (both - size), half * (both + size)) } else { (both, both) };
+        (self.down, self.up) = (self.down + down, self.up + up);
     }
-    range + Interval::between(if one_sided { S::ZERO } else { -size }, size)
+
+    /// The range about the constant term; zero is not rounded outwards. A term is a product of at most nine, and sums of eight
+    /// sizes lose no digits: both together are off by eight epsilons (N. J. Higham, Accuracy and Stability of Numerical
+    /// Algorithms, 2nd edition, lemma 3.1).
+    #[inline]
+    fn around(self, middle: S) -> Interval<S> {
+        let slack = S::lit(1.0) + S::lit(POWERS as f64) * S::EPSILON;
+        let [down, up] = [self.down, self.up].map(|sum| slack * sum);
+        if down == S::ZERO && up == S::ZERO {
+            return Interval::point(middle);
+        }
+        Interval::point(middle) + Interval::between(-down, up)
+    }
 }
 
 #[cfg(test)]
@@ -227,6 +250,21 @@ mod tests {
                 assert!(
                     tube.slope.low - widest < slope && slope < tube.slope.high + widest,
                     "{theta}: {tube:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn of_what_is_not_a_number_nothing_is_known() {
+        for k in 0..POWERS {
+            for (odd, radius) in [(f64::NAN, 0.5), (f64::INFINITY, 0.5)] {
+                let mut c = [1.0; POWERS];
+                c[k] = odd;
+                let Interval { low, high } = enclose(c, radius).value;
+                assert!(
+                    low == f64::NEG_INFINITY || high == f64::INFINITY,
+                    "{k}: {odd} gives {low} to {high}"
                 );
             }
         }
