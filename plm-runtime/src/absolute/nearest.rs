@@ -45,14 +45,19 @@ pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
     false
 }
 
-/// The smallest pivot of `phi_q M^-1 phi_q^T` at a pose over its diagonal entry, which vanishes where the rank drops.
+/// The smallest pivot of `phi_q W phi_q^T` at a pose over its diagonal entry, which vanishes where the rank drops.
+///
+/// `W` weighs lengths by the mechanism's and angles by a radian, so that geometry alone decides. In the metric of the masses a body
+/// whose centre is far from its joint, over its radius of gyration, has small pivots at every pose but along an axis.
 pub(crate) fn smallest_pivot<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     q: &[S; NQ],
 ) -> S {
+    let (area, one) = (m.length() * m.length(), S::lit(1.0));
+    let weights = Vector::from_fn(|i| if i % 3 == 2 { one } else { area });
     let mut dq = [S::ZERO; NQ];
-    m.min_norm(t, q, &m.inverse_mass(), &[S::ZERO; NC], &mut dq).0
+    m.min_norm(t, q, &weights, &[S::ZERO; NC], &mut dq).0
 }
 
 /// The part whose constraint takes the longest way to close by a unit: near a singular pose, one of those that are flat.

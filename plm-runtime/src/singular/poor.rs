@@ -45,7 +45,7 @@ pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, con
     let full = leg.system.full(leg.to.0, leg.held, leg.to.1);
     let usual = usual(leg.system, leg.to.0, &full);
     let poor = M::S::lit(POOR) * usual;
-    Health(usual).is_good() && (leg.health < poor || lowest(leg, M::S::lit(LOW) * usual) < poor)
+    Health(usual).is_good() && lowest(leg, M::S::lit(LOW) * usual) < poor
 }
 
 /// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
