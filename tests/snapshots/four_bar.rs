@@ -641,8 +641,8 @@ mod plm_four_bar_ {
 
             const CHARTED: bool = true;
             #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
+            fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
+                rt::charts::crossed(self, held, before, x)
             }
 
             fn is_near(held: &Self::U) -> bool {
@@ -1965,7 +1965,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 10 select, 2 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -1993,10 +1993,14 @@ mod plm_four_bar_ {
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
                 let ratio_0_0 = lit(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0;
-                memory.coordinates[0].reach = lit(0.1)
-                    / lit(1.0).max(ratio_0_1.abs().max(
-                        (lit(0.63) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
-                    ));
+                let t1 = lit(0.1)
+                    / lit(1.0).max(
+                        ratio_0_1.abs().max(
+                            (lit(0.63) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
+                                .max(ratio_0_0.abs()),
+                        ),
+                    );
+                memory.coordinates[0].reach = t1;
                 memory.time.last = t;
                 memory.time.reach = lit(1e30);
                 memory.turns[0].angle = crank_angle;
@@ -2009,27 +2013,27 @@ mod plm_four_bar_ {
                 let last_sine_1 = m.turns[1].sin;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
-                let t1 = last_angle_1
+                let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
-                memory.turns[1].angle = t1;
-                let (sin_t1, cos_t1) = t1.sin_cos();
-                memory.turns[1].cos = cos_t1;
-                memory.turns[1].sin = sin_t1;
+                memory.turns[1].angle = t2;
+                let (sin_t2, cos_t2) = t2.sin_cos();
+                memory.turns[1].cos = cos_t2;
+                memory.turns[1].sin = sin_t2;
                 let last_angle_2 = m.turns[2].angle;
                 let last_cosine_2 = m.turns[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
                 let last_sine_2 = m.turns[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
-                let t2 = last_angle_2
+                let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
-                memory.turns[2].angle = t2;
-                let (sin_t2, cos_t2) = t2.sin_cos();
-                memory.turns[2].cos = cos_t2;
-                memory.turns[2].sin = sin_t2;
+                memory.turns[2].angle = t3;
+                let (sin_t3, cos_t3) = t3.sin_cos();
+                memory.turns[2].cos = cos_t3;
+                memory.turns[2].sin = sin_t3;
                 memory.areas[0] = area_0;
                 lit(2.5195263290501386) * square_0
             }
@@ -2221,7 +2225,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 10 select, 2 other.
             fn remember_1(
                 &self,
                 t: S,
@@ -2249,10 +2253,14 @@ mod plm_four_bar_ {
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(-0.7) * cross_0_0 * reciprocal_0;
                 let ratio_0_0 = lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
-                memory.coordinates[0].reach = lit(0.1)
-                    / lit(1.0).max(ratio_0_1.abs().max(
-                        (lit(0.27) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
-                    ));
+                let t1 = lit(0.1)
+                    / lit(1.0).max(
+                        ratio_0_1.abs().max(
+                            (lit(0.27) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
+                                .max(ratio_0_0.abs()),
+                        ),
+                    );
+                memory.coordinates[0].reach = t1;
                 memory.time.last = t;
                 memory.time.reach = lit(1e30);
                 let last_angle_0 = m.turns[0].angle;
@@ -2262,14 +2270,14 @@ mod plm_four_bar_ {
                 let last_sine_0 = m.turns[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
-                let t1 = last_angle_0
+                let t2 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
-                memory.turns[0].angle = t1;
-                let (sin_t1, cos_t1) = t1.sin_cos();
-                memory.turns[0].cos = cos_t1;
-                memory.turns[0].sin = sin_t1;
+                memory.turns[0].angle = t2;
+                let (sin_t2, cos_t2) = t2.sin_cos();
+                memory.turns[0].cos = cos_t2;
+                memory.turns[0].sin = sin_t2;
                 memory.turns[1].angle = rocker_angle;
                 memory.turns[1].cos = cos_rocker_angle;
                 memory.turns[1].sin = sin_rocker_angle;
@@ -2278,14 +2286,14 @@ mod plm_four_bar_ {
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + crank_arm_y);
                 let last_sine_2 = m.turns[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + crank_arm_x);
-                let t2 = last_angle_2
+                let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
-                memory.turns[2].angle = t2;
-                let (sin_t2, cos_t2) = t2.sin_cos();
-                memory.turns[2].cos = cos_t2;
-                memory.turns[2].sin = sin_t2;
+                memory.turns[2].angle = t3;
+                let (sin_t3, cos_t3) = t3.sin_cos();
+                memory.turns[2].cos = cos_t3;
+                memory.turns[2].sin = sin_t3;
                 memory.areas[0] = area_0;
                 lit(13.717421124828531) * square_0
             }
@@ -2482,7 +2490,7 @@ mod plm_four_bar_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 9 select, 2 other.
+            /// 18 add, 34 mul, 4 div, 2 neg, 2 sqrt, 3 sin_cos, 10 select, 2 other.
             fn remember_2(
                 &self,
                 t: S,
@@ -2511,10 +2519,14 @@ mod plm_four_bar_ {
                 let reciprocal_0 = lit(1.0) / area_0;
                 let ratio_0_1 = lit(0.9) * cross_0_0 * reciprocal_0;
                 let ratio_0_0 = lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
-                memory.coordinates[0].reach = lit(0.1)
-                    / lit(1.0).max(ratio_0_1.abs().max(
-                        (lit(0.21) * (ratio_0_0 - ratio_0_1).abs() / square_0.sqrt()).max(ratio_0_0.abs()),
-                    ));
+                let t1 = lit(0.1)
+                    / lit(1.0).max(
+                        ratio_0_1.abs().max(
+                            (lit(0.21) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
+                                .max(ratio_0_0.abs()),
+                        ),
+                    );
+                memory.coordinates[0].reach = t1;
                 memory.time.last = t;
                 memory.time.reach = lit(1e30);
                 let last_angle_0 = m.turns[0].angle;
@@ -2524,27 +2536,27 @@ mod plm_four_bar_ {
                 let last_sine_0 = m.turns[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
-                let t1 = last_angle_0
+                let t2 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
-                memory.turns[0].angle = t1;
-                let (sin_t1, cos_t1) = t1.sin_cos();
-                memory.turns[0].cos = cos_t1;
-                memory.turns[0].sin = sin_t1;
+                memory.turns[0].angle = t2;
+                let (sin_t2, cos_t2) = t2.sin_cos();
+                memory.turns[0].cos = cos_t2;
+                memory.turns[0].sin = sin_t2;
                 let last_angle_1 = m.turns[1].angle;
                 let last_cosine_1 = m.turns[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
                 let last_sine_1 = m.turns[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
-                let t2 = last_angle_1
+                let t3 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
-                memory.turns[1].angle = t2;
-                let (sin_t2, cos_t2) = t2.sin_cos();
-                memory.turns[1].cos = cos_t2;
-                memory.turns[1].sin = sin_t2;
+                memory.turns[1].angle = t3;
+                let (sin_t3, cos_t3) = t3.sin_cos();
+                memory.turns[1].cos = cos_t3;
+                memory.turns[1].sin = sin_t3;
                 memory.turns[2].angle = coupler_angle;
                 memory.turns[2].cos = cos_coupler_angle;
                 memory.turns[2].sin = sin_coupler_angle;

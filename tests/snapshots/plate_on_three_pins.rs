@@ -895,8 +895,8 @@ mod plm_plate_on_three_pins_ {
 
             const CHARTED: bool = true;
             #[inline]
-            fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-                rt::charts::is_sharp(self, t, held, before, x)
+            fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
+                rt::charts::crossed(self, held, before, x)
             }
 
             fn is_near(held: &Self::U) -> bool {

@@ -445,8 +445,8 @@ mod plm_slider_crank_ {
             }
 
             const CHARTED: bool = false;
-            fn is_sharp(&self, _t: S, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> bool {
-                false
+            fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
+                S::lit(0.0)
             }
 
             fn is_near(_held: &Self::U) -> bool {

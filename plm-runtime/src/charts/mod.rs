@@ -156,18 +156,17 @@ pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
         && !(M::LOOSE && are_due::<M>(held, x))
 }
 
-/// Is a step too long for what may be a sharp turn near a flat pose, which no error control resolves? One that changes the
-/// measure by a tenth, where it is small.
+/// How much of its box a coordinate has crossed in a step, the most of all; zero where all loops are far from flat.
+///
+/// A box is a tenth of the way on which the measure changes by its own size, so that this tells how long a step is beside the
+/// turn that it follows.
 #[inline]
-pub fn is_sharp<M: Charted>(system: &M, t: M::S, held: &M::U, before: &M::X, x: &M::X) -> bool {
-    let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
+pub fn crossed<M: Charted>(system: &M, held: &M::U, before: &M::X, x: &M::X) -> M::S {
+    let OfLoops::InChart { memory, .. } = &held.of_loops else { return M::S::ZERO };
     let tight = |k: usize| M::S::lit(TIGHT / M::NQ as f64) * system.typical().at(k);
-    memory
-        .coordinates()
-        .iter()
-        .enumerate()
-        .any(|(k, &Reach { reach, .. })| (x.at(k) - before.at(k)).abs() > reach && reach < tight(k))
-        && !is_calm::<M>(t, held, x)
+    memory.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
+        if reach < tight(k) { most.max((x.at(k) - before.at(k)).abs() / reach) } else { most }
+    })
 }
 
 /// Looks at a state that has come from what is remembered in a chart; the chart may be left.

@@ -316,11 +316,17 @@ fn kink<M: System<S: Real>, I: Method<M>>(
         return Ok(None);
     };
     let (system, held) = (course.system, course.held);
-    if (Kinks { system, held, path }).first().is_none() {
-        return Ok(None);
-    }
-    method.densify(course)?;
-    let Some(path) = method.path() else { return Ok(None) };
+    // Where there are guards, the dense output is known.
+    let path = if M::G::LEN > 0 {
+        path
+    } else {
+        if (Kinks { system, held, path }).first().is_none() {
+            return Ok(None);
+        }
+        method.densify(course)?;
+        let Some(path) = method.path() else { return Ok(None) };
+        path
+    };
     let mut outcome = Ok(());
     let theta = Kinks { system, held, path }.first_that_matters(tolerance, |t, x| {
         let mut rate = *x;

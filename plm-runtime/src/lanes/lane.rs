@@ -58,7 +58,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         self.course.health = next.map_or(1.0, |next| next.1.min(1.0));
         let next = next.map(|next| next.0);
         self.outcome = if M::Rescue::holds(&self.course) { Ok(()) } else { self.land(next) };
-        self.runs = self.outcome.is_ok() && !M::Rescue::holds(&self.course);
+        self.runs = self.outcome.is_ok() && self.course.divided.is_none() && !M::Rescue::holds(&self.course);
         if !self.runs {
             // Near a singular pose it goes on without the others.
             let Self { course, method, watch, limits, outcome, .. } = self;

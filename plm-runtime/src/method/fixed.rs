@@ -212,6 +212,11 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         self.until_check = 0;
     }
 
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        let Self { tolerance, check_every, .. } = *self;
+        Some(Self { tolerance, check_every, ..Self::new(longest) })
+    }
+
     fn fresh(&self) -> Self {
         let Self { longest_step, tolerance, check_every, .. } = *self;
         Self { tolerance, check_every, ..Self::new(longest_step) }

@@ -61,6 +61,8 @@ pub trait Method<M: System>: Copy {
     const SINGLE: bool = false;
     /// By which results tell what made them.
     const NAME: &'static str = "";
+    /// Next to a flat pose, steps of fixed length must be shorter by this factor than those of order 4 for an error as small.
+    const CAUTION: f64 = 1.0;
 
     /// Plans the interval from `course.time` to `course.end`.
     ///
@@ -130,6 +132,12 @@ pub trait Method<M: System>: Copy {
         false
     }
 
+    /// The same method with steps of at most `longest`, s, as before its first step; none where an estimate of the error chooses them.
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        let _ = longest;
+        None
+    }
+
     /// The same method with its options, as it was before its first step.
     #[must_use]
     fn fresh(&self) -> Self;
@@ -183,6 +191,15 @@ pub struct Course<'a, M: System> {
     pub(crate) kept: Option<&'a mut Kept<M>>,
     /// Steps are made without what the mechanism's own coordinates need, until this time at least.
     pub(crate) rescued: Option<M::S>,
+    /// The last step was refused, and is to be divided.
+    pub(crate) divided: Option<Divided<M::S>>,
+}
+
+/// A step to `until`, s, that is to be made in so many parts at least.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Divided<S> {
+    pub(crate) until: S,
+    pub(crate) parts: u32,
 }
 
 impl<'a, M: System> Course<'a, M> {
@@ -204,6 +221,7 @@ impl<'a, M: System> Course<'a, M> {
             health: M::S::lit(1.0),
             kept: None,
             rescued: None,
+            divided: None,
         }
     }
 

@@ -171,6 +171,7 @@ fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, F
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     const DENSE: bool = false;
     const NAME: &'static str = "Ros34Pw2";
+    const CAUTION: f64 = 4.0;
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.plan = Plan::of_course(course, self.longest_step)?;
@@ -194,6 +195,11 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     }
 
     fn restart(&mut self) {}
+
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        let Self { tolerance, worst_error, .. } = *self;
+        Some(Self { tolerance, worst_error, ..Self::new(longest) })
+    }
 
     fn fresh(&self) -> Self {
         let Self { longest_step, tolerance, worst_error, .. } = *self;

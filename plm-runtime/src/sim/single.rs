@@ -32,7 +32,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return false;
         }
         let leg = Leg { system, held: &held, from: (time, state.x()), to: (end, &x), health: made.health };
-        if M::Rescue::is_due(&leg, false) || !watch.is_calm(kept, &leg) {
+        if M::Rescue::parts(&leg, I::CAUTION) > 1
+            || M::Rescue::is_due(&leg, false)
+            || !watch.is_calm(kept, &leg)
+        {
             return false;
         }
         let accepted = system.accept(end, &mut held, &mut x);

@@ -6,7 +6,7 @@ use super::samples::{Observer, Unobserved, What};
 use crate::events::{self, Watch};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
-use crate::method::{Course, Method};
+use crate::method::{Course, Divided, Method};
 use crate::scalar::{Real, Scalar};
 use crate::singular::Rescue;
 use crate::system::{Accepted, System};
@@ -48,8 +48,11 @@ fn go_on<M: Mechanism, I: Method<M>>(
 ) -> Result<(), Fault> {
     let mut failures = 0;
     while course.time < course.end {
-        if outcome.is_ok() && !M::Rescue::holds(course) {
+        if outcome.is_ok() && course.divided.is_none() && !M::Rescue::holds(course) {
             outcome = step(method, course, (&mut *watch, limits), observer, false);
+        }
+        if let Some(divided) = course.divided.take() {
+            outcome = in_parts(method, course, (&mut *watch, limits), (divided, observer));
         }
         failures = if outcome.is_ok() { 0 } else { failures + 1 };
         if failures > MOST_FAILURES {
@@ -104,6 +107,46 @@ fn tell<M: Mechanism>(
     if let Some((held, _)) = before.filter(|(_, switches)| course.stats.switches > *switches) {
         observer.switched(course, &held, what);
     }
+}
+
+/// A step that is long beside the turn which the mechanism makes next to a flat pose, in shorter steps of the same formula.
+#[cold]
+fn in_parts<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    (divided, observer): (Divided<M::S>, &mut impl Observer<M>),
+) -> Result<(), Fault> {
+    let whole = core::mem::replace(&mut course.end, divided.until);
+    let (mut outcome, mut due) = (Ok(()), Some(divided));
+    while let (Ok(()), Some(Divided { until, parts })) = (outcome, due) {
+        let longest = (until - course.time) / M::S::lit(f64::from(parts));
+        let moves = longest > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * until.abs();
+        outcome = match method.shorter(longest).filter(|_| moves) {
+            Some(mut finer) => follow(&mut finer, course, (&mut *watch, limits), observer),
+            None if M::Rescue::take(course) => Ok(()),
+            None => Err(course.fault(Cause::NotRegular)),
+        };
+        due = course.divided.take();
+    }
+    course.end = whole;
+    method.restart();
+    if outcome.is_ok() && course.time < course.end { method.begin(course) } else { outcome }
+}
+
+/// Steps to the end of the course, until one is to be divided or the rescue takes over.
+fn follow<M: Mechanism, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (watch, limits): Guarded<'_, M>,
+    observer: &mut impl Observer<M>,
+) -> Result<(), Fault> {
+    watch.begin(method, course)?;
+    method.begin(course)?;
+    while course.time < course.end && course.divided.is_none() && !M::Rescue::holds(course) {
+        step(method, course, (&mut *watch, limits), observer, false)?;
+    }
+    Ok(())
 }
 
 /// Steps near singular poses, until the mechanism's own coordinates are regular again; also where they are said to be
@@ -232,19 +275,25 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
     }
 }
 
-/// Has the last step led over nearly singular poses? It is taken back then.
+/// Has the last step led over nearly singular poses, or next to them by too far? It is taken back then.
 #[inline]
 pub(crate) fn came_near<M: Mechanism, I: Method<M>>(
     course: &mut Course<'_, M>,
     before: (M::S, M::X),
     watch: &mut Watch<M::S, M::G>,
 ) -> bool {
-    let due = M::Rescue::is_due(&course.leg((before.0, &before.1)), I::DENSE);
+    let leg = course.leg((before.0, &before.1));
+    let parts = if I::DENSE { 1 } else { M::Rescue::parts(&leg, I::CAUTION) };
+    let due = parts > 1 || M::Rescue::is_due(&leg, I::DENSE);
     if due {
         let until = course.time;
         refuse(course, before, watch);
-        M::Rescue::take(course);
-        course.rescued = course.rescued.map(|_| until);
+        if parts > 1 {
+            course.divided = Some(Divided { until, parts });
+        } else {
+            M::Rescue::take(course);
+            course.rescued = course.rescued.map(|_| until);
+        }
     }
     due
 }

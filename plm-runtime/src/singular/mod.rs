@@ -40,12 +40,16 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// Is the state one that only this method can go on from?
     fn holds(course: &Course<'_, M>) -> bool;
 
-    /// May a step have led over poses that are nearly singular?
+    /// May a step have led over poses that are nearly singular, or next to them by too far?
     fn doubts(leg: &Leg<'_, M>) -> bool;
 
     /// Did a step lead over poses that are so nearly singular that only this method can be trusted? More
     /// are, where the step was not `controlled` by an estimate of its error.
     fn is_due(leg: &Leg<'_, M>, controlled: bool) -> bool;
+
+    /// Into how many a step without an estimate of its error is to be divided, so that each is short beside the turn that
+    /// mechanisms make next to a flat pose; one for most. With the [`Method::CAUTION`] of its formula.
+    fn parts(leg: &Leg<'_, M>, caution: f64) -> u32;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
     fn take(course: &mut Course<'_, M>) -> bool;
@@ -81,8 +85,8 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
     /// The mechanism has charts, which say themselves whether they are regular.
     const CHARTED: bool;
 
-    /// Is a step, from `before` to `x`, too long for a turn near a flat pose that no error control resolves?
-    fn is_sharp(&self, t: Self::S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool;
+    /// How long a step from `before` to `x` is beside the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
+    fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> Self::S;
 
     /// Is the mechanism held without a chart?
     fn is_near(held: &Self::U) -> bool;
@@ -116,6 +120,10 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
     #[inline]
     fn is_due(_leg: &Leg<'_, M>, _controlled: bool) -> bool {
         false
+    }
+    #[inline]
+    fn parts(_leg: &Leg<'_, M>, _caution: f64) -> u32 {
+        1
     }
     fn take(_course: &mut Course<'_, M>) -> bool {
         false

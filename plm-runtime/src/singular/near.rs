@@ -31,6 +31,16 @@ const NEARER: f64 = 0.2;
 /// few nodes, open the joints too.
 const TRIALS: u32 = 4;
 
+/// A step that crosses so much of a box is refused where nothing shorter can be tried, ...
+const SHARP: f64 = 1.0;
+/// ... and else divided if it crosses this much: of the turn's own length it is a fiftieth then, and the error of a formula of
+/// order 4 some 1e-7 of the turn, ...
+const LONG: f64 = 0.2;
+/// ... into parts that cross this much, as far as is known, ...
+const SHORT: f64 = 0.1;
+/// ... or so many; what crosses more is divided again.
+const MOST_PARTS: f64 = 64.0;
+
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +56,12 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     undecided: u32,
     /// By how much joints would have opened in the last step over the pose ahead that was tried.
     opens: M::S,
+}
+
+/// How long a step is beside the turn next to a flat pose.
+#[inline]
+fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(leg: &Leg<'_, M>) -> M::S {
+    leg.system.crossed(leg.held, leg.from.1, leg.to.1)
 }
 
 /// What is known before a step.
@@ -277,15 +293,21 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
 
     #[inline]
     fn doubts(leg: &Leg<'_, M>) -> bool {
-        !M::CHARTED && is_doubtful(leg)
+        if M::CHARTED { crossed(leg) > M::S::lit(LONG) } else { is_doubtful(leg) }
     }
 
     #[inline]
     fn is_due(leg: &Leg<'_, M>, controlled: bool) -> bool {
         if M::CHARTED {
-            return !controlled && leg.system.is_sharp(leg.to.0, leg.held, leg.from.1, leg.to.1);
+            return !controlled && crossed(leg) > M::S::lit(SHARP);
         }
         is_doubtful(leg) && is_poor(leg)
+    }
+
+    #[inline]
+    fn parts(leg: &Leg<'_, M>, caution: f64) -> u32 {
+        let crossed = if M::CHARTED { M::S::lit(caution) * crossed(leg) } else { M::S::ZERO };
+        if crossed > M::S::lit(LONG) { 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 } else { 1 }
     }
 
     fn take(course: &mut Course<'_, M>) -> bool {

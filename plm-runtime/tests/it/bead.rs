@@ -1,7 +1,7 @@
 //! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
 
 use plm_runtime::charts::{
-    self, Charted, OfLoops, Reach, Remembered, accept, enter, full, hold, is_calm, is_free, is_sharp, pose,
+    self, Charted, OfLoops, Reach, Remembered, accept, crossed, enter, full, hold, is_calm, is_free, pose,
 };
 use plm_runtime::held::{Held, Loops};
 use plm_runtime::{Cause, Health, System};
@@ -142,13 +142,13 @@ fn a_state_within_its_box_is_calm() {
         let moved = [x[0] + part * REACH, x[1], x[2]];
         assert_eq!(is_calm::<Bead>(0.0, &held, &moved), calm, "{part} of the reach");
         assert_eq!(is_calm::<Bead>(part * WHILE, &held, &x), calm, "{part} of the time");
-        // A box of a third of what is typical is not tight.
-        assert!(is_sharp(&bead, 0.0, &held, &x, &moved) != calm, "{part} of the reach");
+        assert!((crossed(&bead, &held, &x, &moved) - part.abs()).abs() < 1e-12, "{part} of the reach");
     }
     let (chart, mut memory) = within(&held);
     memory.coordinates[0].reach = 0.031;
     let wide = in_chart(chart, memory);
-    assert!(!is_sharp(&bead, 0.0, &wide, &x, &[x[0] + 0.04, x[1], x[2]]));
+    // A box of a thirtieth of what is typical is not tight.
+    assert_eq!(crossed(&bead, &wide, &x, &[x[0] + 0.04, x[1], x[2]]), 0.0);
 }
 
 #[test]

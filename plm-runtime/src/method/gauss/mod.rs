@@ -196,6 +196,10 @@ where
         self.rounded = M::X::fill(M::S::ZERO);
     }
 
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        Some(Self::new(longest).with_tolerance(self.tolerance))
+    }
+
     fn fresh(&self) -> Self {
         Self::new(self.longest_step).with_tolerance(self.tolerance)
     }

@@ -67,8 +67,8 @@ pub(crate) fn fine(emission: &Emission) -> TokenStream {
 fn alone() -> TokenStream {
     quote! {
         const CHARTED: bool = false;
-        fn is_sharp(&self, _t: S, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> bool {
-            false
+        fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
+            S::lit(0.0)
         }
         fn is_near(_held: &Self::U) -> bool {
             false
@@ -91,8 +91,8 @@ fn charted(emission: &Emission) -> TokenStream {
     quote! {
         const CHARTED: bool = true;
         #[inline]
-        fn is_sharp(&self, t: S, held: &Self::U, before: &Self::X, x: &Self::X) -> bool {
-            rt::charts::is_sharp(self, t, held, before, x)
+        fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
+            rt::charts::crossed(self, held, before, x)
         }
         fn is_near(held: &Self::U) -> bool {
             rt::charts::is_free::<Self>(held)

@@ -52,7 +52,10 @@ impl Layout<'_> {
         for (group, solution) in scheme.loops().zip(&motion.solutions) {
             let measure = (solution.square / solution.scale).sqrt();
             for speed in group.closing_in(self.coordinates, (rate, motion.length)) {
-                bounds.push(speed.abs() / measure);
+                // Where a loop is nearest to flat it does not close, and turns the most sharply.
+                let closes = speed.abs();
+                let closes = own.filter(|_| !closes.is_zero()).map_or(closes, |own| closes.max(own));
+                bounds.push(closes / measure);
             }
             for unknown in group.unknowns() {
                 if matches!(self.coordinates.unknowns[unknown], Unknown::Angle { .. }) {
