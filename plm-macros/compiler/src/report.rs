@@ -11,7 +11,7 @@ use crate::numeric::{Assembly, Scene, add_switches, run, value};
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 /// Operations of a right-hand side from which on what repeats itself is written in loops. Instructions of longer code do not
 /// stay in a processor's caches; shorter code is faster without loops, as values stay in registers.
-const MOST_UNROLLED: usize = 4000;
+const MOST_UNROLLED: usize = 5000;
 /// Coordinates whose move the report lists one by one.
 const MOST_MOVES: usize = 12;
 
