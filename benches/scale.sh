@@ -135,6 +135,6 @@ if [ $# -gt 0 ]; then
     measure "$@"
     exit
 fi
-for count in 16 64 128 256 512; do measure chain "$count"; done
+for count in 16 64 128 256 512 1000; do measure chain "$count"; done
 for count in 5 10 20 40; do measure ladder "$count"; done
 for count in 5 10 20 40; do measure scissor_lift "$count"; done

@@ -33,7 +33,11 @@ impl Graph {
 
     /// Everything at and below `roots`, in ascending order, which is an order of evaluation.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let mut seen = vec![false; self.len()];
+        if let Some(few) = self.few_reachable(roots) {
+            return few;
+        }
+        // Operands are older than what reads them.
+        let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];
         let mut open = roots.to_vec();
         let mut found = Vec::new();
         while let Some(e) = open.pop() {
@@ -53,6 +57,24 @@ impl Graph {
             }
         }
         found
+    }
+
+    /// The same where that is a handful of nodes, in work that does not grow with the graph.
+    fn few_reachable(&self, roots: &[Expr]) -> Option<Vec<Expr>> {
+        const MOST: usize = 48;
+        let mut open = roots.to_vec();
+        let mut found = Vec::new();
+        while let Some(e) = open.pop() {
+            if !found.contains(&e) {
+                found.push(e);
+                self.node(e).for_each_child(|child| open.push(child));
+            }
+            if found.len() > MOST || open.len() > MOST {
+                return None;
+            }
+        }
+        found.sort_unstable();
+        Some(found)
     }
 
     fn unmarked_below(&mut self, roots: &[Expr], mask: Option<u64>) -> Vec<Expr> {

@@ -54,6 +54,8 @@ pub struct Model {
     pub gravity: Vec2,
     /// The rung that the user ordered, and where.
     pub rung: Option<(Rung, Span)>,
+    /// How the user ordered that repetitions are written.
+    pub repetitions: Option<Repetitions>,
     /// How constraints are kept.
     pub stabilisation: Stabilisation,
     /// Steps that the user ordered, in the order of [`Step::NAMES`].
@@ -151,6 +153,26 @@ impl Rung {
     /// The rung of a name.
     pub fn named(name: &str) -> Option<Rung> {
         Rung::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
+    }
+}
+
+/// How the code has what repeats itself, link after link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Repetitions {
+    /// Once, in a loop.
+    Rolled,
+    /// Each by itself.
+    Unrolled,
+}
+
+impl Repetitions {
+    /// Both as the language names them.
+    pub const NAMES: [(&'static str, Repetitions); 2] =
+        [("rolled", Repetitions::Rolled), ("unrolled", Repetitions::Unrolled)];
+
+    /// What a name stands for.
+    pub fn named(name: &str) -> Option<Repetitions> {
+        Repetitions::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
     }
 }
 

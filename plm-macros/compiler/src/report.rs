@@ -4,11 +4,14 @@ use crate::collect::CollectVec;
 use plm_cas::{Count, Expr, algebra};
 
 use crate::formulate::{Chart, Function, Program, Reduced};
-use crate::model::{Model, Stabilisation};
+use crate::model::{Model, Repetitions, Stabilisation};
 use crate::numeric::{Assembly, Scene, add_switches, run, value};
 
 /// Degrees per radian.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+/// Operations of a right-hand side from which on what repeats itself is written in loops. Instructions of longer code do not
+/// stay in a processor's caches; shorter code is faster without loops, as values stay in registers.
+const MOST_UNROLLED: usize = 5000;
 /// Coordinates whose move the report lists one by one.
 const MOST_MOVES: usize = 12;
 
@@ -41,6 +44,8 @@ pub struct Report {
     pub length: f64,
     /// Operations of one right-hand side.
     pub rate: Count,
+    /// How repetitions are to be written, where that is ordered.
+    pub ordered: Option<Repetitions>,
     /// Operations of the other functions, by name.
     pub functions: Vec<(&'static str, Count)>,
     /// What assembly did: lines of text.
@@ -88,6 +93,7 @@ impl Report {
             state: mechanical + equations.x.len(),
             length: scene.length,
             rate: counted(program.rate()),
+            ordered: model.repetitions,
             functions: functions.map(|(name, function)| (name, counted(function))).collect_vec(),
             assembly: Vec::new(),
         }
@@ -181,7 +187,28 @@ impl Report {
                 .push(format!("A solution by rank, where one is needed: {workspace} bytes of stack in f64."));
         }
         lines.push(format!("One right-hand side: {}.", self.rate));
+        lines.extend(self.repetitions());
         lines
+    }
+
+    /// Does the code have loops for what repeats itself?
+    pub(crate) fn is_rolled(&self) -> bool {
+        match self.ordered {
+            Some(ordered) => ordered == Repetitions::Rolled,
+            None => self.rate.total() > MOST_UNROLLED,
+        }
+    }
+
+    fn repetitions(&self) -> Option<String> {
+        let why = match self.ordered {
+            Some(_) => "as the declaration orders".to_owned(),
+            None if self.is_rolled() => {
+                format!("since more than {MOST_UNROLLED} operations in a row are slower than loops")
+            }
+            None => return None,
+        };
+        let code = if self.is_rolled() { "what repeats itself in loops" } else { "without loops" };
+        Some(format!("Code: {code}, {why}."))
     }
 }
 

@@ -66,6 +66,16 @@ impl<K: Ord, V> SortedMap<K, V> {
         Self(Vec::new())
     }
 
+    /// Entries in any order; of those with the same key the last.
+    pub fn of(mut entries: Vec<(K, V)>) -> Self {
+        sort_by(&mut entries, |a, b| a.0.cmp(&b.0));
+        let mut map = Self::new();
+        for (key, value) in entries {
+            map.insert(key, value);
+        }
+        map
+    }
+
     fn place<Q: Ord + ?Sized>(&self, key: &Q) -> Result<usize, usize>
     where
         K: Borrow<Q>,

@@ -71,10 +71,37 @@ fn products_of_products_stay_products() {
     compiled(&pushed("let a0 = sin(arm.angle) + other;", (1..=40).map(squares), "a40")).unwrap();
 }
 
+/// The function of a name, as lines.
+fn lines_of<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
+    let behind = text.lines().skip_while(|line| !line.trim_start().starts_with(&format!("fn {name}(")));
+    behind.take_while(|line| *line != "            }").collect()
+}
+
+#[test]
+fn what_repeats_itself_is_written_once_where_the_code_would_be_long() {
+    let functions =
+        ["motion", "pose", "project", "phi", "phi_dot", "phi_q_entries", "min_norm", "linearised"];
+    let [short, long, longer] = [20, 200, 400].map(|count| compiled(&chain(count)).unwrap());
+    for name in functions {
+        assert!(lines_of(&short, name).iter().all(|line| !line.trim_start().starts_with("for ")), "{name}");
+        let [some, twice] = [&long, &longer].map(|text| lines_of(text, name).len());
+        assert!(
+            some > 5 && some < 600 && twice < some + 20,
+            "{name}: {some} lines, {twice} for twice the bars"
+        );
+    }
+}
+
 #[test]
 fn chains_grow_linearly() {
-    let [some, twice, thrice] = [40, 80, 120].map(|count| compiled(&chain(count)).unwrap().len());
-    assert!(thrice - twice < (twice - some) * 11 / 10, "{some}, {twice}, {thrice}");
+    for code in ["rolled", "unrolled"] {
+        // From 64 bodies on sums along the chain have names.
+        let [some, twice, thrice] = [70, 140, 210].map(|count| {
+            let ordered = chain(count).replace("gravity", &format!("code: {code}; gravity"));
+            compiled(&ordered).unwrap().len()
+        });
+        assert!(thrice - twice < (twice - some) * 11 / 10, "{code}: {some}, {twice}, {thrice}");
+    }
 }
 
 #[test]

@@ -65,6 +65,24 @@ plm::mechanism! {
 }
 
 plm::mechanism! {
+    /// A chain whose code has loops.
+    pub Rope {
+        code: rolled;
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        repeat i in 0..20 {
+            body bar[i] {
+                mass: 0.1 kg + i*0.01 kg; inertia: 1e-4 kg*m^2;
+                port a: (-0.05, 0) m; port b: (0.05, 0) m; start x: (0.05 + 0.1*i)*1 m;
+            }
+        }
+        revolute pin[0](ground.o, bar[0].a);
+        repeat i in 1..20 { revolute pin[i](bar[i - 1].b, bar[i].a) { damping: 1e-3 N*m*s/rad; } }
+        output pin[0].force, pin[10].force;
+    }
+}
+
+plm::mechanism! {
     /// A block between two forces that jump in its middle and end at a known time, and a table that bends.
     pub Shuttle {
         ground { port o: (0, 0) m; }
@@ -123,7 +141,13 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
     moments(Shuttle::new(), Dop853::default(), &mut emit)?;
     moments(Shuttle::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rocker::new(), Dop853::default(), &mut emit)?;
-    moments(Plate::new(), Rk4::new(1e-2), &mut emit)
+    moments(Plate::new(), Rk4::new(1e-2), &mut emit)?;
+    moments(Rope::new(), Rk4::new(1e-2), &mut emit)?;
+    moments(Rope::new(), Ros34Pw2::new(1e-2), &mut emit)?;
+    let mut rope = Rope::new().start()?;
+    rope.step(0.1)?;
+    rope.outputs().iter().chain([&rope.kinetic_energy()]).for_each(|output| emit(output.to_bits()));
+    Ok(())
 }
 
 /// Implicit methods, the highest order, conditions and iterations run in double precision alone: twice the code takes twice the time to link.

@@ -21,7 +21,7 @@ struct Lowering<'g> {
 
 pub(super) fn lower(graph: &Graph, roots: &[Expr]) -> Tape {
     let plan = Plan::new(graph, roots);
-    let place = vec![0; graph.len()];
+    let place = vec![0; plan.length()];
     let mut lowering = Lowering { graph, plan, ops: Vec::new(), memo: Table::new(), place };
     let mut outputs = Vec::with_capacity(roots.len());
     for &root in roots {

@@ -17,6 +17,11 @@ use crate::node::Expr;
 pub struct Ref(pub(crate) u32);
 
 impl Ref {
+    /// The instruction at a position.
+    pub const fn at(position: usize) -> Self {
+        Self(position as u32)
+    }
+
     /// Position in `tape.ops`.
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -75,6 +80,33 @@ impl Op {
     pub fn operands(self) -> impl Iterator<Item = Ref> {
         let (operands, count) = self.operand_array();
         operands.into_iter().take(count)
+    }
+
+    /// The same operation on other operands, which are asked for in order.
+    #[must_use]
+    pub fn with_operands(self, mut other: impl FnMut(Ref) -> Ref) -> Op {
+        match self {
+            Self::Number(_) | Self::Symbol(_) => self,
+            Self::Neg(a) => Self::Neg(other(a)),
+            Self::Sqrt(a) => Self::Sqrt(other(a)),
+            Self::Sin(a) => Self::Sin(other(a)),
+            Self::Cos(a) => Self::Cos(other(a)),
+            Self::Asin(a) => Self::Asin(other(a)),
+            Self::Acos(a) => Self::Acos(other(a)),
+            Self::Exp(a) => Self::Exp(other(a)),
+            Self::Ln(a) => Self::Ln(other(a)),
+            Self::Abs(a) => Self::Abs(other(a)),
+            Self::Sign(a) => Self::Sign(other(a)),
+            Self::Add(a, b) => Self::Add(other(a), other(b)),
+            Self::Sub(a, b) => Self::Sub(other(a), other(b)),
+            Self::Mul(a, b) => Self::Mul(other(a), other(b)),
+            Self::Div(a, b) => Self::Div(other(a), other(b)),
+            Self::Atan2(a, b) => Self::Atan2(other(a), other(b)),
+            Self::Min(a, b) => Self::Min(other(a), other(b)),
+            Self::Max(a, b) => Self::Max(other(a), other(b)),
+            Self::Less(a, b) => Self::Less(other(a), other(b)),
+            Self::Select(c, a, b) => Self::Select(other(c), other(a), other(b)),
+        }
     }
 
     pub(crate) fn operand_array(self) -> ([Ref; 3], usize) {

@@ -24,7 +24,7 @@ pub(super) struct Plan {
     treatments: Treatments,
 }
 
-/// The treatment of each node of the graph, as bytes: most are 0, which the allocator provides.
+/// The treatment of each node, as bytes: most are 0, which the allocator provides.
 struct Treatments(Vec<u8>);
 
 impl Treatments {
@@ -36,8 +36,10 @@ impl Treatments {
 impl Plan {
     pub(super) fn new(graph: &Graph, roots: &[Expr]) -> Self {
         let reachable = graph.reachable(roots);
-        let mut uses = vec![0_u32; graph.len()];
-        let mut treatments = Treatments(vec![0; graph.len()]);
+        // What is made after the last root is no part of it.
+        let length = reachable.last().map_or(0, |last| last.index() + 1);
+        let mut uses = vec![0_u32; length];
+        let mut treatments = Treatments(vec![0; length]);
         for &root in roots {
             uses[root.index()] += 1;
         }
@@ -60,7 +62,13 @@ impl Plan {
 
     pub(super) fn of(&self, e: Expr) -> Treatment {
         use Treatment::{Absent, Absorbed, Carrier, Own, Turned};
-        [Absent, Own, Absorbed, Turned, Carrier][usize::from(self.treatments.0[e.index()])]
+        let treatment = self.treatments.0.get(e.index()).copied().unwrap_or_default();
+        [Absent, Own, Absorbed, Turned, Carrier][usize::from(treatment)]
+    }
+
+    /// The number of the graph's first nodes that hold all that is lowered.
+    pub(super) fn length(&self) -> usize {
+        self.treatments.0.len()
     }
 }
 

@@ -41,30 +41,30 @@ impl Emission<'_> {
         } else {
             ["self", "u", "x", "t"]
         };
-        let mut bindings = Bindings::new();
+        let mut bindings = Vec::new();
         for (param, field) in model.params.iter().zip(&fields.params) {
-            bindings.insert(param.symbol, format!("{mechanism}.{field}"));
+            bindings.push((param.symbol, format!("{mechanism}.{field}")));
         }
         for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
-            bindings.insert(declared.symbol, format!("{held}.input.{field}"));
+            bindings.push((declared.symbol, format!("{held}.input.{field}")));
         }
         for (k, switch) in model.switches.iter().enumerate() {
-            bindings.insert(switch.symbol, format!("{held}.switches[{k}]"));
+            bindings.push((switch.symbol, format!("{held}.switches[{k}]")));
         }
         for (k, counted) in model.turns.iter().enumerate() {
-            bindings.insert(counted.symbol, format!("S::of_turns({held}.turns[{k}])"));
+            bindings.push((counted.symbol, format!("S::of_turns({held}.turns[{k}])")));
         }
-        bindings.insert(model.time, time.to_owned());
-        bindings.insert(model.most_growth, "lit(S::MOST_GROWTH)".to_owned());
-        bindings.insert(model.agreement, "lit(S::AGREEMENT)".to_owned());
-        bindings.insert(model.precision, "lit(S::PRECISION)".to_owned());
+        bindings.push((model.time, time.to_owned()));
+        bindings.push((model.most_growth, "lit(S::MOST_GROWTH)".to_owned()));
+        bindings.push((model.agreement, "lit(S::AGREEMENT)".to_owned()));
+        bindings.push((model.precision, "lit(S::PRECISION)".to_owned()));
         if let Origin::Resolvent(resolvent) = origin {
-            bindings.insert(resolvent.lambda, "lambda".to_owned());
-            bindings.insert(resolvent.inverse, "inverse".to_owned());
+            bindings.push((resolvent.lambda, "lambda".to_owned()));
+            bindings.push((resolvent.inverse, "inverse".to_owned()));
         }
         let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
             for (k, &symbol) in symbols.iter().enumerate() {
-                bindings.insert(symbol, format!("{array}[{}]", offset + k));
+                bindings.push((symbol, format!("{array}[{}]", offset + k)));
             }
         };
         let nq = equations.q.len();
@@ -105,6 +105,6 @@ impl Emission<'_> {
         bind(&self.program.r, "r", 0);
         let remembered = self.loops().into_iter().flat_map(|reduced| &reduced.memory);
         bindings.extend(remembered.map(|(symbol, path)| (*symbol, format!("m.{path}"))));
-        bindings
+        Bindings::of(bindings)
     }
 }

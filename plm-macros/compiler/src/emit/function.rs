@@ -42,8 +42,8 @@ pub(super) fn body(
         Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect_vec()),
         _ => None,
     };
-    let around =
-        lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct: direct.as_deref() };
+    let (direct, rolled) = (direct.as_deref(), emission.rolled);
+    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rolled };
     let (body, count) = lower::statements(function, &emission.bindings(origin), &around);
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))

@@ -48,6 +48,8 @@ pub(crate) struct Emission<'a> {
     shown: Ident,
     fields: Fields,
     sizes: Sizes,
+    /// Is what repeats itself written as loops?
+    rolled: bool,
     texts: Texts,
 }
 
@@ -103,6 +105,7 @@ pub(crate) fn emit(
         shown: names::token(&shown, span),
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
+        rolled: report.is_rolled(),
         texts: Texts::default(),
     };
     let structure = module(&emission);

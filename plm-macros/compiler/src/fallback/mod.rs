@@ -60,6 +60,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         precision: Expr::symbol("precision"),
         gravity: Vec2::ZERO,
         rung: None,
+        repetitions: None,
         steps: steps(&mechanism.items),
         stabilisation: Stabilisation::Projection,
         params,

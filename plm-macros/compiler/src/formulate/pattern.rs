@@ -34,6 +34,7 @@ impl Pattern {
             columns[column].insert(row);
         }
         let mut pattern = Pattern::default();
+        let mut places = Vec::new();
         for &pivot in order {
             let mut right = std::mem::take(&mut rows[pivot]);
             let mut below = std::mem::take(&mut columns[pivot]);
@@ -50,12 +51,12 @@ impl Pattern {
             let own =
                 below.iter().map(|&row| (row, pivot)).chain(right.iter().map(|&column| (pivot, column)));
             for key in std::iter::once((pivot, pivot)).chain(own) {
-                let next = pattern.places.len();
-                pattern.places.insert(key, next);
+                places.push((key, places.len()));
             }
             let (below, right) = (below.into_iter().collect_vec(), right.into_iter().collect_vec());
             pattern.pivots.push(Pivot { row: pivot, below, right });
         }
+        pattern.places = SortedMap::of(places);
         pattern
     }
 }

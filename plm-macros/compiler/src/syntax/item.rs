@@ -38,6 +38,8 @@ pub enum ItemKind {
     Gravity(Expr),
     /// `rung: tree;`
     Rung(Ident),
+    /// `code: rolled;`
+    Code(Ident),
     /// `emit: step(rk4, linearly_implicit);`
     Emit(Vec<Ident>),
     /// `stabilisation: projection;` or `baumgarte(expr);`
@@ -126,6 +128,7 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("rung", Some(Mechanism), |input, _| {
         input.field_name("`tree`, `loops` or `absolute`").map(ItemKind::Rung)
     }),
+    ("code", Some(Mechanism), |input, _| input.field_name("`rolled` or `unrolled`").map(ItemKind::Code)),
     ("emit", Some(Mechanism), |input, _| steps(input)),
     ("allow", Some(Mechanism), |input, _| allow(input)),
     ("joint", Some(Mechanism), |input, Head { docs, .. }| {

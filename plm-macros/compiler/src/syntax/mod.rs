@@ -9,6 +9,7 @@
 //! item := "gravity" ":" expr ";"                                    in a mechanism
 //!       | "rung" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
+//!       | "code" ":" ("rolled" | "unrolled") ";"
 //!       | "emit" ":" "step" "(" NAME { "," NAME } ")" ";"
 //!       | "allow" "(" CODE { "," CODE } ")" ";"
 //!       | "observe" path { "," path } ";"

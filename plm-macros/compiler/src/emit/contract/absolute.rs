@@ -25,7 +25,7 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let places: Vec<String> = places.collect_vec();
     let (entries, places) = (number(places.len()), emission.list(places));
     let length = Literal::f64_unsuffixed(report.length);
-    let [(literals, positions), (_, velocities)] = starts(emission).map(|list| emission.values(list));
+    let [(literals, positions), (_, velocities)] = starts(emission);
     let bodies = number(model.bodies.len());
     let branch = branch(emission);
     let of_pose = |docs, arguments: &[&str], of| body(emission, docs, arguments, (of, Origin::Pose));
@@ -112,12 +112,12 @@ Returns the smallest pivot ratio of the factorisation.",
             }
             fn start_position(&self) -> [Start<S>; #nq] {
                 #literals
-                let bodies: [[Start<S>; 3]; #bodies] = [#positions];
+                let bodies: [[Start<S>; 3]; #bodies] = #positions;
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
             fn start_velocity(&self, q: &[S; #nq]) -> [Start<S>; #nq] {
                 #literals
-                let bodies: [[Start<S>; 3]; #bodies] = [#velocities];
+                let bodies: [[Start<S>; 3]; #bodies] = #velocities;
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
             }
             #branch
@@ -125,19 +125,43 @@ Returns the smallest pivot ratio of the factorisation.",
     }
 }
 
-/// Start positions and velocities of G from those of O.
-fn starts(emission: &Emission) -> [Vec<String>; 2] {
+/// Start positions and velocities of G from those of O, behind what it takes to read their constants.
+fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
     let Emission { model, fields, .. } = emission;
     let bindings = emission.parameters();
-    let starts = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
+    let centres = model.bodies.iter().map(|body| {
         let [x, y] = body.centre.components().map(|component| inline(component, &bindings));
-        (
-            format!("self.start.{field}.of_centre([{x}, {y}])"),
-            format!("self.start.{field}.velocity_of_centre([{x}, {y}], q[{}])", 3 * k + 2),
-        )
+        format!("[{x}, {y}]")
     });
-    let (positions, velocities) = starts.unzip();
-    [positions, velocities]
+    if emission.rolled {
+        let (literals, centres) = emission.values(centres.collect_vec());
+        let bodies = emission.list(fields.bodies.iter().map(|field| format!("&self.start.{field}")));
+        let of_all = |value| {
+            quote! {
+                {
+                    let (starts, centres) = ([#bodies], [#centres]);
+                    core::array::from_fn(|k| starts[k].#value)
+                }
+            }
+        };
+        let positions = of_all(quote!(of_centre(centres[k])));
+        let velocities = of_all(quote!(velocity_of_centre(centres[k], q[3 * k + 2])));
+        return [(literals.clone(), positions), (literals, velocities)];
+    }
+    let (positions, velocities) = centres
+        .zip(&fields.bodies)
+        .enumerate()
+        .map(|(k, (centre, field))| {
+            (
+                format!("self.start.{field}.of_centre({centre})"),
+                format!("self.start.{field}.velocity_of_centre({centre}, q[{}])", 3 * k + 2),
+            )
+        })
+        .unzip();
+    [positions, velocities].map(|list| {
+        let (literals, list) = emission.values(list);
+        (literals, quote!([#list]))
+    })
 }
 
 /// The mirror images that joints ask for.

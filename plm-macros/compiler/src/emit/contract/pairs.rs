@@ -27,6 +27,9 @@ const FEW: usize = 2;
 /// The two parts of the rate in the first chart, if it pays to have them.
 fn of_rate(emission: &Emission) -> Option<Parts> {
     let Emission { equations, program, .. } = emission;
+    if emission.rolled {
+        return None;
+    }
     let (rate, origin, velocities): (&Function, Origin, &[Expr]) = match emission.form {
         Form::Absolute => (&program.dynamics, Origin::Arguments, &equations.v),
         Form::Tree(chart) => in_chart(chart),
@@ -38,7 +41,8 @@ fn of_rate(emission: &Emission) -> Option<Parts> {
     let bindings = emission.bindings(origin);
     let of_two = bindings.iter().map(|(&symbol, text)| (symbol, in_both(text))).collect();
     let reserved = ["t", "u", "m", "x", "dx", "shared", "lit"];
-    let around = |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None };
+    let around =
+        |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None, rolled: false };
     let parts =
         parts(&rate, (&moving, ".of::<SECOND>()"), (&of_two, &around("Two::<S>")), (&bindings, &around("S")));
     let pays = parts.still.count.total() > CALL + LEAST * parts.shared;

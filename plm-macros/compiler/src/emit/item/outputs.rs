@@ -135,7 +135,8 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None };
+    let rolled = emission.rolled;
+    let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None, rolled };
     let (text, _) = statements(function, bindings, &around);
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
     let pose = arrays(&text, ["q", "v"], "self.pose_()");

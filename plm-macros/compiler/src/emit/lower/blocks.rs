@@ -53,7 +53,11 @@ pub(super) fn with_literals(mut lines: Lines, around: &Around) -> String {
             destructure(&mut text, &lines, (array, elements), around.by_reference);
         }
     }
-    let body = body(&lines, 0);
+    let mut arrays = String::new();
+    for (name, length) in &lines.arrays {
+        line(&mut arrays, 0, &format!("let mut {name} = [lit(0.0); {length}];"));
+    }
+    let body = arrays + &body(&lines, 0);
     if body.contains("lit(") {
         line(&mut text, 0, &format!("let lit = {}::lit;", around.scalar));
     }
@@ -134,6 +138,7 @@ fn write_statements(text: &mut String, lines: &Lines, statements: &[Statement], 
             }
             Statement::Let { pattern, value, .. } => line(text, indent, &format!("let {pattern} = {value};")),
             Statement::Store { place, value, .. } => line(text, indent, &format!("{place} = {value};")),
+            Statement::Block { text: block, .. } => block.lines().for_each(|of| line(text, indent, of)),
         }
     }
 }

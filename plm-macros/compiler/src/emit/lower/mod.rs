@@ -11,6 +11,7 @@ mod blocks;
 pub(crate) mod names;
 mod parts;
 mod piece;
+mod rolled;
 mod sines;
 mod statement;
 
@@ -38,11 +39,14 @@ pub(super) struct Around<'a> {
     pub(super) scalar: &'a str,
     /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
     pub(super) direct: Option<&'a [Expr]>,
+    /// Is what repeats itself written as loops?
+    pub(super) rolled: bool,
 }
 
 /// The statements of a function and its operations.
 pub(super) fn statements(function: &Function, bindings: &Bindings, around: &Around) -> (String, Count) {
-    let lines = lower(function, bindings, around);
+    let rolled = around.rolled.then(|| rolled::lower(function, bindings, around)).flatten();
+    let lines = rolled.unwrap_or_else(|| lower(function, bindings, around));
     let count = lines.count;
     (blocks::with_literals(lines, around), count)
 }
@@ -54,7 +58,7 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
-    let around = Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None };
+    let around = Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rolled: false };
     let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
@@ -104,8 +108,10 @@ struct Lowering<'a> {
     pieces: Vec<Piece>,
     /// Has the instruction a name?
     named: Vec<bool>,
-    /// Of a part of a function: what has a name in the whole.
+    /// What has a name, where that is known: of a part of a function by the whole.
     known_names: Option<&'a [bool]>,
+    /// Do names hold for every repetition of a loop?
+    is_general: bool,
     /// Instructions whose values are known, as text.
     known: SortedMap<usize, String>,
     /// Sines (by instruction) whose angles are coordinates, in groups that are computed together.
@@ -123,8 +129,13 @@ impl<'a> Lowering<'a> {
         let groups = angle_groups(tape, &uses);
         let needed =
             tape.ops.iter().zip(&uses).filter(|(_, uses)| **uses > 0).map(|(instruction, _)| instruction);
-        let lines =
-            Lines { statements: Vec::new(), value: None, locals: Vec::new(), count: Count::of(needed) };
+        let lines = Lines {
+            arrays: Vec::new(),
+            statements: Vec::new(),
+            value: None,
+            locals: Vec::new(),
+            count: Count::of(needed),
+        };
         let names = Names::with_reserved(reserved);
         let mut is_result = vec![false; tape.ops.len()];
         for &result in results {
@@ -143,6 +154,7 @@ impl<'a> Lowering<'a> {
             pieces,
             named,
             known_names,
+            is_general: false,
             known,
             groups,
             early,
@@ -212,6 +224,7 @@ impl<'a> Lowering<'a> {
         self.named[index] = true;
         let hint = self.tape.ops[index].expr.and_then(Expr::name);
         let name = match hint {
+            Some(hint) if self.is_general => self.names.unique(&without_numbers(&hint)),
             Some(hint) => self.names.unique(&hint),
             None => self.names.numbered("t"),
         };
@@ -322,6 +335,12 @@ impl<'a> Lowering<'a> {
         }
         self.lines
     }
+}
+
+/// A name without the numbers in it.
+fn without_numbers(name: &str) -> String {
+    let rest: String = name.chars().filter(|letter| !letter.is_ascii_digit()).collect();
+    if rest.contains(char::is_alphabetic) { rest } else { name.to_owned() }
 }
 
 /// Is this a name by itself?

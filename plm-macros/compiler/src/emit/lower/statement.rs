@@ -13,11 +13,15 @@ pub(super) enum Statement {
     Let { makes: Vec<usize>, pattern: String, value: String, reads: Vec<usize> },
     /// `place = value;`
     Store { place: String, value: String, reads: Vec<usize> },
+    /// Lines by themselves, which make nothing but elements of arrays.
+    Block { text: String, reads: Vec<usize> },
 }
 
 /// A lowered function.
 #[derive(Debug)]
 pub(super) struct Lines {
+    /// Arrays of intermediate values, which stand in front: names and lengths.
+    pub(super) arrays: Vec<(String, usize)>,
     /// Statements in order.
     pub(super) statements: Vec<Statement>,
     /// The value that the function returns and the locals that it reads.
@@ -33,7 +37,9 @@ impl Statement {
     pub(super) fn reads(&self) -> impl Iterator<Item = usize> {
         let reads: &[usize] = match self {
             Statement::Title(_) | Statement::Read { .. } => &[],
-            Statement::Let { reads, .. } | Statement::Store { reads, .. } => reads,
+            Statement::Let { reads, .. }
+            | Statement::Store { reads, .. }
+            | Statement::Block { reads, .. } => reads,
         };
         reads.iter().copied()
     }
@@ -43,7 +49,7 @@ impl Statement {
         let makes: &[usize] = match self {
             Statement::Read { local, .. } => std::slice::from_ref(local),
             Statement::Let { makes, .. } => makes,
-            Statement::Title(_) | Statement::Store { .. } => &[],
+            Statement::Title(_) | Statement::Store { .. } | Statement::Block { .. } => &[],
         };
         makes.iter().copied()
     }

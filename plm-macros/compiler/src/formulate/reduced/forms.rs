@@ -145,6 +145,16 @@ fn a_chain() {
     agree(&chain(12));
 }
 
+/// With more bodies than sums along a tree are left as they are for.
+#[test]
+fn a_chain_that_carries_many_bodies() {
+    let weights = "repeat i in 0..12 { repeat j in 0..5 {
+        body weight[5*i + j] { mass: 0.1 kg + j*0.05 kg; inertia: 0.01 kg*m^2; port p: (0.1, -0.2) m; }
+        weld seam[5*i + j](bar[i].b, weight[5*i + j].p); } } }";
+    let bars = chain(12);
+    agree(&format!("{} {weights}", bars.trim_end().trim_end_matches('}')));
+}
+
 /// Operations for the coefficients, products of a decomposition, and those of a solution, along a chain.
 #[test]
 fn implicit_methods_work_in_proportion_to_the_bodies() {

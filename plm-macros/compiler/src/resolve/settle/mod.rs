@@ -61,6 +61,7 @@ impl<'a> Resolver<'a> {
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
             rung: self.draft.settings.rung,
+            repetitions: self.draft.settings.repetitions.map(|(repetitions, _)| repetitions),
             steps: self.draft.settings.steps.keys().copied().collect(),
             params: params.ok()?,
             inputs: inputs.ok()?,

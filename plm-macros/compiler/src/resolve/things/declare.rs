@@ -33,6 +33,7 @@ impl<'a> Resolver<'a> {
             match &item.kind {
                 ItemKind::Gravity(value) => self.declare_gravity(scope, item, value),
                 ItemKind::Rung(rung) => self.declare_rung(scope, rung),
+                ItemKind::Code(repetitions) => self.declare_code(scope, repetitions),
                 ItemKind::Emit(methods) => self.declare_steps(scope, methods),
                 ItemKind::Stabilisation(method, time) => {
                     self.declare_stabilisation(scope, method, time.as_ref());

@@ -6,7 +6,7 @@ use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use crate::diag::Code;
-use crate::model::{Rung, Stabilisation, Step};
+use crate::model::{Repetitions, Rung, Stabilisation, Step};
 use crate::resolve::Resolver;
 use crate::resolve::names::{ScopeId, SlotId, Thunk};
 use crate::resolve::values::expect::Wanted;
@@ -22,6 +22,7 @@ pub(crate) struct Settings<'a> {
     /// The method and its time constant.
     stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
     pub(crate) rung: Option<(Rung, Span)>,
+    pub(crate) repetitions: Option<(Repetitions, Span)>,
     /// Steps that the code is to hold, and where they are asked for.
     pub(crate) steps: SortedMap<Step, Span>,
     /// Codes of warnings.
@@ -67,6 +68,18 @@ impl<'a> Resolver<'a> {
             self.draft.settings.rung = Some((known, rung.span));
         } else {
             self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map(|(name, _)| name));
+        }
+    }
+
+    /// `code: rolled;`
+    pub(crate) fn declare_code(&mut self, scope: ScopeId, repetitions: &'a Ident) {
+        if let Some((_, first)) = self.draft.settings.repetitions {
+            self.said_twice(scope, repetitions.span, "the code", first);
+        } else if let Some(known) = Repetitions::named(&repetitions.text) {
+            self.draft.settings.repetitions = Some((known, repetitions.span));
+        } else {
+            let known = Repetitions::NAMES.map(|(name, _)| name);
+            self.unknown_option(scope, &repetitions.text, repetitions.span, &known);
         }
     }
 

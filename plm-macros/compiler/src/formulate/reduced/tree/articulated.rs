@@ -22,6 +22,9 @@ use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::tree::spatial::{Inertia, Spatial};
 use crate::model::Model;
 
+/// Bodies up to which sums along the tree stay as they are: what is shared in them saves some operations.
+const FEW_BODIES: usize = 64;
+
 /// `I x + p`.
 #[derive(Clone, Copy)]
 struct Answer {
@@ -75,7 +78,8 @@ pub(crate) fn accelerations(
         if let Some(parent) = edge.parent {
             let carried = work.carry(whole, left, &link, &eliminated);
             let Answer { inertia, force } = answers[parent];
-            answers[parent] = Answer { inertia: inertia + carried.inertia, force: force + carried.force };
+            let inertia = work.summed(inertia + carried.inertia);
+            answers[parent] = Answer { inertia, force: force + carried.force };
         }
         held.push((edge, link, eliminated));
     }
@@ -284,6 +288,16 @@ impl Elimination<'_> {
             reached = reached + value * *freedom;
         }
         reached
+    }
+
+    /// What bodies weigh with all that hangs on them. In the entries of the plane each body adds terms to those behind it, which
+    /// makes a row of n bodies n^2 terms to sort and to share.
+    fn summed(&mut self, inertia: Inertia) -> Inertia {
+        if self.model.bodies.len() <= FEW_BODIES {
+            return inertia;
+        }
+        let plane = inertia.plane();
+        inertia.with_plane([0, 1, 2].map(|i| self.define(["i_xx", "i_xy", "i_yy"][i], plane[i])))
     }
 
     fn define(&mut self, name: &str, value: Expr) -> Expr {

@@ -88,6 +88,13 @@ impl Inertia {
         [xx, xy, yy]
     }
 
+    /// With other entries `xx`, `xy` and `yy`.
+    #[must_use]
+    pub(crate) fn with_plane(self, plane: [Expr; 3]) -> Inertia {
+        let [[.., x], [.., y], [.., about]] = self.0;
+        Inertia::new(plane, Vec2::new(x, y), about)
+    }
+
     /// Less `a b^T`, which is symmetric.
     #[must_use]
     pub(crate) fn less_outer(self, a: Spatial, b: Spatial) -> Inertia {
