@@ -12,6 +12,7 @@
 #[allow(dead_code)] // The counts of instructions use more of it.
 mod scenes;
 #[path = "kernels/mod.rs"]
+#[allow(dead_code)] // The bench of lanes uses more of it.
 mod written;
 
 use std::process::ExitCode;

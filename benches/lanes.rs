@@ -4,16 +4,24 @@
 //! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench lanes --features lanes
 //! ```
 //!
-//! Names of scenes behind `--` choose among them. The eight start a hundredth of a radian apart. `formula` is one trajectory without a look at what it does, `sim` one
-//! as users run it, `batch` one of eight in a [`Batch`], with the same looks.
+//! Names of scenes behind `--` choose among them. The eight start a hundredth of a radian apart. `formula` is one trajectory
+//! without a look at what it does, `sim` one as users run it, `batch` one of eight in a [`Batch`], with the same looks.
+//! `hand` is one of eight in a kernel that is written by hand (benches/kernels/), without a look, and none for the chain.
+//! `instructions` behind `--` counts instructions instead, by valgrind.
+#![allow(clippy::panic, reason = "benches")]
 
 #[path = "scenes/chain.rs"]
 mod chain;
+#[path = "scenes/count.rs"]
+mod count;
 #[path = "../tests/it/scenes.rs"]
 #[allow(dead_code, unused_imports, unreachable_pub)] // The tests use more of it.
 mod declared;
 #[path = "scenes/steps.rs"]
 mod steps;
+#[path = "kernels/mod.rs"]
+#[allow(dead_code, unused_imports)] // The bench of kernels uses more of it.
+mod written;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -25,73 +33,122 @@ use steps::{Level, Steps, steps};
 
 chain::chain!(Chain16, 16);
 
-/// Times that everything is measured, in turn, so that all see the same machine.
+/// Times that every way is measured, in turn, so that all see the same machine.
 const ROUNDS: u32 = 40;
-/// A measurement is at least this long: some thousand times what reading the clock costs.
-const LENGTH: Duration = Duration::from_micros(500);
+/// Steps of a measurement, always the same: the longer a slider-crank accelerates, the more often its loop is looked at.
+const STEPS: u32 = 1000;
 
 fn main() {
-    println!("ns of a step and trajectory; fused multiply-add: {}", cfg!(feature = "fma"));
-    println!(
-        "{:<6} {:>9} {:>9} {:>9} {:>14} {:>10}",
-        "scene", "formula", "sim", "batch", "formula/batch", "sim/batch"
-    );
-    table("S1", 1e-3, |turn| {
-        let mut mechanism = s1::DoublePendulum::new();
-        mechanism.start.arm.angle.value += turn;
-        mechanism
-    });
-    table("S2", 1e-3, |turn| {
-        let mut mechanism = s2::FourBar::new();
-        mechanism.start.crank.angle.value += turn;
-        mechanism
-    });
-    table("S6", 1e-3, |turn| {
-        let mut mechanism = s6::SliderCrank::new();
-        mechanism.start.crank.angle.value += turn;
-        mechanism
-    });
-    table("S5", 1e-5, |turn| {
-        let mut mechanism = s5::Andrews::new();
-        mechanism.start.k1.angle.value += turn;
-        mechanism
-    });
-    table("chain", 1e-3, |turn| {
-        let mut mechanism = Chain16::new();
-        mechanism.start.bar_0.angle.value += turn;
-        mechanism
-    });
-}
-
-/// Prints what a step costs in each way.
-fn table<M: Pack<S = f64, G = [f64; 0]> + 'static>(name: &str, h: f64, turned: fn(f64) -> M) {
-    let chosen: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
-    if !chosen.is_empty() && !chosen.iter().any(|other| other == name) {
+    if count::counted(|name, who| scene(name).steps(who)) {
         return;
     }
-    let mechanisms = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|lane| turned(0.01 * lane));
-    let mut all = [
-        (1, steps(mechanisms[0], h, Level::Formula)),
-        (1, steps(mechanisms[0], h, Level::Sim)),
-        (8, batch(&mechanisms, h)),
-    ];
-    let mut best = [f64::INFINITY; 3];
-    let mut number = 16;
-    while time(&mut all[2].1, number) < LENGTH {
-        number *= 2;
-    }
-    for _ in 0..ROUNDS {
-        for (best, (trajectories, steps)) in best.iter_mut().zip(&mut all) {
-            let each = f64::from(number * *trajectories);
-            *best = best.min(time(steps, number).as_secs_f64() * 1e9 / each);
+    let (counts, names): (Vec<_>, Vec<_>) =
+        count::arguments().into_iter().partition(|argument| argument == "instructions");
+    let (unit, measure): (_, fn(&Scene) -> [f64; 4]) =
+        if counts.is_empty() { ("ns", times) } else { ("instructions", instructions) };
+    println!("{unit} of a step and trajectory; fused multiply-add: {}", cfg!(feature = "fma"));
+    let [formula, sim, batch, hand] = WAYS;
+    println!(
+        "{:<8} {formula:>9} {sim:>9} {batch:>9} {hand:>9} {:>14} {:>10} {:>11}",
+        "scene", "formula/batch", "sim/batch", "batch/hand"
+    );
+    for name in SCENES.into_iter().filter(|name| names.is_empty() || names.iter().any(|other| other == name))
+    {
+        let [formula, sim, batch, hand] = measure(&scene(name));
+        print!("{name:<8} {formula:>9.1} {sim:>9.1} {batch:>9.1} ");
+        let ratios = format!("{:>14.2} {:>10.2}", formula / batch, sim / batch);
+        match written::named(name).lanes {
+            Some(_) => println!("{hand:>9.1} {ratios} {:>11.2}", batch / hand),
+            None => println!("{:>9} {ratios} {:>11}", "-", "-"),
         }
     }
-    let [formula, sim, batch] = best;
-    println!(
-        "{name:<6} {formula:>9.1} {sim:>9.1} {batch:>9.1} {:>14.2} {:>10.2}",
-        formula / batch,
-        sim / batch
-    );
+}
+
+/// The ways that a step is made.
+const WAYS: [&str; 4] = ["formula", "sim", "batch", "hand"];
+const SCENES: [&str; 5] = ["S1", "S2", "S6", "S5", "chain 16"];
+
+/// A mechanism with its steps.
+struct Scene {
+    name: &'static str,
+    /// The steps of a way.
+    steps: Box<dyn Fn(&str) -> Steps>,
+}
+
+impl Scene {
+    /// Of mechanisms that start turned by an angle, in rad.
+    fn new<M: Pack<S = f64, G = [f64; 0]> + 'static>(
+        name: &'static str,
+        h: f64,
+        turned: fn(f64) -> M,
+    ) -> Self {
+        let mechanisms = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|lane| turned(0.01 * lane));
+        let steps = move |way: &str| match way {
+            "formula" => steps(mechanisms[0], h, Level::Formula),
+            "sim" => steps(mechanisms[0], h, Level::Sim),
+            "batch" => batch(&mechanisms, h),
+            _ => written::named(name).lanes.map_or_else(|| -> Steps { Box::new(|_| ()) }, |lanes| lanes(h)),
+        };
+        Self { name, steps: Box::new(steps) }
+    }
+
+    fn steps(&self, way: &str) -> Steps {
+        (self.steps)(way)
+    }
+}
+
+/// The scene of a name.
+fn scene(name: &str) -> Scene {
+    match name {
+        "S1" => Scene::new("S1", 1e-3, |turn| {
+            let mut mechanism = s1::DoublePendulum::new();
+            mechanism.start.arm.angle.value += turn;
+            mechanism
+        }),
+        "S2" => Scene::new("S2", 1e-3, |turn| {
+            let mut mechanism = s2::FourBar::new();
+            mechanism.start.crank.angle.value += turn;
+            mechanism
+        }),
+        "S6" => Scene::new("S6", 1e-3, |turn| {
+            let mut mechanism = s6::SliderCrank::new();
+            mechanism.start.crank.angle.value += turn;
+            mechanism
+        }),
+        "S5" => Scene::new("S5", 1e-5, |turn| {
+            let mut mechanism = s5::Andrews::new();
+            mechanism.start.k1.angle.value += turn;
+            mechanism
+        }),
+        _ => Scene::new("chain 16", 1e-3, |turn| {
+            let mut mechanism = Chain16::new();
+            mechanism.start.bar_0.angle.value += turn;
+            mechanism
+        }),
+    }
+}
+
+/// Of a step and trajectory.
+fn instructions(scene: &Scene) -> [f64; 4] {
+    WAYS.map(|way| count::per_step(scene.name, way) / trajectories(way))
+}
+
+/// How many trajectories a step moves.
+fn trajectories(way: &str) -> f64 {
+    if matches!(way, "batch" | "hand") { 8.0 } else { 1.0 }
+}
+
+/// The best of many times of a step and trajectory, ns, the ways in turn, so that all see the same machine.
+fn times(scene: &Scene) -> [f64; 4] {
+    let mut all = WAYS.map(|way| scene.steps(way));
+    let mut best = [f64::INFINITY; 4];
+    for _ in 0..ROUNDS {
+        for ((best, steps), way) in best.iter_mut().zip(&mut all).zip(WAYS) {
+            let each = f64::from(STEPS) * trajectories(way);
+            *best = best.min(time(steps).as_secs_f64() * 1e9 / each);
+        }
+    }
+    best
 }
 
 /// Steps of eight mechanisms side by side.
@@ -106,8 +163,8 @@ fn batch<M: Pack<S = f64, G = [f64; 0]> + 'static>(mechanisms: &[M; 8], h: f64) 
     })
 }
 
-fn time(steps: &mut Steps, number: u32) -> Duration {
+fn time(steps: &mut Steps) -> Duration {
     let begin = Instant::now();
-    steps(number);
+    steps(STEPS);
     begin.elapsed()
 }

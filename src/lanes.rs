@@ -30,6 +30,11 @@ impl Lanes for F64x8 {
     fn values(self) -> [f64; LANES] {
         self.0.to_array()
     }
+    /// Where it stands: a copy of all lanes would have to wait for the one.
+    #[inline]
+    fn put(&mut self, lane: usize, value: f64) {
+        self.0.as_mut_array()[lane % LANES] = value;
+    }
 }
 
 macro_rules! operator {

@@ -4,6 +4,7 @@
 //! has none: its accelerations are put into Lagrange's equations, and its energy must stay.
 
 use super::chain::{self, accelerations_at};
+use super::lanes::Lanes;
 use super::{ANDREWS, Andrews, DOUBLE_PENDULUM, FOUR_BAR, FourBar, SLIDER_CRANK, SliderCrank};
 use super::{Crank, crank, double_pendulum};
 
@@ -32,7 +33,10 @@ const S6: [f64; 2] = [17.329_530_409_860_606, 27.269_387_406_127_06];
 const S5: [f64; 2] = [15.810_771_195_153_707, 1_139.920_302_259_106_2];
 
 fn double_pendulum_error() -> f64 {
-    let ends = [double_pendulum::plain_step, double_pendulum::paired_step].map(|step| {
+    let alone = |x: double_pendulum::State, h| {
+        double_pendulum::plain_step(x.map(|x| x.map(Lanes::<1>::from)), h).map(|x| x.map(|Lanes([x])| x))
+    };
+    let ends = [alone, double_pendulum::paired_step].map(|step| {
         let [q, v] = run(DOUBLE_PENDULUM, 1.0, 10_000, step);
         [q[0], q[1], v[0], v[1]]
     });
@@ -41,7 +45,8 @@ fn double_pendulum_error() -> f64 {
 }
 
 fn crank_error<K: Crank>(start: [f64; 2], until: f64, steps: u32, end: [f64; 2]) -> f64 {
-    let ends = [crank::plain_step::<K>, crank::paired_step::<K>].map(|step| run(start, until, steps, step));
+    let alone = |x: [f64; 2], h| crank::plain_step::<K, 1>(x.map(Lanes::from), h).map(|Lanes([x])| x);
+    let ends = [alone, crank::paired_step::<K>].map(|step| run(start, until, steps, step));
     relative(&ends, end)
 }
 

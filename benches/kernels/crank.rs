@@ -32,7 +32,8 @@ pub(crate) fn paired_step<K: Crank>([q, v]: [f64; 2], h: f64) -> [f64; 2] {
     let k3 = b3.mul_add_to(v3 * v3, a3);
     let v4 = h.mul_add_to(k3, v);
     let k4 = b4.mul_add_to(v4 * v4, a4);
-    end([q, v], h, [k1, k2, k3, k4])
+    let [q, v] = end([q, v].map(Lanes::from), h, [k1, k2, k3, k4].map(Lanes::<1>::from));
+    [q.0[0], v.0[0]]
 }
 
 /// The coefficients of two poses. Compilers begin to build vectors where results are stored, so it is never inlined.
@@ -42,30 +43,31 @@ fn pair<K: Crank>(first: f64, second: f64) -> [[f64; 2]; 2] {
     [a, b]
 }
 
-/// The same step, pose by pose, as methods for x' = f(x) take it.
+/// The same step, pose by pose, as methods for x' = f(x) take it; of N trajectories side by side.
 #[inline(always)]
-pub(crate) fn plain_step<K: Crank>([q, v]: [f64; 2], h: f64) -> [f64; 2] {
-    let acceleration = |q: f64, v: f64| {
-        let (Lanes([a]), Lanes([b])) = K::coefficients(Lanes([q]));
-        b.mul_add_to(v * v, a)
+pub(crate) fn plain_step<K: Crank, const N: usize>([q, v]: [Lanes<N>; 2], h: f64) -> [Lanes<N>; 2] {
+    let acceleration = |q: Lanes<N>, v: Lanes<N>| {
+        let (a, b) = K::coefficients(q);
+        b.times_plus(v * v, a)
     };
+    let along = |x: Lanes<N>, h: f64, rate: Lanes<N>| rate.times_plus(h, x);
     let half = 0.5 * h;
     let k1 = acceleration(q, v);
-    let v2 = half.mul_add_to(k1, v);
-    let k2 = acceleration(half.mul_add_to(v, q), v2);
-    let v3 = half.mul_add_to(k2, v);
-    let k3 = acceleration(half.mul_add_to(v2, q), v3);
-    let v4 = h.mul_add_to(k3, v);
-    let k4 = acceleration(h.mul_add_to(v3, q), v4);
+    let v2 = along(v, half, k1);
+    let k2 = acceleration(along(q, half, v), v2);
+    let v3 = along(v, half, k2);
+    let k3 = acceleration(along(q, half, v2), v3);
+    let v4 = along(v, h, k3);
+    let k4 = acceleration(along(q, h, v3), v4);
     end([q, v], h, [k1, k2, k3, k4])
 }
 
 /// The velocities of the stages are v, v2, v3, v4: their weighted sum is 6 v + h (k1 + k2 + k3).
 #[inline(always)]
-fn end([q, v]: [f64; 2], h: f64, [k1, k2, k3, k4]: [f64; 4]) -> [f64; 2] {
+fn end<const N: usize>([q, v]: [Lanes<N>; 2], h: f64, [k1, k2, k3, k4]: [Lanes<N>; 4]) -> [Lanes<N>; 2] {
     let (sixth, middle) = (h * (1.0 / 6.0), k2 + k3);
-    let mean = sixth.mul_add_to(k1 + middle, v);
-    [h.mul_add_to(mean, q), sixth.mul_add_to(2.0_f64.mul_add_to(middle, k1 + k4), v)]
+    let mean = (k1 + middle).times_plus(sixth, v);
+    [mean.times_plus(h, q), middle.times_plus(2.0, k1 + k4).times_plus(sixth, v)]
 }
 
 /// `Scalar::mul_add` under a name that `f64` does not have itself.

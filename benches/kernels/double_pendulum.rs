@@ -7,8 +7,6 @@
 //! cos(delta) a1 + 1.001 a2 = -sin(delta) v1^2 -     g cos(q2)
 //! ```
 
-use plm::Scalar;
-
 use super::lanes::Lanes;
 
 const INERTIA_1: f64 = (0.01 + 10.0 * 0.25 + 10.0) / 10.0;
@@ -18,6 +16,9 @@ const WEIGHT_2: f64 = -9.81;
 
 /// Angles and angular velocities.
 pub(crate) type State = [[f64; 2]; 2];
+
+/// Angles, or angular velocities, of trajectories side by side.
+type Side<const N: usize> = [Lanes<N>; 2];
 
 /// What depends on the angles alone: `a = inverse (right-hand side)`.
 struct Pose<const N: usize> {
@@ -29,7 +30,8 @@ struct Pose<const N: usize> {
 
 #[inline(always)]
 fn pose<const N: usize>(q1: Lanes<N>, q2: Lanes<N>) -> Pose<N> {
-    let [(s1, c1), (s, c)] = Lanes::sin_cos_of_two([q1, q2 - q1]);
+    let [(s1, c1), (s, c)] =
+        if N > 2 { [q1.sin_cos(), (q2 - q1).sin_cos()] } else { Lanes::sin_cos_of_two([q1, q2 - q1]) };
     let c2 = c1.times_plus(c, -(s1 * s));
     let reciprocal = c.times_plus(-c, INERTIA_1 * INERTIA_2).under(1.0);
     Pose {
@@ -41,38 +43,50 @@ fn pose<const N: usize>(q1: Lanes<N>, q2: Lanes<N>) -> Pose<N> {
 
 impl<const N: usize> Pose<N> {
     #[inline(always)]
-    fn acceleration(&self, lane: usize, [v1, v2]: [f64; 2]) -> [f64; 2] {
-        let of = |lanes: Lanes<N>| lanes.0[lane];
-        let s = of(self.sin_delta);
-        let r1 = Scalar::mul_add(s, v2 * v2, of(self.weights[0]));
-        let r2 = Scalar::mul_add(-s, v1 * v1, of(self.weights[1]));
-        let [i11, i12, i22] = self.inverse.map(of);
-        [Scalar::mul_add(i11, r1, i12 * r2), Scalar::mul_add(i22, r2, i12 * r1)]
+    fn acceleration(&self, [v1, v2]: Side<N>) -> Side<N> {
+        let s = self.sin_delta;
+        let r1 = s.times_plus(v2 * v2, self.weights[0]);
+        let r2 = (-s).times_plus(v1 * v1, self.weights[1]);
+        let [i11, i12, i22] = self.inverse;
+        [i11.times_plus(r1, i12 * r2), i22.times_plus(r2, i12 * r1)]
+    }
+
+    /// One of the poses.
+    #[inline(always)]
+    fn of(&self, lane: usize) -> Pose<1> {
+        let of = |lanes: Lanes<N>| Lanes([lanes.0[lane]]);
+        Pose { sin_delta: of(self.sin_delta), weights: self.weights.map(of), inverse: self.inverse.map(of) }
     }
 }
 
 /// One step, poses in pairs: see [`super::crank`].
 #[inline(always)]
 pub(crate) fn paired_step([q, v]: State, h: f64) -> State {
+    let [q, v] = [q, v].map(|x| x.map(Lanes::from));
     let half = 0.5 * h;
-    let q2 = along(q, half, v);
-    let first = pose(Lanes([q[0], q2[0]]), Lanes([q[1], q2[1]]));
-    let k1 = first.acceleration(0, v);
+    let first = poses(q, along(q, half, v));
+    let k1 = first.of(0).acceleration(v);
     let v2 = along(v, half, k1);
-    let k2 = first.acceleration(1, v2);
+    let k2 = first.of(1).acceleration(v2);
     let v3 = along(v, half, k2);
-    let (q3, q4) = (along(q, half, v2), along(q, h, v3));
-    let last = pose(Lanes([q3[0], q4[0]]), Lanes([q3[1], q4[1]]));
-    let k3 = last.acceleration(0, v3);
+    let last = poses(along(q, half, v2), along(q, h, v3));
+    let k3 = last.of(0).acceleration(v3);
     let v4 = along(v, h, k3);
-    let k4 = last.acceleration(1, v4);
-    end([q, v], h, [k1, k2, k3, k4])
+    let k4 = last.of(1).acceleration(v4);
+    end([q, v], h, [k1, k2, k3, k4]).map(|x| x.map(|Lanes([x])| x))
 }
 
-/// One step, pose by pose.
+/// Two poses.
 #[inline(always)]
-pub(crate) fn plain_step([q, v]: State, h: f64) -> State {
-    let acceleration = |q: [f64; 2], v| pose(Lanes([q[0]]), Lanes([q[1]])).acceleration(0, v);
+fn poses(first: Side<1>, second: Side<1>) -> Pose<2> {
+    let [q1, q2] = [0, 1].map(|i| Lanes([first[i].0[0], second[i].0[0]]));
+    pose(q1, q2)
+}
+
+/// One step, pose by pose; of N trajectories side by side.
+#[inline(always)]
+pub(crate) fn plain_step<const N: usize>([q, v]: [Side<N>; 2], h: f64) -> [Side<N>; 2] {
+    let acceleration = |q: Side<N>, v| pose(q[0], q[1]).acceleration(v);
     let half = 0.5 * h;
     let k1 = acceleration(q, v);
     let v2 = along(v, half, k1);
@@ -86,15 +100,15 @@ pub(crate) fn plain_step([q, v]: State, h: f64) -> State {
 
 /// `x + h rate`.
 #[inline(always)]
-fn along(x: [f64; 2], h: f64, rate: [f64; 2]) -> [f64; 2] {
-    [0, 1].map(|i| Scalar::mul_add(h, rate[i], x[i]))
+fn along<const N: usize>(x: Side<N>, h: f64, rate: Side<N>) -> Side<N> {
+    [0, 1].map(|i| rate[i].times_plus(h, x[i]))
 }
 
 #[inline(always)]
-fn end([q, v]: State, h: f64, [k1, k2, k3, k4]: [[f64; 2]; 4]) -> State {
+fn end<const N: usize>([q, v]: [Side<N>; 2], h: f64, [k1, k2, k3, k4]: [Side<N>; 4]) -> [Side<N>; 2] {
     let sixth = h * (1.0 / 6.0);
     let middle = [0, 1].map(|i| k2[i] + k3[i]);
-    let mean = [0, 1].map(|i| Scalar::mul_add(sixth, k1[i] + middle[i], v[i]));
-    let sum = [0, 1].map(|i| Scalar::mul_add(2.0, middle[i], k1[i] + k4[i]));
+    let mean = [0, 1].map(|i| (k1[i] + middle[i]).times_plus(sixth, v[i]));
+    let sum = [0, 1].map(|i| middle[i].times_plus(2.0, k1[i] + k4[i]));
     [along(q, h, mean), along(v, sixth, sum)]
 }

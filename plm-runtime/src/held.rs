@@ -27,6 +27,9 @@ pub trait Loops<S>: Copy {
         number: &impl Fn([S; N]) -> T,
     ) -> Self::Packed<T>;
 
+    /// Puts what `one` holds, in the same chart, into its lane of `wide`; `put` does so with a number.
+    fn put<T: Scalar>(wide: &mut Self::Packed<T>, one: &Self, put: &impl Fn(&mut T, S));
+
     /// The chart that is held, from 0; none where no chart is good.
     fn chart(&self) -> Option<usize>;
 }
@@ -35,6 +38,8 @@ impl<S> Loops<S> for () {
     type Packed<T: Scalar> = ();
 
     fn packed<T: Scalar, const N: usize>(&self, _all: [&(); N], _number: &impl Fn([S; N]) -> T) {}
+
+    fn put<T: Scalar>(_wide: &mut (), _one: &(), _put: &impl Fn(&mut T, S)) {}
 
     fn chart(&self) -> Option<usize> {
         Some(0)

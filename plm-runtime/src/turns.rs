@@ -3,7 +3,7 @@
 //! An angle in the state stays within three quarters of a turn: what sines and cosines are made of it is as exact after a day as after
 //! a minute, in `f32` as well. What reads the angle itself has the turns added.
 
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
 /// An angle that is farther from zero, rad, is brought back by whole turns: three quarters of one, so that one that swings
@@ -59,6 +59,21 @@ pub fn are_due<S: Real, const K: usize>(numbers: &impl Vector<S>, places: &[&[us
     places.iter().filter_map(|places| places.first()).any(|&place| due(numbers.at(place)) != 0)
 }
 
+/// The same of several side by side: 0 in the lanes where one is to be brought back, 1 elsewhere.
+#[inline]
+pub fn all_near<T: Scalar, const K: usize>(numbers: &impl Vector<T>, places: &[&[usize]; K]) -> T {
+    let first = places.iter().filter_map(|places| places.first());
+    first.fold(T::lit(1.0), |near, &place| near.min(are_near(numbers.at(place))))
+}
+
+/// 0 in the lanes whose angle is to be brought back, 1 elsewhere.
+#[inline]
+pub(crate) fn are_near<T: Scalar>(angle: T) -> T {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let due = T::select(angle.abs().lt(T::lit(MOST)), zero, one);
+    T::select(T::lit(FARTHEST).lt(angle.abs()), due, one)
+}
+
 /// Brings angles among `numbers` back by whole turns, which are counted; those of one count together, when the first of
 /// them is far: others may be far from that. Whether there were some.
 #[inline]
@@ -84,7 +99,7 @@ pub fn unwind<S: Real, const K: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::{FARTHEST, TAU, add, due, less, unwind, whole};
+    use super::{FARTHEST, TAU, add, all_near, due, less, unwind, whole};
 
     /// Counts beside a sum of equal steps, against the sum in integers: the pose is that of the first turns.
     fn turned<S: crate::Real>(steps: u32) -> (S, i32) {
@@ -117,9 +132,10 @@ mod tests {
             let back = less(angle, turns);
             assert!(back.abs() <= 0.5 * TAU + 1e-9, "{angle}: {back}");
             assert!((whole(back, turns) - angle).abs() <= 2.0 * f64::EPSILON * angle.abs());
+            assert_eq!(all_near::<f64, 1>(&[angle], &[&[0]]), 0.0);
         }
         for near in [0.0, 3.2, -4.7, f64::NAN, f64::INFINITY, 1e30] {
-            assert_eq!(due(near), 0);
+            assert_eq!((due(near), all_near::<f64, 1>(&[near], &[&[0]])), (0, 1.0));
         }
         let mut pose = [1.0, 2.0, 3.0, 4.0];
         add(&[2, -1], &mut pose, &[&[1, 3], &[0]]);

@@ -963,6 +963,21 @@ mod plm_slider_crank_ {
                 !rt::turns::are_due(x, &[&[2], &[5]])
             }
 
+            #[inline]
+            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 18]) -> T {
+                rt::turns::all_near(x, &[&[2], &[5]])
+            }
+
+            #[inline]
+            fn put_held<T: Scalar>(wide: &mut Held<T>, one: &Held<S>, put: impl Fn(&mut T, S)) {
+                rt::held::Loops::<S>::put(&mut wide.of_loops, &one.of_loops, &put);
+                for (wide, &one) in wide.turns.iter_mut().zip(&one.turns) {
+                    let mut turns = T::of_turns(*wide);
+                    put(&mut turns, S::of_turns(one));
+                    *wide = turns.to_turns();
+                }
+            }
+
             fn chart(held: &Held<S>) -> Option<usize> {
                 rt::held::Loops::<S>::chart(&held.of_loops)
             }

@@ -19,8 +19,14 @@ pub struct Counted {
 #[inline]
 pub(super) fn are_due<M: Charted>(held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { chart, .. } = held.of_loops else { return false };
-    let coordinates = M::COUNTED.iter().filter_map(|counted| counted.coordinates.get(chart));
-    coordinates.filter_map(|places| places.first()).any(|&k| due(x.at(k)) != 0)
+    first_places::<M>(chart).any(|k| due(x.at(k)) != 0)
+}
+
+/// By count, the first of its coordinates in a chart.
+#[inline]
+pub(super) fn first_places<M: Charted>(chart: usize) -> impl Iterator<Item = usize> {
+    let coordinates = M::COUNTED.iter().filter_map(move |counted| counted.coordinates.get(chart));
+    coordinates.filter_map(|places| places.first().copied())
 }
 
 /// Brings angles back where the first of a count has turned far; whether there were some.

@@ -192,11 +192,45 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
         }
     }
 
+    #[inline]
+    fn put<P: Scalar>(wide: &mut Self::Packed<P>, one: &Self, put: &impl Fn(&mut P, S)) {
+        if let (OfLoops::InChart { memory: wide, .. }, OfLoops::InChart { memory: one, .. }) = (wide, one) {
+            put_memory(wide, one, put);
+        }
+    }
+
     fn chart(&self) -> Option<usize> {
         match *self {
             OfLoops::InChart { chart, .. } => Some(chart),
             OfLoops::Free { .. } => None,
         }
+    }
+}
+
+/// Puts a memory into its lane of several.
+#[inline]
+fn put_memory<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize>(
+    wide: &mut Memory<P, Y, T, A, F>,
+    one: &Memory<S, Y, T, A, F>,
+    put: &impl Fn(&mut P, S),
+) {
+    let reaches = wide.coordinates.iter_mut().zip(&one.coordinates).chain([(&mut wide.time, &one.time)]);
+    for (wide, one) in reaches {
+        put(&mut wide.last, one.last);
+        put(&mut wide.reach, one.reach);
+    }
+    for (wide, one) in wide.turns.iter_mut().zip(&one.turns) {
+        put(&mut wide.angle, one.angle);
+        put(&mut wide.cos, one.cos);
+        put(&mut wide.sin, one.sin);
+    }
+    for (wide, one) in wide.areas.iter_mut().zip(&one.areas) {
+        put(wide, *one);
+    }
+    for (wide, one) in wide.followed.iter_mut().zip(&one.followed) {
+        put(&mut wide.value, one.value);
+        put(&mut wide.rate, one.rate);
+        put(&mut wide.bend, one.bend);
     }
 }
 

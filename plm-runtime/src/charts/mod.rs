@@ -17,13 +17,14 @@ mod memory;
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};
 pub use counted::Counted;
-use counted::{are_due, unwind};
+use counted::{are_due, first_places, unwind};
 pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
 
 use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, System};
+use crate::turns::are_near;
 use crate::vector::Vector;
 
 /// Below this a chart's measure is worth a look at the other charts: the smallest sine (RRR), cosine (RRP), or length
@@ -154,6 +155,30 @@ pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
         && memory.coordinates().iter().enumerate().all(|(k, coordinate)| coordinate.holds(x.at(k)))
         && memory.time().holds(t)
         && !(M::LOOSE && are_due::<M>(held, x))
+}
+
+/// The same of several states side by side, by what is held of their loops: 1 in the lanes where it has nothing to look at
+/// yet, 0 elsewhere.
+#[inline]
+pub fn are_calm<M: Charted, T: Scalar>(
+    t: T,
+    of_loops: &OfLoops<impl Remembered<T>, impl Sized>,
+    x: &impl Vector<T>,
+) -> T {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let OfLoops::InChart { chart, memory } = of_loops else { return zero };
+    if !M::FOLLOWED.is_empty() {
+        return zero;
+    }
+    let holds = |calm: T, at: Reach<T>, value: T| T::select((value - at.last).abs().lt(at.reach), calm, zero);
+    let coordinates = memory.coordinates().iter().enumerate();
+    let calm = coordinates.fold(one, |calm, (k, &coordinate)| holds(calm, coordinate, x.at(k)));
+    let calm = holds(calm, memory.time(), t);
+    if !M::LOOSE {
+        return calm;
+    }
+    let counted = first_places::<M>(*chart).map(|k| are_near(x.at(k)));
+    counted.fold(calm, T::min)
 }
 
 /// How much of its box a coordinate has crossed in a step, the most of all; zero where all loops are far from flat.

@@ -9,11 +9,9 @@ use super::lane::{Lane, column, set_column};
 use super::{LANES, Lanes, Pack, Rate, Unwatched};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, FixedStep, Formula, Plan, Rk4Formula};
+use crate::method::{FixedStep, Formula, Plan, Rk4Formula};
 use crate::scalar::Scalar;
 use crate::sim::{Clock, Sim};
-use crate::singular::Rescue;
-use crate::system::Leg;
 use crate::vector::Vector;
 
 /// Eight simulations of one mechanism, with parameters, inputs and states of their own: their rates are computed at once,
@@ -114,7 +112,7 @@ struct Side<M: Pack<S = f64>, L: Lanes> {
     mechanism: Unwatched<M::Packed<L>>,
     held: <M::Packed<L> as Rate>::U,
     x: <M::Packed<L> as Rate>::X,
-    /// Which lanes are computed, in the chart of most.
+    /// Which lanes are computed: those in the chart of most.
     joined: [bool; LANES],
 }
 
@@ -129,6 +127,22 @@ impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
             joined,
         }
     }
+
+    /// A lane has made a step by itself to the state `next`; it was at a place before.
+    fn renew<F: Formula>(
+        &mut self,
+        next: &mut <M::Packed<L> as Rate>::X,
+        (i, before): (usize, Option<usize>),
+        lanes: &[Lane<M, F>; LANES],
+    ) {
+        let (course, joined) = (&lanes[i % LANES].course, self.joined[i % LANES]);
+        set_column(next, i, &course.x);
+        if lanes[i % LANES].place() != before {
+            (self.held, self.joined) = hold(lanes);
+        } else if joined {
+            M::put_held(&mut self.held, &course.held, |wide: &mut L, one| wide.put(i, one));
+        }
+    }
 }
 
 /// What the lanes hold, as one, in the chart of most, and which lanes are in that.
@@ -136,13 +150,13 @@ fn hold<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     lanes: &[Lane<M, F>; LANES],
 ) -> (<M::Packed<L> as Rate>::U, [bool; LANES]) {
     let held = lanes.each_ref().map(|lane| &lane.course.held);
-    let joined_by = |lane: &Lane<M, F>| {
-        let chart = M::chart(&lane.course.held);
-        lanes.iter().filter(|other| other.joins(chart)).count()
+    let joins = |lane: &Lane<M, F>, first: &Lane<M, F>| {
+        let place = lane.place();
+        place.is_some() && place == M::chart(&first.course.held)
     };
-    let first = lanes.iter().max_by_key(|lane| joined_by(lane)).map_or(held[0], |lane| &lane.course.held);
-    let chart = M::chart(first);
-    (M::pack_held(first, held, L::of), lanes.each_ref().map(|lane| lane.joins(chart)))
+    let joined_by = |first: &Lane<M, F>| lanes.iter().filter(|other| joins(other, first)).count();
+    let first = lanes.iter().max_by_key(|lane| joined_by(lane)).unwrap_or(&lanes[0]);
+    (M::pack_held(&first.course.held, held, L::of), lanes.each_ref().map(|lane| joins(lane, first)))
 }
 
 /// Runs all lanes to the end of the interval.
@@ -151,9 +165,7 @@ fn run<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(lanes: &mut [Lane<M
     let (mut time, end, mut plan) = (first.course.time, first.course.end, first.plan());
     let mut side = Side::<M, L>::new(lanes);
     while time < end {
-        if step(lanes, &mut side, time, &plan) {
-            (side.held, side.joined) = hold(lanes);
-        }
+        step(lanes, &mut side, time, &plan);
         time = plan.next_time;
         plan.next();
     }
@@ -162,35 +174,35 @@ fn run<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(lanes: &mut [Lane<M
     }
 }
 
-/// One step of all lanes; whether something changed that they hold.
+/// One step of all lanes.
 #[inline]
 fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     lanes: &mut [Lane<M, F>; LANES],
     side: &mut Side<M, L>,
     time: f64,
     plan: &Plan<f64>,
-) -> bool {
+) {
     let mut next = side.x;
-    let health = F::plain_step(&side.mechanism, L::lit(time), &side.held, &mut next, L::lit(plan.h));
-    let (health, all_finite) = (health.0.values(), next.is_finite());
-    let mut looked = false;
-    for (i, lane) in lanes.iter_mut().enumerate() {
-        let healthy = side.joined[i] && f64::HEALTHY < health[i];
-        let (before, after) = ((time, column(&side.x, i)), (plan.next_time, column(&next, i)));
-        let Course { system, held, .. } = &lane.course;
-        let (from, to) = ((before.0, &before.1), (after.0, &after.1));
-        let leg = Leg { system: *system, held, from, to, health: health[i] };
-        let trusted = healthy && all_finite && !M::Rescue::doubts(&leg);
-        if !lane.runs || (trusted && lane.coast(plan, &column(&next, i))) {
+    let health = F::plain_step(&side.mechanism, L::lit(time), &side.held, &mut next, L::lit(plan.h)).0;
+    // Of a lane that is not a number, others need not be: each says so itself.
+    let calm = M::are_calm(L::lit(plan.next_time), &side.held, &next);
+    let calm = L::select(L::lit(f64::HEALTHY).lt(health), calm, L::lit(0.0));
+    let (health, calm, all_finite) = (health.values(), calm.values(), next.is_finite());
+    // Who is joined may change on the way.
+    let joined = side.joined;
+    for i in 0..LANES {
+        let lane = &mut lanes[i];
+        let states = || [column(&side.x, i), column(&next, i)];
+        let trusted = joined[i] && all_finite && calm[i] > 0.0;
+        if !lane.runs || (trusted && lane.coast((time, plan), health[i], states)) {
             continue;
         }
-        let made = healthy.then(|| (column(&next, i), health[i]));
-        lane.step(time, plan, column(&side.x, i), made);
-        set_column(&mut next, i, &lane.course.x);
-        looked = true;
+        let ([from, to], place) = (states(), lane.place());
+        let healthy = joined[i] && f64::HEALTHY < health[i];
+        lane.step(time, plan, from, healthy.then_some((to, health[i])));
+        side.renew(&mut next, (i, place), lanes);
     }
     side.x = next;
-    looked
 }
 
 impl<M: Mechanism<S = f64>, L, F> Deref for Batch<M, L, F> {

@@ -7,6 +7,7 @@ use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, FixedStep, Formula, Method, Plan};
 use crate::sim::{Limits, Sim, alone, came_near, look};
 use crate::singular::Rescue;
+use crate::system::Leg;
 use crate::vector::Vector;
 
 /// A simulation on its way through an interval.
@@ -37,17 +38,32 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         self.method.plan
     }
 
-    /// Whether its steps may be made with the others', in their chart.
-    pub(super) fn joins(&self, chart: Option<usize>) -> bool {
+    /// The chart in which its steps may be made with the others'; none where they may not.
+    pub(super) fn place(&self) -> Option<usize> {
         let regular = !self.method.careful && !M::Rescue::holds(&self.course);
-        self.runs && regular && M::chart(&self.course.held) == chart
+        M::chart(&self.course.held).filter(|_| self.runs && regular)
     }
 
-    /// Makes the next step with the others and without a look at it, if none is due.
+    /// Makes the next step with the others and without a look at it, if none is due; to a state at which [`Pack::is_calm`]. The
+    /// states before and after it are asked for where they are looked at.
     #[inline]
-    pub(super) fn coast(&mut self, plan: &Plan<f64>, x: &M::X) -> bool {
-        let calm = !self.limits.audit() && M::is_calm(plan.next_time, &self.course.held, x);
-        let coasts = calm && self.method.coast();
+    pub(super) fn coast(
+        &mut self,
+        (time, plan): (f64, &Plan<f64>),
+        health: f64,
+        states: impl FnOnce() -> [M::X; 2],
+    ) -> bool {
+        let Self { course: Course { system, held, .. }, method, limits, .. } = self;
+        let coasts = if limits.audit() {
+            false
+        } else if method.coasts() && !M::Rescue::DOUBTS {
+            method.keep(false);
+            true
+        } else {
+            let [from, to] = &states();
+            let leg = Leg { system: *system, held, from: (time, from), to: (plan.next_time, to), health };
+            !M::Rescue::doubts(&leg) && method.coast(*system, plan.next_time, to)
+        };
         self.coasted += u64::from(coasts);
         coasts
     }
@@ -102,8 +118,8 @@ pub(super) fn column<L: Lanes, X: Vector<f64>>(wide: &impl Vector<L>, lane: usiz
 /// Gives one lane its values.
 pub(super) fn set_column<L: Lanes, Y: Vector<L>>(wide: &mut Y, lane: usize, x: &impl Vector<f64>) {
     for k in 0..Y::LEN {
-        let mut values = wide.at(k).values();
-        values[lane % LANES] = x.at(k);
-        wide.set(k, L::of(values));
+        let mut number = wide.at(k);
+        number.put(lane, x.at(k));
+        wide.set(k, number);
     }
 }

@@ -24,6 +24,8 @@ pub trait Lanes: Scalar {
     fn of(values: [f64; LANES]) -> Self;
     /// The values.
     fn values(self) -> [f64; LANES];
+    /// Gives one lane another value.
+    fn put(&mut self, lane: usize, value: f64);
 }
 
 /// The right-hand side alone, for any numbers; implemented by generated code.
@@ -62,11 +64,22 @@ pub trait Pack: Mechanism {
         number: impl Fn([Self::S; N]) -> T,
     ) -> <Self::Packed<T> as Rate>::U;
 
+    /// Puts what `one` holds, in the same chart, into its lane of what several hold, but for inputs, which stay over an interval;
+    /// `put` does so with a number.
+    fn put_held<T: Scalar>(
+        wide: &mut <Self::Packed<T> as Rate>::U,
+        one: &Self::U,
+        put: impl Fn(&mut T, Self::S),
+    );
+
     /// The chart that is held, from 0; none where no chart is good.
     fn chart(held: &Self::U) -> Option<usize>;
 
     /// Whether [`System::accept`] has nothing to do at a state.
     fn is_calm(t: Self::S, held: &Self::U, x: &Self::X) -> bool;
+
+    /// The same of several states side by side: 1 in the lanes where it has nothing to do, 0 elsewhere.
+    fn are_calm<T: Scalar>(t: T, held: &<Self::Packed<T> as Rate>::U, x: &<Self::Packed<T> as Rate>::X) -> T;
 }
 
 /// A right-hand side as a system that is never looked at: what the formulas of methods ask for.

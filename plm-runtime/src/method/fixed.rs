@@ -108,11 +108,13 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         outcome
     }
 
-    /// A step whose drift is not looked at, if it is not due.
+    /// A step to the state `x` that needs not be settled, if it is one: its drift is not due to be looked at, or small.
     #[inline]
-    pub(crate) fn coast(&mut self) -> bool {
-        let coasts = self.coasts();
-        self.until_check -= u32::from(coasts);
+    pub(crate) fn coast<M: System<S = S>>(&mut self, system: &M, t: S, x: &M::X) -> bool {
+        let coasts = !self.careful && !self.drifts(system, t, x);
+        if coasts {
+            self.keep(false);
+        }
         coasts
     }
 
@@ -154,7 +156,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
     /// Counts a step to the next look at the drift.
     #[inline]
-    fn keep(&mut self, drifted: bool) {
+    pub(crate) fn keep(&mut self, drifted: bool) {
         self.until_check = match (self.coasts(), drifted) {
             (true, _) => self.until_check - 1,
             (false, true) => 1,
@@ -164,7 +166,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
     /// The drift is not looked at after the next step.
     #[inline]
-    fn coasts(&self) -> bool {
+    pub(crate) fn coasts(&self) -> bool {
         self.until_check > 1 && !self.careful
     }
 }

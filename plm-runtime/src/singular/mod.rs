@@ -40,6 +40,9 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// Is the state one that only this method can go on from?
     fn holds(course: &Course<'_, M>) -> bool;
 
+    /// Whether [`doubts`](Self::doubts) has anything to look at.
+    const DOUBTS: bool;
+
     /// May a step have led over poses that are nearly singular, or next to them by too far?
     fn doubts(leg: &Leg<'_, M>) -> bool;
 
@@ -106,6 +109,8 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
 pub struct Never<M>(core::marker::PhantomData<M>);
 
 impl<M: Mechanism> Rescue<M> for Never<M> {
+    const DOUBTS: bool = false;
+
     fn new() -> Self {
         Self(core::marker::PhantomData)
     }

@@ -274,6 +274,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
     for Near<M, NQ, NC, NX>
 {
+    const DOUBTS: bool = true;
+
     fn new() -> Self {
         let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
         Self {

@@ -1,7 +1,8 @@
 //! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
 
 use plm_runtime::charts::{
-    self, Charted, OfLoops, Reach, Remembered, accept, crossed, enter, full, hold, is_calm, is_free, pose,
+    self, Charted, OfLoops, Reach, Remembered, accept, are_calm, crossed, enter, full, hold, is_calm,
+    is_free, pose,
 };
 use plm_runtime::held::{Held, Loops};
 use plm_runtime::{Cause, Health, System};
@@ -140,8 +141,13 @@ fn a_state_within_its_box_is_calm() {
     let (bead, held, x) = entered(1.0, 30.0);
     for (part, calm) in [(0.0, true), (0.9, true), (-0.9, true), (1.1, false), (-1.1, false)] {
         let moved = [x[0] + part * REACH, x[1], x[2]];
-        assert_eq!(is_calm::<Bead>(0.0, &held, &moved), calm, "{part} of the reach");
-        assert_eq!(is_calm::<Bead>(part * WHILE, &held, &x), calm, "{part} of the time");
+        let both = |t: f64, x: &[f64; 3]| {
+            let side_by_side = are_calm::<Bead, f64>(t, &held.of_loops, x);
+            (is_calm::<Bead>(t, &held, x), side_by_side)
+        };
+        let expected = (calm, f64::from(u8::from(calm)));
+        assert_eq!(both(0.0, &moved), expected, "{part} of the reach");
+        assert_eq!(both(part * WHILE, &x), expected, "{part} of the time");
         assert!((crossed(&bead, &held, &x, &moved) - part.abs()).abs() < 1e-12, "{part} of the reach");
     }
     let (chart, mut memory) = within(&held);

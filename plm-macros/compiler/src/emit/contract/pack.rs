@@ -17,11 +17,13 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let params = emission.lines(params.map(|field| format!("{field}: number(all.map(|one| one.{field}))")));
     let inputs = &fields.inputs;
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
-    let is_calm = if emission.loops().is_some() {
-        quote!(rt::charts::is_calm::<Self>(t, held, x))
+    let (is_calm, are_calm) = if emission.loops().is_some() {
+        let are_calm = quote!(rt::charts::are_calm::<Self, T>(t, &held.of_loops, x));
+        (quote!(rt::charts::is_calm::<Self>(t, held, x)), are_calm)
     } else {
         turns::are_near(emission)
     };
+    let length = &emission.sizes.length;
     quote! {
         impl<S: Real> rt::lanes::Pack for #name<S> {
             type Packed<T: Scalar> = #name<T>;
@@ -51,6 +53,21 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             #[inline]
             fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
                 #is_calm
+            }
+
+            #[inline]
+            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; #length]) -> T {
+                #are_calm
+            }
+
+            #[inline]
+            fn put_held<T: Scalar>(wide: &mut Held<T>, one: &Held<S>, put: impl Fn(&mut T, S)) {
+                rt::held::Loops::<S>::put(&mut wide.of_loops, &one.of_loops, &put);
+                for (wide, &one) in wide.turns.iter_mut().zip(&one.turns) {
+                    let mut turns = T::of_turns(*wide);
+                    put(&mut turns, S::of_turns(one));
+                    *wide = turns.to_turns();
+                }
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

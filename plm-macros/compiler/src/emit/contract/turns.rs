@@ -52,11 +52,13 @@ pub(super) fn accept(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// Whether no angle is to be brought back at a state; not of loops.
-pub(super) fn are_near(emission: &Emission) -> TokenStream {
+/// Whether no angle is to be brought back at a state, and at several side by side; not of loops.
+pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
     match in_state(emission) {
-        Some(places) if are_counted(emission) => quote!(!rt::turns::are_due(x, &#places)),
-        _ => quote!(true),
+        Some(places) if are_counted(emission) => {
+            (quote!(!rt::turns::are_due(x, &#places)), quote!(rt::turns::all_near(x, &#places)))
+        }
+        _ => (quote!(true), quote!(T::lit(1.0))),
     }
 }
 
