@@ -50,9 +50,10 @@ impl<M: System<S: Real>> Differences<M> {
         let (one, last) = (M::S::lit(1.0), self.last);
         let [mut once, mut twice, mut above] = [M::X::fill(M::S::ZERO); 3];
         let Coefficients { beta, once: by_once, twice: by_twice, equal, .. } = coefficients;
-        let by = beta.iter().zip(by_once).zip(by_twice).enumerate().skip(1).take(MOST);
-        for (row, (i, ((beta, g), g_twice))) in self.rows.iter_mut().zip(by).take(order).rev() {
-            let beta = if i > *equal { *beta } else { one };
+        for (below, row) in self.rows.iter_mut().enumerate().take(order).rev() {
+            let i = below + 1;
+            let (beta, g, g_twice) =
+                (if i > *equal { beta.at(i) } else { one }, by_once.at(i), by_twice.at(i));
             let due = if i <= self.due { one } else { M::S::ZERO };
             for l in M::NQ..M::X::LEN {
                 let s = beta * due.mul_add(last.at(l), row.at(l));
