@@ -26,7 +26,7 @@ const NINTH_ORDER_FROM: f64 = 1e-9;
 
 /// States from which on Adams' method of variable order is the cheaper explicit one in smooth runs, where nothing drifts and nothing
 /// dies out faster than the pace: rates then take longer than what is remembered of them. A chain of 64 bars (128 states) that
-/// hangs takes 0.4 to 0.65 of the time of the cheaper of the others to the same error, one of 16 (32 states) 1.4.
+/// hangs takes 0.5 to 0.75 of the time of the cheaper of the others to the same error, one of 16 (32 states) 1.2 to 1.4.
 const MULTISTEP_FROM: usize = 100;
 
 /// Damping ratio from which on a motion dies out rather than swings.
