@@ -7,7 +7,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use plm::view::Arguments;
-use plm::{Dop853, Fault, Method, RadauIia5, Sim, StartAuto, Vern9};
+use plm::{Adams, Dop853, Fault, Method, RadauIia5, Sim, StartAuto, Vern9};
 
 plm::mechanism! {
     /// A mass on a spring and a damper.
@@ -96,6 +96,7 @@ where
 fn compare<M: StartAuto>(name: &str, mechanism: M, time: f64, rtol: f64) -> Result<(), Fault> {
     let explicit = cost(|| mechanism.start_with(Dop853::new(rtol)), time)?;
     let ninth = cost(|| mechanism.start_with(Vern9::new(rtol)), time)?;
+    let multistep = cost(|| mechanism.start_with(Adams::new(rtol)), time)?;
     let stiff = cost(|| mechanism.start_with(RadauIia5::new(rtol)), time)?;
     let auto = cost(|| mechanism.start_auto_with(rtol), time)?;
     let sim = mechanism.start_auto_with(rtol)?;
@@ -104,6 +105,7 @@ fn compare<M: StartAuto>(name: &str, mechanism: M, time: f64, rtol: f64) -> Resu
     println!("{name}, {time} s, tolerance {rtol:e}, fastest decay to pace {ratio:.3}");
     println!("  DOP853 {:9.1} us ({} evaluations)", explicit.0, explicit.1);
     println!("  Vern9  {:9.1} us ({} evaluations)", ninth.0, ninth.1);
+    println!("  Adams  {:9.1} us ({} evaluations)", multistep.0, multistep.1);
     println!("  Radau  {:9.1} us ({} evaluations)", stiff.0, stiff.1);
     println!("  auto   {:9.1} us: {}", auto.0, choice);
     Ok(())

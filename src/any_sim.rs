@@ -1,13 +1,17 @@
 //! A run whose method is known when the program runs.
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Dop853, Dopri5, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System, Vern9};
+use plm_runtime::{
+    Adams, Dop853, Dopri5, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System, Vern9,
+};
 
 /// A run by one of the methods of [`Integrator`](crate::integrator::Integrator), which starts it.
 #[derive(Clone, Copy)]
+#[allow(clippy::large_enum_variant, reason = "a run is copied as it is, and there is one of it")]
 pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
     Dop853(Sim<M, Dop853<M>>),
     Vern9(Sim<M, Vern9<M>>),
+    Adams(Sim<M, Adams<M>>),
     Dopri5(Sim<M, Dopri5<M>>),
     RadauIia5(Sim<M, RadauIia5<M>>),
     Rk4(Sim<M, Rk4<f64>>),
@@ -30,6 +34,7 @@ macro_rules! each {
         match $any {
             Self::Dop853($sim) => $value,
             Self::Vern9($sim) => $value,
+            Self::Adams($sim) => $value,
             Self::Dopri5($sim) => $value,
             Self::RadauIia5($sim) => $value,
             Self::Rk4($sim) => $value,

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use std::vec::Vec;
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Dop853, Dopri5, Fault, Linear, Mechanism, Rk4, SemiImplicitEuler, System, Vern9};
+use plm_runtime::{Adams, Dop853, Dopri5, Fault, Linear, Mechanism, Rk4, SemiImplicitEuler, System, Vern9};
 
 use crate::any_sim::AnySim;
 use crate::mistake::{BadOption, nearest};
@@ -27,6 +27,8 @@ pub enum Integrator {
     Dop853(f64),
     /// [`Vern9`] with its relative tolerance.
     Vern9(f64),
+    /// [`Adams`] with its relative tolerance.
+    Adams(f64),
     /// [`Dopri5`] with its relative tolerance.
     Dopri5(f64),
     /// [`RadauIia5`] with its relative tolerance.
@@ -56,9 +58,10 @@ struct Named {
     tolerance: Option<f64>,
 }
 
-const NAMED: [Named; 9] = [
+const NAMED: [Named; 10] = [
     Named { name: "Dop853", make: Integrator::Dop853, tolerance: Some(1e-9) },
     Named { name: "Vern9", make: Integrator::Vern9, tolerance: Some(1e-9) },
+    Named { name: "Adams", make: Integrator::Adams, tolerance: Some(1e-9) },
     Named { name: "Dopri5", make: Integrator::Dopri5, tolerance: Some(1e-8) },
     Named { name: "RadauIia5", make: Integrator::RadauIia5, tolerance: Some(1e-8) },
     Named { name: "Rk4", make: Integrator::Rk4, tolerance: None },
@@ -106,7 +109,10 @@ impl Integrator {
     /// Has it a longest step, not a tolerance?
     #[cfg(feature = "analysis")]
     pub(crate) fn is_fixed(self) -> bool {
-        !matches!(self, Self::Dop853(_) | Self::Vern9(_) | Self::Dopri5(_) | Self::RadauIia5(_))
+        !matches!(
+            self,
+            Self::Dop853(_) | Self::Vern9(_) | Self::Adams(_) | Self::Dopri5(_) | Self::RadauIia5(_)
+        )
     }
 
     /// Assembles a mechanism at a time, s, and gives its run by this method.
@@ -120,6 +126,7 @@ impl Integrator {
         Ok(match self {
             Self::Dop853(rtol) => AnySim::Dop853(mechanism.start_at(time, Dop853::new(rtol))?),
             Self::Vern9(rtol) => AnySim::Vern9(mechanism.start_at(time, Vern9::new(rtol))?),
+            Self::Adams(rtol) => AnySim::Adams(mechanism.start_at(time, Adams::new(rtol))?),
             Self::Dopri5(rtol) => AnySim::Dopri5(mechanism.start_at(time, Dopri5::new(rtol))?),
             Self::RadauIia5(rtol) => AnySim::RadauIia5(mechanism.start_at(time, RadauIia5::new(rtol))?),
             Self::Rk4(h) => AnySim::Rk4(mechanism.start_at(time, Rk4::new(h))?),
@@ -135,8 +142,7 @@ impl Integrator {
 
 /// The names for help.
 #[cfg(any(feature = "view", test))]
-pub(crate) const METHODS: &str =
-    "Dop853[:TOLERANCE], Vern9, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
+pub(crate) const METHODS: &str = "Dop853[:TOLERANCE], Vern9, Adams, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
 
 #[cfg(test)]
 mod tests {

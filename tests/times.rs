@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 use plm::{
-    Cause, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, RadauIia5, Rk4, Ros34Pw2, SemiImplicitEuler, Sim,
-    Vern9,
+    Adams, Cause, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, RadauIia5, Rk4, Ros34Pw2,
+    SemiImplicitEuler, Sim, Vern9,
 };
 
 plm::mechanism! {
@@ -93,6 +93,7 @@ fn is_sampled<I: Method<Pendulum>>(method: I, least: usize) {
 fn the_last_step_can_be_looked_at() {
     is_sampled(Dop853::new(1e-9), 50);
     is_sampled(Vern9::new(1e-9), 20);
+    is_sampled(Adams::new(1e-9), 20);
     is_sampled(Dopri5::new(1e-7), 20);
     is_sampled(RadauIia5::new(1e-7), 20);
 }
@@ -188,6 +189,7 @@ fn begins_again<I: Method<Pendulum>>(method: I) {
 fn a_reset_run_has_the_bits_of_a_fresh_one() {
     begins_again(Dop853::new(1e-8).with_longest_step(0.1));
     begins_again(Vern9::new(1e-8));
+    begins_again(Adams::new(1e-8));
     begins_again(Dopri5::new(1e-7));
     begins_again(RadauIia5::new(1e-7).with_longest_step(0.1));
     begins_again(Rk4::new(0.01).with_tolerance(1e-8));
@@ -288,4 +290,19 @@ fn a_coordinate_has_the_names_of_all_charts() {
         "{names:?}"
     );
     assert_eq!(omega, angle.replace("angle", "omega"));
+}
+
+/// A step here takes two evaluations, a beginning some twenty steps.
+#[test]
+fn whole_turns_are_no_new_beginning_of_adams() {
+    let mut sim = Pendulum::new().start_with(Adams::new(1e-9)).unwrap();
+    sim.input.torque = 100.0;
+    sim.step(1.0).unwrap();
+    let (before, angle) = (sim.stats(), sim.bob().angle);
+    for _ in 0..1000 {
+        sim.step(0.001).unwrap();
+    }
+    let (after, turns) = (sim.stats(), (sim.bob().angle - angle) / core::f64::consts::TAU);
+    let steps = (after.evaluations - before.evaluations) / 2;
+    assert!(turns > 5.0 && steps < 1000 + 5 * turns as u64, "{turns} turns in {steps} steps");
 }

@@ -1,7 +1,7 @@
 //! The methods of the charts: one line each.
 
 use plm::runtime::{Linear, Ports};
-use plm::{Dop853, Dopri5, Gauss, Mechanism, RadauIia5, Rk4, Vern9};
+use plm::{Adams, Dop853, Dopri5, Gauss, Mechanism, RadauIia5, Rk4, Vern9};
 use plm_peers::Setting::{Step, Tolerance};
 
 use crate::measure::{Line, Rung};
@@ -16,5 +16,6 @@ pub fn every<M: Mechanism<S = f64> + Linear + Ports>(rung: &Rung<M>) -> Vec<Line
         rung.line(4, "Gauss 6", Step, Gauss::<M, 3>::new),
         rung.line(5, "Radau IIA 5", Tolerance, RadauIia5::new),
         rung.line(6, "Verner 9(8)", Tolerance, Vern9::new),
+        rung.line(7, "Adams", Tolerance, Adams::new),
     ]
 }

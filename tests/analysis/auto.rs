@@ -1,6 +1,6 @@
 //! The method that eigenvalues ask for.
 
-use plm::{Choice, Dop853, Mode, Pace, RadauIia5, StartAuto, Vern9};
+use plm::{Adams, Choice, Dop853, Mode, Pace, RadauIia5, StartAuto, Vern9};
 
 /// Eigenvalues, complex ones once.
 fn modes(eigenvalues: &[(f64, f64)]) -> Vec<Mode> {
@@ -76,6 +76,45 @@ fn a_tight_tolerance_takes_order_9() {
     auto.step(0.1).unwrap();
     known.step(0.1).unwrap();
     assert_eq!((auto.stats(), auto.mass().x), (known.stats(), known.mass().x));
+}
+
+mod hanging {
+    plm::mechanism! {
+        /// A chain of 64 bars that hangs aslant.
+        pub Chain {
+            gravity: 9.81 m/s^2;
+            ground { port o: (0, 0) m; }
+            repeat i in 0..64 {
+                body bar[i] {
+                    mass: 1 kg / 64;
+                    inertia: 1 kg*m^2 / (12 * 64^3);
+                    port a: (-0.5 / 64, 0) m;
+                    port b: (0.5 / 64, 0) m;
+                    start angle: -80 deg;
+                }
+            }
+            revolute pin[0](ground.o, bar[0].a);
+            repeat i in 1..64 {
+                revolute pin[i](bar[i-1].b, bar[i].a);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_long_chain_takes_adams() {
+    let chain = hanging::Chain::new();
+    let mut auto = chain.start_auto().unwrap();
+    let choice = *auto.method().choice();
+    assert!(choice.multistep && !choice.ninth_order && choice.to_string().starts_with("Adams: "), "{choice}");
+    let mut known = chain.start_with(Adams::new(1e-8)).unwrap();
+    let mut other = chain.start_with(Dop853::new(1e-8)).unwrap();
+    for step in [auto.step(0.3), known.step(0.3), other.step(0.3)] {
+        step.unwrap();
+    }
+    assert_eq!((auto.stats(), auto.bar_63().x), (known.stats(), known.bar_63().x));
+    assert!((known.bar_63().x - other.bar_63().x).abs() < 1e-6);
+    assert!(3 * known.stats().evaluations < 2 * other.stats().evaluations, "{:?}", known.stats());
 }
 
 #[test]

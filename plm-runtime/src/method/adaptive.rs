@@ -52,6 +52,23 @@ pub(super) fn shortest<M: System<S: Real>>(course: &Course<'_, M>) -> M::S {
     M::S::lit(16.0) * M::S::EPSILON * course.time.abs().max(course.end.abs())
 }
 
+/// A step that still moves the time; otherwise the fault that made it so short, or that of the state it led to.
+pub(super) fn ensure_moves<M: System<S: Real>>(
+    course: &Course<'_, M>,
+    h: M::S,
+    attempt: Result<M::X, Fault>,
+) -> Result<(), Fault> {
+    if h > shortest(course) {
+        return Ok(());
+    }
+    let x = attempt?;
+    if x.is_finite() {
+        Err(course.fault(Cause::StepTooSmall { step: h.to_f64() }))
+    } else {
+        Err(not_finite(course.system, course.time, &x))
+    }
+}
+
 /// An estimate is taken for no less than this part of what the last step's says of a step of that length.
 const CHANCE: f64 = 0.1;
 

@@ -7,6 +7,7 @@
 //! | [`Dopri5`] | 5, dense output of order 4 | by error control |
 //! | [`Dop853`] | 8, dense output of order 7 | by error control |
 //! | [`Vern9`] | 9, dense output of order 8 | by error control |
+//! | [`Adams`] | 1 to 13, dense output of degree 8 | order and step by error control |
 //! | [`Gauss`] with 2 or 3 stages | 4, 6; symplectic and time-reversible | fixed |
 //! | [`Ros34Pw2`] | 3; L-stable | fixed |
 //! | [`RadauIia5`] | 5, dense output of order 3; L-stable | by error control |
@@ -14,6 +15,7 @@
 //! A method owns what it remembers from step to step (its proposal for the next one, the last rate), so that a saved
 //! copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
 
+mod adams;
 mod adaptive;
 mod dop853;
 mod dopri5;
@@ -24,12 +26,14 @@ mod gauss;
 mod jacobian;
 mod path;
 mod plan;
+mod projection;
 mod radau;
 mod rates;
 mod rk4;
 mod ros34pw2;
 mod vern9;
 
+pub use adams::Adams;
 pub use dop853::{Dop853, DormandPrince853};
 pub use dopri5::{Dopri5, DormandPrince5};
 pub use embedded::{Embedded, Limits, Pair};
@@ -123,6 +127,11 @@ pub trait Method<M: System>: Copy {
 
     /// Forgets what is known of the current state: it, a parameter or an input has been changed from outside.
     fn restart(&mut self);
+
+    /// Angles were brought back by whole turns: the state has other numbers and the same rates.
+    fn turned(&mut self) {
+        self.restart();
+    }
 
     /// The system has refused the state that the last step, of `h`, led to, and the state is that before it again:
     /// whether a shorter step is tried next. Not where steps are fixed.

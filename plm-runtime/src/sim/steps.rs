@@ -313,8 +313,10 @@ impl<M: Mechanism> Next<M> {
         (course.held, course.x) = (self.held, self.x);
         course.stats.charts += u64::from(self.accepted.moved);
         course.stats.change_points += u64::from(self.accepted.passed.is_some());
-        if self.accepted.moved || self.accepted.turned {
+        if self.accepted.moved {
             method.restart();
+        } else if self.accepted.turned {
+            method.turned();
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Which states limit the steps: those whose error decides a length, and none where a length is given.
 
 use plm_runtime::method::{Method, RadauIia5};
-use plm_runtime::{Dop853, Dopri5, Mechanism, Vern9};
+use plm_runtime::{Adams, Dop853, Dopri5, Mechanism, Vern9};
 
 use crate::oscillator::{Oscillator, oscillator};
 
@@ -20,6 +20,7 @@ fn steps_are_limited_by_states_or_by_their_longest() {
         ("dopri5", limited(Dopri5::new(1e-8))),
         ("dop853", limited(Dop853::new(1e-8))),
         ("vern9", limited(Vern9::new(1e-8))),
+        ("adams", limited(Adams::new(1e-8))),
         ("radau", limited(RadauIia5::new(1e-8))),
     ] {
         assert!(counted < steps && 10 * counted > 7 * steps, "{name}: {counted} of {steps}");
@@ -28,6 +29,7 @@ fn steps_are_limited_by_states_or_by_their_longest() {
         ("dopri5", limited(Dopri5::new(1e-4).with_longest_step(0.01))),
         ("dop853", limited(Dop853::new(1e-4).with_longest_step(0.01))),
         ("vern9", limited(Vern9::new(1e-4).with_longest_step(0.01))),
+        ("adams", limited(Adams::new(1e-4).with_longest_step(0.01))),
         ("radau", limited(RadauIia5::new(1e-4).with_longest_step(0.01))),
     ] {
         // But for a few while the length grows.

@@ -1,7 +1,7 @@
 //! Samples, intervals and the steps between them.
 
 use plm_runtime::method::Method;
-use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, Vern9};
+use plm_runtime::{Adams, Dop853, Dopri5, Mechanism, Rk4, Vern9};
 
 use crate::mechanisms::double_pendulum;
 use crate::oscillator::{Oscillator, error, oscillator};
@@ -23,6 +23,7 @@ fn samples_do_not_shorten_steps() {
 fn samples_cost_the_extra_stages_only_where_they_are() {
     cost_so_many_stages(3, Dop853::new(1e-6));
     cost_so_many_stages(4, Vern9::new(1e-6));
+    cost_so_many_stages(0, Adams::new(1e-6));
 }
 
 fn cost_so_many_stages(stages: u64, method: impl Method<Oscillator<f64>>) {

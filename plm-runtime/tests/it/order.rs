@@ -1,9 +1,9 @@
 //! Orders of convergence, by halving the step.
 
 use plm_runtime::method::{DormandPrince5, DormandPrince853, Embedded, Method, Pair, Verner98};
-use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, SemiImplicitEuler, Vern9};
+use plm_runtime::{Adams, Dop853, Dopri5, Mechanism, Rk4, SemiImplicitEuler, Vern9};
 
-use crate::oscillator::{Oscillator, error, oscillator};
+use crate::oscillator::{Oscillator, error, exact, oscillator};
 
 /// Error at t = 2 with steps of at most `h`.
 fn error_with(method: impl Method<Oscillator<f64>>) -> f64 {
@@ -93,6 +93,29 @@ fn the_pairs_keep_their_tolerance() {
         sim.step(2.0).unwrap();
         assert!(error(2.0, &sim.x) < 30.0 * rtol, "{rtol}: {}", error(2.0, &sim.x));
         assert!(sim.stats().evaluations < of_9, "{rtol}: {:?}", sim.stats());
+    }
+}
+
+/// Tolerances are per step, and a run has some hundred of them.
+#[test]
+fn adams_keeps_its_tolerance_at_and_between_the_ends_of_steps() {
+    for (rtol, evaluations, order) in [(1e-4, 200, 4), (1e-8, 500, 7), (1e-12, 900, 9)] {
+        let mut sim = oscillator().start_with(Adams::new(rtol)).unwrap();
+        let (mut worst, mut before, mut bend) = (0.0, [0.0; 3], 0.0);
+        sim.run(2.0, 0.002, |moment| {
+            worst = f64::max(worst, error(moment.time, &moment.x));
+            let known = exact(moment.time);
+            let off: [f64; 3] = core::array::from_fn(|i| moment.x[i] - known[i]);
+            bend = (0..3).map(|i| f64::abs(off[i] - before[i])).fold(bend, f64::max);
+            before = off;
+        })
+        .unwrap();
+        // Within a step, which has many samples, errors change by less than the step may err: the states come to 2, beside 1.
+        assert!(bend < 3.0 * rtol, "{rtol}: {bend:e}");
+        let highest = sim.method().order().unwrap_or(0);
+        assert!(worst < 100.0 * rtol, "{rtol}: {worst:e}");
+        assert!(sim.stats().evaluations < evaluations, "{rtol}: {:?}", sim.stats());
+        assert!(highest >= order, "{rtol}: {highest}");
     }
 }
 

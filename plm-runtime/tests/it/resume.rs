@@ -1,7 +1,7 @@
 //! Saved simulations resume to the bit.
 
 use plm_runtime::method::Method;
-use plm_runtime::{Dop853, Dopri5, Mechanism, Rk4, Sim, Vern9};
+use plm_runtime::{Adams, Dop853, Dopri5, Mechanism, Rk4, Sim, Vern9};
 
 use crate::mechanisms::{DoublePendulum, double_pendulum};
 
@@ -26,6 +26,7 @@ fn every_method_resumes_to_the_bit() {
     resumes_to_the_bit(double_pendulum().start_with(Dopri5::new(1e-7)).unwrap());
     resumes_to_the_bit(double_pendulum().start_with(Dop853::new(1e-9)).unwrap());
     resumes_to_the_bit(double_pendulum().start_with(Vern9::new(1e-9)).unwrap());
+    resumes_to_the_bit(double_pendulum().start_with(Adams::new(1e-9)).unwrap());
     resumes_to_the_bit(double_pendulum().start_with(Rk4::new(3e-3)).unwrap());
 }
 

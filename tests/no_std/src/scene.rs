@@ -2,7 +2,7 @@
 
 use plm::runtime::Vector;
 use plm::{
-    Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, RadauIia5, Real, Rk4, Ros34Pw2, Scalar,
+    Adams, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, RadauIia5, Real, Rk4, Ros34Pw2, Scalar,
     SemiImplicitEuler, Vern9,
 };
 
@@ -156,6 +156,7 @@ fn implicit(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     moments(pendulum, Gauss::<_, 3>::new(1e-2), emit)?;
     moments(pendulum, RadauIia5::new(1e-4), emit)?;
     moments(pendulum, Vern9::new(1e-9), emit)?;
+    moments(pendulum, Adams::new(1e-9), emit)?;
     moments(pendulum, Ros34Pw2::new(1e-3), emit)
 }
 

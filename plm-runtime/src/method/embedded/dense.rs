@@ -7,19 +7,19 @@ use crate::vector::Vector;
 
 /// An accepted step: its ends and the rates there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span<S, X> {
-    pub(super) time: S,
-    pub(super) h: S,
-    pub(super) from: X,
-    pub(super) to: X,
-    pub(super) rate_from: X,
-    pub(super) rate_to: X,
+pub(in crate::method) struct Span<S, X> {
+    pub(in crate::method) time: S,
+    pub(in crate::method) h: S,
+    pub(in crate::method) from: X,
+    pub(in crate::method) to: X,
+    pub(in crate::method) rate_from: X,
+    pub(in crate::method) rate_to: X,
 }
 
 impl<S: Real, X: Vector<S>> Span<S, X> {
     /// The state at `time`: through both ends with their rates, and `bends` in addition (Hairer, Nørsett, Wanner I,
     /// II.6; CONTD5 and CONTD8 of their programs). Without bends it is the cubic by C. Hermite.
-    pub(super) fn at(&self, time: S, bends: &[X]) -> X {
+    pub(in crate::method) fn at(&self, time: S, bends: &[X]) -> X {
         let theta = (time - self.time) / self.h;
         let rest = S::lit(1.0) - theta;
         X::from_fn(|i| {
@@ -35,7 +35,7 @@ impl<S: Real, X: Vector<S>> Span<S, X> {
     }
 
     /// The same as powers of theta.
-    pub(super) fn path(&self, bends: &[X]) -> Path<S, X> {
+    pub(in crate::method) fn path(&self, bends: &[X]) -> Path<S, X> {
         Path::new(self.time, self.h, |i| {
             let mut sum = [S::ZERO; POWERS];
             for (k, b) in bends.iter().enumerate().rev() {

@@ -11,11 +11,12 @@ pub use self::pair::{Limits, Pair};
 pub(super) use self::stages::{Rows, stages};
 
 use self::control::Control;
-use self::dense::Span;
-use self::start::first_step;
-use super::adaptive::{Steady, next_step, rate_here, shortest};
-use super::{Course, Method, Path, Watched, drift_of_size, excess, larger, not_finite};
-use crate::fault::{Cause, Fault};
+pub(super) use self::dense::Span;
+pub(super) use self::start::first_step;
+use super::adaptive::{Steady, ensure_moves, next_step, rate_here};
+use super::projection::{Projection, SETTLED_ABOVE};
+use super::{Course, Method, Path, Watched, drift_of_size, larger};
+use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
 use crate::vector::Vector;
@@ -46,15 +47,11 @@ pub struct Embedded<M: System, P: Pair> {
     bends: Option<P::Bends<M::X>>,
     /// The last step went by rank.
     careful: bool,
-    /// Drift that the last projection could not remove, over the tolerance.
-    residue: M::S,
+    projection: Projection<M::S>,
     steps_left: u64,
     /// The error decided how long the last step was.
     by_error: bool,
 }
-
-/// Drift is settled above this fraction of the tolerance.
-const SETTLED_ABOVE: f64 = 0.1;
 
 /// A step that may be accepted.
 struct Trial<X> {
@@ -85,7 +82,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             stages: None,
             bends: None,
             careful: false,
-            residue: M::S::lit(0.0),
+            projection: Projection::new(),
             steps_left: 0,
             by_error: false,
         }
@@ -156,7 +153,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             let size = from.at(i).abs().max(end.at(i).abs());
             M::S::lit(1.0) / (rtol * (typical.at(i) + size))
         });
-        (P::error(h, k, &weight), self.drift_ratio(course.system, course.time + h, end))
+        (P::error(h, k, &weight), self.drift_ratio(course, (course.time + h, end)))
     }
 
     /// The state with the largest error, each by itself over its size, which is at least typical.
@@ -183,8 +180,8 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     }
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
-    fn drift_ratio(&self, system: &M, t: M::S, x: &M::X) -> M::S {
-        excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
+    fn drift_ratio(&self, course: &Course<'_, M>, at: (M::S, &M::X)) -> M::S {
+        self.projection.drift(course.system, self.tolerance(), at)
     }
 
     /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
@@ -201,9 +198,8 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             return Ok((x, *rate));
         }
         if settles {
-            course.settle(time, &mut x)?;
-            self.residue = M::S::lit(0.0);
-            self.residue = self.drift_ratio(course.system, time, &x);
+            let tolerance = self.tolerance();
+            self.projection.settle(course, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
         course.rate(time, &x, &mut rate)?;
@@ -273,7 +269,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             }
             course.stats.rejected += 1;
             proposal = h * self.control.reject(&P::LIMITS, worst);
-            ensure_moves(course, proposal, attempt).map_err(|fault| {
+            ensure_moves(course, proposal, attempt.map(|trial| trial.x)).map_err(|fault| {
                 if fault.part.is_empty() { Fault { part: Self::worst(course, &k), ..fault } } else { fault }
             })?;
         }
@@ -306,7 +302,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     fn restart(&mut self) {
         self.rate = None;
         self.span = None;
-        self.residue = M::S::lit(0.0);
+        self.projection = Projection::new();
     }
 
     fn shorten(&mut self, h: M::S) -> bool {
@@ -332,22 +328,5 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
-    }
-}
-
-/// A step that still moves the time; otherwise the fault that made it so short.
-fn ensure_moves<M: System<S: Real>>(
-    course: &Course<'_, M>,
-    h: M::S,
-    attempt: Result<Trial<M::X>, Fault>,
-) -> Result<(), Fault> {
-    if h > shortest(course) {
-        return Ok(());
-    }
-    let trial = attempt?;
-    if trial.x.is_finite() {
-        Err(course.fault(Cause::StepTooSmall { step: h.to_f64() }))
-    } else {
-        Err(not_finite(course.system, course.time, &trial.x))
     }
 }

@@ -9,7 +9,7 @@ use crate::vector::Vector;
 
 /// A first step from the sizes of the state, of its rate and of an estimate of the second derivative
 /// (Hairer, Nørsett, Wanner I, II.4, "starting step size", a to f). It takes one evaluation.
-pub(super) fn first_step<M: System<S: Real>>(
+pub(in crate::method) fn first_step<M: System<S: Real>>(
     course: &mut Course<'_, M>,
     rate: &M::X,
     rtol: M::S,

@@ -15,7 +15,7 @@ impl<M: System<S = f64>, P: Pair> InWords for Embedded<M, P> {
         self.steady.each(words);
         words.perhaps(&mut self.rate, M::X::fill(0.0), Words::vector);
         words.flag(&mut self.careful);
-        words.number(&mut self.residue);
+        words.number(&mut self.projection.residue);
         words.flag(&mut self.by_error);
     }
 }

@@ -1,0 +1,362 @@
+//! Adams' formulas of variable order and step, predicted, evaluated, corrected, evaluated.
+
+mod between;
+mod coefficients;
+mod differences;
+mod order;
+
+use self::coefficients::Coefficients;
+use self::differences::Differences;
+use self::order::{Errors, Next};
+use super::adaptive::{ensure_moves, next_step};
+use super::embedded::{Span, first_step};
+use super::projection::{Projection, SETTLED_ABOVE};
+use super::{Course, Method, Path, drift_of_size, not_finite};
+use crate::fault::Fault;
+use crate::scalar::{Real, Scalar};
+use crate::system::{Drift, System};
+use crate::vector::Vector;
+
+/// The highest order of a prediction; a correction has one more.
+const MOST: usize = 12;
+
+/// Adams' formulas of order 1 to 13, which the errors choose with the steps: two evaluations a step, for long smooth runs of
+/// large mechanisms (L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975).
+///
+/// Accelerations are integrated twice for coordinates (F. T. Krogh, SIAM J. Numer. Anal. 5, 1968): so only they and the
+/// rates of first-order states are remembered. A run begins with order 1, and so it does again wherever rates jump. The error norm and
+/// what is done about drift are those of [`Embedded`](super::Embedded).
+#[derive(Clone, Copy, Debug)]
+pub struct Adams<M: System> {
+    /// Relative tolerance; the absolute one of each state is this times its typical size.
+    pub rtol: M::S,
+    /// Longest step, s.
+    pub longest_step: M::S,
+    /// Accepted and rejected steps that one interval may take.
+    pub most_steps: u64,
+    /// What is known of the rates before.
+    past: Past<M>,
+    /// Nothing is, at the beginning and after something was changed.
+    forgotten: bool,
+    /// The last step; none where its states have other numbers now.
+    span: Option<Span<M::S, M::X>>,
+    path: Option<Path<M::S, M::X>>,
+    projection: Projection<M::S>,
+    steps_left: u64,
+    /// The error decided how long the last step was.
+    by_error: bool,
+}
+
+/// The past of a run.
+#[derive(Clone, Copy, Debug)]
+struct Past<M: System> {
+    differences: Differences<M>,
+    coefficients: Coefficients<M::S>,
+    /// The order of the last step.
+    made: usize,
+    /// Order and length of the next.
+    next: Next<M::S>,
+    /// Order and step still grow from the first ones.
+    begins: bool,
+    /// Rejections since a step was accepted.
+    rejected: u32,
+}
+
+/// A step that may be accepted.
+struct Trial<M: System> {
+    /// The state at its end.
+    x: M::X,
+    errors: Errors<M::S>,
+    weight: M::X,
+    drift: M::S,
+}
+
+impl<M: System<S: Real>> Default for Adams<M> {
+    fn default() -> Self {
+        Self::new(M::S::lit(1e-9))
+    }
+}
+
+impl<M: System<S: Real>> Adams<M> {
+    /// With the relative tolerance `rtol` (not below what the scalar can resolve).
+    pub fn new(rtol: M::S) -> Self {
+        Self {
+            rtol,
+            longest_step: M::S::INFINITY,
+            most_steps: 1_000_000,
+            past: Past::new(M::X::fill(M::S::ZERO), M::S::ZERO),
+            forgotten: true,
+            span: None,
+            path: None,
+            projection: Projection::new(),
+            steps_left: 0,
+            by_error: false,
+        }
+    }
+
+    /// The same with steps of at most `longest_step`, in s.
+    #[must_use]
+    pub fn with_longest_step(self, longest_step: M::S) -> Self {
+        Self { longest_step, ..self }
+    }
+
+    /// The same with at most so many steps, accepted and rejected, in one interval.
+    #[must_use]
+    pub fn with_most_steps(self, most_steps: u64) -> Self {
+        Self { most_steps, ..self }
+    }
+
+    /// The order of the formula that the last step was corrected by; none before the first.
+    pub fn order(&self) -> Option<usize> {
+        (self.past.made > 0).then_some(self.past.made + 1)
+    }
+
+    /// The tolerance in use: at least some units in the last place.
+    fn tolerance(&self) -> M::S {
+        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
+    }
+
+    /// What is known at the state reached, where nothing is kept.
+    #[cold]
+    fn begin_anew(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let x = course.x;
+        let mut rate = x;
+        course.rate(course.time, &x, &mut rate)?;
+        if !(x.is_finite() && rate.is_finite()) {
+            return Err(not_finite(course.system, course.time, &rate));
+        }
+        // The error of order 1 grows with the square of the step.
+        let h = first_step(course, &rate, self.tolerance(), 2)?;
+        (self.past, self.forgotten) = (Past::new(rate, h), false);
+        Ok(())
+    }
+
+    /// One step without a decision.
+    fn trial(&mut self, course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M>, Fault> {
+        let tolerance = self.tolerance();
+        let Past { differences, coefficients: by, next: Next { order: k, .. }, .. } = &mut self.past;
+        let (k, time) = (*k, course.time + h);
+        by.prepare(h, k);
+        let mut x = differences.predict((&course.x, h), k, by);
+        let mut rate = x;
+        course.rate(time, &x, &mut rate)?;
+        let surprise = differences.surprise(&rate);
+        let (once, twice) = (h * by.once.at(k + 1), h * h * by.twice.at(k + 1));
+        for i in 0..M::X::LEN {
+            let change = if i < M::NQ { twice * surprise.at(M::NQ + i) } else { once * surprise.at(i) };
+            x.set(i, x.at(i) + change);
+        }
+        let weight = weight(course, tolerance, h);
+        let mean = |sum: M::S| (sum / M::S::lit((M::X::LEN - M::NQ).max(1) as f64)).sqrt();
+        let errors = Errors::new(h, differences.sizes(&surprise, &weight, k).map(mean), k, by);
+        let drift = self.projection.drift(course.system, tolerance, (time, &x));
+        Ok(Trial { x, errors, weight, drift })
+    }
+
+    /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
+    fn arrive(
+        &mut self,
+        course: &mut Course<'_, M>,
+        time: M::S,
+        trial: &Trial<M>,
+        by_rank: bool,
+    ) -> Result<(M::X, M::X), Fault> {
+        let mut x = trial.x;
+        if by_rank || trial.drift > M::S::lit(SETTLED_ABOVE) {
+            let tolerance = self.tolerance();
+            self.projection.settle(course, tolerance, (time, &mut x))?;
+        }
+        let mut rate = x;
+        course.rate(time, &x, &mut rate)?;
+        Ok((x, rate))
+    }
+
+    /// Remembers an accepted step of `h`, which might have been as long as `wanted`, and plans the next.
+    fn plan(&mut self, trial: &Trial<M>, rate: &M::X, (h, wanted): (M::S, M::S)) {
+        let Past { differences, coefficients: by, next, begins, .. } = &mut self.past;
+        let k = next.order;
+        differences.accept(rate, k);
+        let one_more = (k < by.equal).then(|| {
+            let mean = differences.next_size(&trial.weight, k) / M::S::lit((M::X::LEN - M::NQ).max(1) as f64);
+            Errors::one_more(h, mean.sqrt(), k)
+        });
+        *next = order::next(&trial.errors, one_more, (k, h), begins, by.equal);
+        // A step that was cut to hit the end says little of the next one; but none grows by more than twice.
+        next.h = if h < wanted { next.h.max(wanted.min(h + h)) } else { next.h };
+        (self.past.made, self.past.rejected) = (k, 0);
+    }
+
+    /// The state with the largest error, each by itself over its size, which is at least typical.
+    #[cold]
+    fn largest_error(&self, system: &M, x: &M::X) -> Option<usize> {
+        let typical = system.typical();
+        let error = |i: usize| self.past.differences.last.at(i).abs() / (typical.at(i) + x.at(i).abs());
+        (M::NQ..M::X::LEN)
+            .fold((None, M::S::ZERO), |most, i| if error(i) > most.1 { (Some(i), error(i)) } else { most })
+            .0
+    }
+
+    /// A fault that names the part of the state with the largest error, where it names none.
+    #[cold]
+    fn named(&self, course: &Course<'_, M>, fault: Fault) -> Fault {
+        let worst =
+            self.largest_error(course.system, &course.x).map_or("", |i| course.system.part_of_state(i));
+        if fault.part.is_empty() { Fault { part: worst, ..fault } } else { fault }
+    }
+}
+
+impl<M: System<S: Real>> Past<M> {
+    fn new(rate: M::X, h: M::S) -> Self {
+        Self {
+            differences: Differences::new(rate),
+            coefficients: Coefficients::new(),
+            made: 0,
+            next: Next { order: 1, h },
+            begins: true,
+            rejected: 0,
+        }
+    }
+
+    /// The last prediction is taken back.
+    fn take_back(&mut self, order: usize, h: M::S) {
+        self.differences.take_back(order, &self.coefficients);
+        self.coefficients.take_back(h);
+        self.begins = false;
+    }
+
+    /// Takes back a step of `h` and plans a shorter one; one that fails again and again begins with order 1.
+    fn reject(&mut self, h: M::S, errors: Option<&Errors<M::S>>) {
+        let order = self.next.order;
+        self.take_back(order, h);
+        self.rejected += 1;
+        let less = errors.is_some_and(|errors| errors.asks_for_less(order));
+        self.next.order = match self.rejected {
+            0..=2 => order - usize::from(less),
+            _ => 1,
+        };
+        self.next.h = M::S::lit(0.5) * h;
+    }
+}
+
+impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
+    const DENSE: bool = true;
+    const NAME: &'static str = "Adams";
+
+    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        self.steps_left = self.most_steps;
+        Ok(())
+    }
+
+    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        if self.forgotten {
+            self.begin_anew(course)?;
+        }
+        (self.span, self.path) = (None, None);
+        self.accepted(course).map_err(|fault| self.named(course, fault))
+    }
+
+    fn densify(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+        if let (Some(span), None) = (&self.span, &self.path) {
+            let Past { differences, coefficients, made, .. } = &self.past;
+            self.path = Some(between::path(span, differences, coefficients, *made));
+        }
+        Ok(())
+    }
+
+    fn interpolate(&self, time: M::S) -> M::X {
+        match (&self.path, &self.span) {
+            (Some(path), _) => path.at((time - path.start) / path.h),
+            (None, Some(span)) => span.at(time, &[]),
+            _ => M::X::fill(M::S::ZERO),
+        }
+    }
+
+    fn path(&self) -> Option<Path<M::S, M::X>> {
+        self.path.or_else(|| self.span.as_ref().map(|span| span.path(&[])))
+    }
+
+    fn restart(&mut self) {
+        (self.forgotten, self.span, self.path) = (true, None, None);
+        self.projection = Projection::new();
+    }
+
+    fn turned(&mut self) {
+        (self.span, self.path) = (None, None);
+    }
+
+    fn shorten(&mut self, h: M::S) -> bool {
+        (self.span, self.path) = (None, None);
+        self.projection = Projection::new();
+        if !self.forgotten {
+            self.past.take_back(self.past.made, h);
+            self.past.next = Next { order: self.past.made.max(1), h: M::S::lit(0.5) * h };
+        }
+        true
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn limited_by(&self, system: &M) -> Option<usize> {
+        self.span.as_ref().filter(|_| self.by_error).and_then(|span| self.largest_error(system, &span.to))
+    }
+
+    fn tolerance(&self) -> Option<M::S> {
+        Some(Adams::tolerance(self))
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
+    }
+}
+
+impl<M: System<S: Real> + Copy> Adams<M> {
+    /// Steps until one is accepted.
+    fn accepted(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+        let (from, start) = (course.x, self.past.differences.at(1));
+        let rate_from = M::X::from_fn(|i| if i < M::NQ { from.at(M::NQ + i) } else { start.at(i) });
+        loop {
+            let wanted = self.past.next.h.min(self.longest_step);
+            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, wanted)?;
+            let (before, one) = (course.stats.by_rank, M::S::lit(1.0));
+            let attempt = self.trial(course, h);
+            let mut failed = None;
+            // What is not a number is not below.
+            if let Some(trial) =
+                attempt.as_ref().ok().filter(|trial| trial.errors.made <= one && trial.drift <= one)
+            {
+                let time = if last { course.end } else { course.time + h };
+                match self.arrive(course, time, trial, course.stats.by_rank > before) {
+                    Ok((to, rate_to)) => {
+                        self.span = Some(Span { time: course.time, h, from, to, rate_from, rate_to });
+                        self.plan(trial, &rate_to, (h, wanted));
+                        self.by_error = !last && h < self.longest_step && trial.drift <= trial.errors.made;
+                        course.stats.steps += 1;
+                        *course.longest_step = course.longest_step.max(h);
+                        (course.time, course.x) = (time, to);
+                        return Ok(());
+                    }
+                    Err(fault) => failed = Some(fault),
+                }
+            }
+            course.stats.rejected += 1;
+            self.past.reject(h, attempt.as_ref().ok().map(|trial| &trial.errors));
+            let tried = failed.map_or_else(|| attempt.map(|trial| trial.x), Err);
+            ensure_moves(course, self.past.next.h, tried)?;
+        }
+    }
+}
+
+/// The weight of an error in each rate over a step of `h`: what it does to velocities, or to coordinates.
+fn weight<M: System<S: Real>>(course: &Course<'_, M>, rtol: M::S, h: M::S) -> M::X {
+    let (typical, x) = (course.system.typical(), &course.x);
+    let size = |i: usize| rtol * (typical.at(i) + x.at(i).abs());
+    let mut weight = M::X::fill(M::S::ZERO);
+    for i in M::NQ..M::X::LEN {
+        let least = if i < 2 * M::NQ { size(i).min(size(i - M::NQ) / h) } else { size(i) };
+        weight.set(i, M::S::lit(1.0) / least);
+    }
+    weight
+}

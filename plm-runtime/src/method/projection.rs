@@ -1,0 +1,40 @@
+//! Projection after steps whose length the error decides.
+
+use super::{Course, drift_of_size, excess};
+use crate::fault::Fault;
+use crate::scalar::Real;
+use crate::system::System;
+
+/// Drift is settled above this fraction of the tolerance.
+pub(super) const SETTLED_ABOVE: f64 = 0.1;
+
+/// What is known of the drift.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Projection<S> {
+    /// Drift that the last projection could not remove, over the tolerance.
+    pub(super) residue: S,
+}
+
+impl<S: Real> Projection<S> {
+    pub(super) fn new() -> Self {
+        Self { residue: S::ZERO }
+    }
+
+    /// Drift of a state over the tolerance, less what projection cannot remove.
+    pub(super) fn drift<M: System<S = S>>(&self, system: &M, tolerance: S, (t, x): (S, &M::X)) -> S {
+        excess(system.drift(t, x), drift_of_size(system, tolerance)) - self.residue
+    }
+
+    /// Settles the state that a step leads to.
+    pub(super) fn settle<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        tolerance: S,
+        (time, x): (S, &mut M::X),
+    ) -> Result<(), Fault> {
+        course.settle(time, x)?;
+        self.residue = S::ZERO;
+        self.residue = self.drift(course.system, tolerance, (time, x));
+        Ok(())
+    }
+}
