@@ -80,8 +80,9 @@ fn a_tight_tolerance_takes_order_9() {
 
 mod hanging {
     plm::mechanism! {
-        /// A chain of 64 bars that hangs aslant.
+        /// A chain of 64 bars that hangs aslant; with loops it is compiled in less time.
         pub Chain {
+            code: rolled;
             gravity: 9.81 m/s^2;
             ground { port o: (0, 0) m; }
             repeat i in 0..64 {

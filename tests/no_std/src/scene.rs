@@ -70,15 +70,15 @@ plm::mechanism! {
         code: rolled;
         gravity: 9.81 m/s^2;
         ground { port o: (0, 0) m; }
-        repeat i in 0..20 {
+        repeat i in 0..14 {
             body bar[i] {
                 mass: 0.1 kg + i*0.01 kg; inertia: 1e-4 kg*m^2;
                 port a: (-0.05, 0) m; port b: (0.05, 0) m; start x: (0.05 + 0.1*i)*1 m;
             }
         }
         revolute pin[0](ground.o, bar[0].a);
-        repeat i in 1..20 { revolute pin[i](bar[i - 1].b, bar[i].a) { damping: 1e-3 N*m*s/rad; } }
-        output pin[0].force, pin[10].force;
+        repeat i in 1..14 { revolute pin[i](bar[i - 1].b, bar[i].a) { damping: 1e-3 N*m*s/rad; } }
+        output pin[0].force, pin[5].force;
     }
 }
 
@@ -144,7 +144,7 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
     moments(Plate::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rope::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rope::new(), Ros34Pw2::new(1e-2), &mut emit)?;
-    let mut rope = Rope::new().start()?;
+    let mut rope = Rope::new().start_with(Rk4::new(1e-2))?;
     rope.step(0.1)?;
     rope.outputs().iter().chain([&rope.kinetic_energy()]).for_each(|output| emit(output.to_bits()));
     Ok(())
