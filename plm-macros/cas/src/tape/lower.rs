@@ -284,30 +284,12 @@ fn gcd(a: i64, b: i64) -> i64 {
 fn key(op: Op) -> (u64, u64, u64) {
     let two = |a: Ref, b: Ref| u64::from(a.0) << 32 | u64::from(b.0);
     let (operands, _) = op.operand_array();
-    let kind = match op {
-        Op::Number(value) => return (0, value.to_bits(), 0),
-        Op::Symbol(e) => return (1, u64::from(e.0), 0),
-        Op::Add(..) => 2,
-        Op::Sub(..) => 3,
-        Op::Mul(..) => 4,
-        Op::Div(..) => 5,
-        Op::Neg(_) => 6,
-        Op::Sqrt(_) => 7,
-        Op::Sin(_) => 8,
-        Op::Cos(_) => 9,
-        Op::Asin(_) => 10,
-        Op::Acos(_) => 11,
-        Op::Atan2(..) => 12,
-        Op::Exp(_) => 13,
-        Op::Ln(_) => 14,
-        Op::Abs(_) => 15,
-        Op::Sign(_) => 16,
-        Op::Min(..) => 17,
-        Op::Max(..) => 18,
-        Op::Less(..) => 19,
-        Op::Select(..) => 20,
-    };
-    (kind, two(operands[0], operands[1]), u64::from(operands[2].0))
+    let kind = u64::from(op.kind());
+    match op {
+        Op::Number(value) => (kind, value.to_bits(), 0),
+        Op::Symbol(e) => (kind, u64::from(e.0), 0),
+        _ => (kind, two(operands[0], operands[1]), u64::from(operands[2].0)),
+    }
 }
 
 fn hash(key: (u64, u64, u64)) -> u32 {

@@ -76,6 +76,33 @@ pub enum Op {
 }
 
 impl Op {
+    /// A number for each kind of operation, from 0.
+    pub fn kind(self) -> u8 {
+        match self {
+            Self::Number(_) => 0,
+            Self::Symbol(_) => 1,
+            Self::Add(..) => 2,
+            Self::Sub(..) => 3,
+            Self::Mul(..) => 4,
+            Self::Div(..) => 5,
+            Self::Neg(_) => 6,
+            Self::Sqrt(_) => 7,
+            Self::Sin(_) => 8,
+            Self::Cos(_) => 9,
+            Self::Asin(_) => 10,
+            Self::Acos(_) => 11,
+            Self::Atan2(..) => 12,
+            Self::Exp(_) => 13,
+            Self::Ln(_) => 14,
+            Self::Abs(_) => 15,
+            Self::Sign(_) => 16,
+            Self::Min(..) => 17,
+            Self::Max(..) => 18,
+            Self::Less(..) => 19,
+            Self::Select(..) => 20,
+        }
+    }
+
     /// The operands, in order.
     pub fn operands(self) -> impl Iterator<Item = Ref> {
         let (operands, count) = self.operand_array();

@@ -66,6 +66,10 @@ pub(super) struct Items<'a> {
     known_arrays: SortedMap<Around, usize>,
 }
 
+/// In the key of a shape, sources have numbers from here on, operations lower ones: as many sources follow an operation as it
+/// takes, and a store begins with a source.
+const SOURCES: usize = 1000;
+
 /// The arrays of sines and of cosines.
 pub(super) const SINES: usize = 0;
 pub(super) const COSINES: usize = 1;
@@ -227,7 +231,7 @@ impl<'a> Items<'a> {
     /// Notes where the operands of an operation come from, of which `ops` stand before it in its item.
     fn push_operation(&mut self, index: usize, ops: &[usize], key: &mut Vec<usize>) {
         let op = self.tape.ops[index].op;
-        key.push(code(op));
+        key.push(usize::from(op.kind()));
         for operand in op.operands() {
             match ops.iter().position(|&before| before == operand.index()) {
                 Some(before) => key.push(before),
@@ -246,10 +250,10 @@ impl<'a> Items<'a> {
 
     fn push_source(&mut self, source: Source, key: &mut Vec<usize>) {
         key.push(match source {
-            Source::Number(_) => 10,
-            Source::Symbol(_) => 11,
-            Source::Item(_) => 12,
-            Source::Element { array, .. } => 13 + array,
+            Source::Number(_) => SOURCES,
+            Source::Symbol(_) => SOURCES + 1,
+            Source::Item(_) => SOURCES + 2,
+            Source::Element { array, .. } => SOURCES + 3 + array,
         });
         self.sources.push(source);
     }
@@ -291,33 +295,6 @@ fn at_index(text: &str) -> Option<(&str, usize, &str)> {
         }
     }
     None
-}
-
-/// A number for each kind of operation.
-fn code(op: Op) -> usize {
-    100 + match op {
-        Op::Number(_) => 0,
-        Op::Symbol(_) => 1,
-        Op::Add(..) => 2,
-        Op::Sub(..) => 3,
-        Op::Mul(..) => 4,
-        Op::Div(..) => 5,
-        Op::Neg(_) => 6,
-        Op::Sqrt(_) => 7,
-        Op::Sin(_) => 8,
-        Op::Cos(_) => 9,
-        Op::Asin(_) => 10,
-        Op::Acos(_) => 11,
-        Op::Atan2(..) => 12,
-        Op::Exp(_) => 13,
-        Op::Ln(_) => 14,
-        Op::Abs(_) => 15,
-        Op::Sign(_) => 16,
-        Op::Min(..) => 17,
-        Op::Max(..) => 18,
-        Op::Less(..) => 19,
-        Op::Select(..) => 20,
-    }
 }
 
 /// Which instructions have a name of their own in unrolled code: what is read again, and what would be too long where it
