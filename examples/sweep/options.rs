@@ -3,6 +3,7 @@
 use plm::view::{Arguments, BadOption, Known};
 
 use crate::cases::KINDS;
+use crate::run::By;
 
 /// The command line, read.
 #[derive(Clone, Debug)]
@@ -13,6 +14,8 @@ pub struct Options {
     pub case: Option<u64>,
     /// Kinds whose name contains this.
     pub only: Option<String>,
+    /// By this method, where a mechanism knows it; otherwise methods are drawn.
+    pub by: Option<By>,
     /// Lists every case that is not right.
     pub verbose: bool,
     /// Without f32.
@@ -21,11 +24,12 @@ pub struct Options {
     pub check_reference: bool,
 }
 
-const KNOWN: [Known; 8] = [
+const KNOWN: [Known; 9] = [
     Known::word("CASES", "how many; 1000 if nothing is said"),
     Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
     Known::value("case", "N", "this one alone, with all its numbers"),
     Known::value("only", "KIND", "kinds whose name contains this"),
+    Known::value("by", "METHOD", "this method where a mechanism knows it; drawn if nothing is said"),
     Known::value("threads", "N", "as many as the machine has if nothing is said"),
     Known::flag("verbose", "lists every case that is not right"),
     Known::flag("double", "without f32"),
@@ -48,6 +52,7 @@ impl Options {
             seed: given.number("seed")?.unwrap_or(1),
             case: given.number("case")?,
             only: given.text("only")?.map(kind).transpose()?,
+            by: given.text("by")?.map(method).transpose()?,
             verbose: given.flag("verbose"),
             double: given.flag("double"),
             threads: given.number("threads")?,
@@ -62,4 +67,9 @@ fn kind(name: String) -> Result<String, BadOption> {
     }
     let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
     Err(BadOption::new(format!("--only: no kind is called {name}; there are {}", names.join("; "))))
+}
+
+fn method(name: String) -> Result<By, BadOption> {
+    let named = By::ALL.into_iter().find(|by| format!("{by:?}").eq_ignore_ascii_case(&name));
+    named.ok_or_else(|| BadOption::new(format!("--by: no method is called {name}; there are {:?}", By::ALL)))
 }

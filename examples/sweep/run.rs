@@ -87,15 +87,22 @@ const MOST_STEPS: u64 = 20_000;
 
 /// With any method.
 pub fn any<M: Build<S = f64> + Linear>(order: &Order) -> Outcome {
-    let short = 1e-3 / order.finer;
     match order.by {
         By::Vern9 => with::<M, _>(order, Vern9::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
         By::Dopri5 => with::<M, _>(order, Dopri5::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
+        By::Radau => with::<M, _>(order, RadauIia5::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
+        _ => fixed::<M>(order),
+    }
+}
+
+/// With a method of fixed steps, otherwise as `start()` does.
+pub fn fixed<M: Build + Linear>(order: &Order) -> Outcome {
+    let short = M::S::lit(1e-3 / order.finer);
+    match order.by {
         By::Rk4 => with::<M, _>(order, Rk4::new(short)),
         By::Gauss => with::<M, _>(order, Gauss::<M, 3>::new(short)),
-        By::Radau => with::<M, _>(order, RadauIia5::new(order.by.tolerance()).with_most_steps(MOST_STEPS)),
         By::Ros34Pw2 => with::<M, _>(order, Ros34Pw2::new(short)),
-        By::Dop853 => usual::<M>(order),
+        _ => usual::<M>(order),
     }
 }
 

@@ -32,7 +32,7 @@ pub struct Entry {
     pub default: Runner,
     pub absolute: Runner,
     pub single: Runner,
-    /// Whether `default` knows all methods, or only the one that `start()` takes.
+    /// Whether `default` knows all methods and the others those of fixed steps, or all only the one that `start()` takes.
     pub every_method: bool,
 }
 
@@ -40,12 +40,12 @@ pub struct Entry {
 pub type Runner = fn(&Order) -> Outcome;
 
 macro_rules! entry {
-    ($file:ident::$module:ident $default:ident $every:literal) => {
+    ($file:ident::$module:ident $default:ident $other:ident $every:literal) => {
         Entry {
             shape: &$file::$module::SHAPE,
             default: run::$default::<$file::$module::loops::Linkage<f64>>,
-            absolute: run::usual::<$file::$module::absolute::Linkage<f64>>,
-            single: run::usual::<$file::$module::loops::Linkage<f32>>,
+            absolute: run::$other::<$file::$module::absolute::Linkage<f64>>,
+            single: run::$other::<$file::$module::loops::Linkage<f32>>,
             every_method: $every,
         }
     };
@@ -53,38 +53,38 @@ macro_rules! entry {
 
 /// Every mechanism that is compiled. All methods for all of them would cost minutes of compilation and show nothing more.
 pub static ENTRIES: &[Entry] = &[
-    entry!(trees::tree_3 any true),
-    entry!(bars::four_bar any true),
-    entry!(bars::slider_crank any true),
-    entry!(redundant::third_crank usual false),
+    entry!(trees::tree_3 any fixed true),
+    entry!(bars::four_bar any fixed true),
+    entry!(bars::slider_crank any fixed true),
+    entry!(redundant::third_crank usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(trees::tree_2 usual false),
+    entry!(trees::tree_2 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(trees::tree_4 usual false),
+    entry!(trees::tree_4 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(trees::tree_5 usual false),
+    entry!(trees::tree_5 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(bars::shaper usual false),
+    entry!(bars::shaper usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(six_bars::watt_1 usual false),
+    entry!(six_bars::watt_1 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(six_bars::watt_2 usual false),
+    entry!(six_bars::watt_2 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(six_bars::stephenson_1 usual false),
+    entry!(six_bars::stephenson_1 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(six_bars::stephenson_2 usual false),
+    entry!(six_bars::stephenson_2 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(six_bars::stephenson_3 any true),
+    entry!(six_bars::stephenson_3 any fixed true),
     #[cfg(feature = "sweep-all")]
-    entry!(groups::butterfly usual false),
+    entry!(groups::butterfly usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(groups::platform usual false),
+    entry!(groups::platform usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(ladders::ladder_2 usual false),
+    entry!(ladders::ladder_2 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(ladders::ladder_3 usual false),
+    entry!(ladders::ladder_3 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(ladders::ladder_4 usual false),
+    entry!(ladders::ladder_4 usual usual false),
     #[cfg(feature = "sweep-all")]
-    entry!(ladders::ladder_5 usual false),
+    entry!(ladders::ladder_5 usual usual false),
 ];

@@ -199,7 +199,7 @@ fn rescue<M: Mechanism, I: Method<M>>(
 /// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
 fn is_singular(fault: &Fault) -> bool {
     use Cause::{
-        Locked, NotConverged, NotFinite, Singular, StepTooLong, StepTooSmall, TurnedTooFar, Workspace,
+        Drift, Locked, NotConverged, NotFinite, Singular, StepTooLong, StepTooSmall, TurnedTooFar, Workspace,
     };
     let cause = &fault.cause;
     matches!(
@@ -211,6 +211,7 @@ fn is_singular(fault: &Fault) -> bool {
             | NotConverged { .. }
             | NotFinite
             | Singular { .. }
+            | Drift { .. }
             | Workspace { .. }
     )
 }

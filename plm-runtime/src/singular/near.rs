@@ -4,7 +4,7 @@ use super::ahead::Ahead;
 use super::collocation::Polynomial;
 use super::equations::{Equations, Evaluated};
 use super::leap::{Refused, leap};
-use super::poor::{is_doubtful, is_poor, is_regular};
+use super::poor::{is_doubtful, is_poor, is_regular, turned};
 use super::{Fine, Rescue};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, DormandPrince853, Embedded, Method};
@@ -40,6 +40,9 @@ const LONG: f64 = 0.2;
 const SHORT: f64 = 0.1;
 /// ... or so many; what crosses more is divided again.
 const MOST_PARTS: f64 = 64.0;
+/// In single precision they may be longer by this: the error of a step is about a unit in the last place then, of which
+/// shorter steps would only add up more.
+const SINGLE: f64 = 0.3;
 
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
@@ -58,10 +61,14 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     opens: M::S,
 }
 
-/// How long a step is beside the turn next to a flat pose.
+/// How much of a box a step crosses next to a flat pose: of a tenth of the turn there.
 #[inline]
 fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(leg: &Leg<'_, M>) -> M::S {
-    leg.system.crossed(leg.held, leg.from.1, leg.to.1)
+    if M::CHARTED {
+        leg.system.crossed(leg.held, leg.from.1, leg.to.1)
+    } else {
+        M::S::lit(10.0) * turned(leg)
+    }
 }
 
 /// What is known before a step.
@@ -303,12 +310,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
         if M::CHARTED {
             return !controlled && crossed(leg) > M::S::lit(SHARP);
         }
-        is_doubtful(leg) && is_poor(leg)
+        is_poor(leg)
     }
 
     #[inline]
     fn parts(leg: &Leg<'_, M>, caution: f64) -> u32 {
-        let crossed = if M::CHARTED { M::S::lit(caution) * crossed(leg) } else { M::S::ZERO };
+        let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { SINGLE * caution };
+        let crossed = M::S::lit(caution) * crossed(leg);
         if crossed > M::S::lit(LONG) { 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 } else { 1 }
     }
 

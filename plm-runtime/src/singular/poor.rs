@@ -22,6 +22,13 @@ const APART: f64 = 0.05;
 const MOST_LOOKS: usize = 64;
 /// A low place between them is followed down so often, by parabolas.
 const DESCENTS: usize = 8;
+/// A step without error control is looked at if it is longer than this, rad, times the root of its pivot ratio: a turn is seldom
+/// shorter than half of that root, ...
+const SLOW: f64 = 0.005;
+/// ... and divided where that turn is shorter than this, rad.
+const WIDE: f64 = 0.3;
+/// How sharp it is, poses so far to both sides tell, rad.
+const BESIDE: f64 = 0.01;
 
 /// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
 fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
@@ -37,15 +44,61 @@ fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
 }
 
-/// Has the last step come to poses that are far more singular than others? Where rows always depend on each other, none is.
+/// The smallest pivot ratio over a step beside that of other poses; 1 where rows always depend on each other.
 #[cold]
+fn lowest_of_usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    leg: &Leg<'_, M>,
+) -> M::S {
+    let full = leg.system.full(leg.to.0, leg.held, leg.to.1);
+    let usual = usual(leg.system, leg.to.0, &full);
+    if Health(usual).is_good() { lowest(leg, M::S::lit(LOW) * usual) / usual } else { M::S::lit(1.0) }
+}
+
+/// Has a step come to poses that are far more singular than others?
 pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     leg: &Leg<'_, M>,
 ) -> bool {
-    let full = leg.system.full(leg.to.0, leg.held, leg.to.1);
-    let usual = usual(leg.system, leg.to.0, &full);
-    let poor = M::S::lit(POOR) * usual;
-    Health(usual).is_good() && lowest(leg, M::S::lit(LOW) * usual) < poor
+    is_doubtful(leg) && lowest_of_usual(leg) < M::S::lit(POOR)
+}
+
+/// How long a step without error control is beside the turn next to a nearly singular pose; zero where there is no such turn, and
+/// where the pose is so nearly singular that the step is not to be trusted at all.
+///
+/// A turn takes place over the length on which the root of the pivot ratio changes by its own size. Along the motion the pivot
+/// ratio is `c + k s^2`: that length is `2p/p'` on the way to the pose, `sqrt(2p/p'')` beside it.
+pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    leg: &Leg<'_, M>,
+) -> M::S {
+    let travel = travel(leg);
+    if travel < M::S::lit(SLOW) * leg.health.sqrt() || is_poor(leg) {
+        return M::S::ZERO;
+    }
+    let turn = shortest_turn(leg, travel);
+    if turn < M::S::lit(WIDE) { travel / turn } else { M::S::ZERO }
+}
+
+/// The length of a turn where a step ends, rad.
+#[cold]
+fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    leg: &Leg<'_, M>,
+    travel: M::S,
+) -> M::S {
+    let pivot = |(t, x): (M::S, &M::X), along: M::S| {
+        let (q, v) = split::<_, NX, NQ>(&leg.system.full(t, leg.held, x));
+        let q = Vector::from_fn(|i| along.mul_add(v.at(i), q.at(i)));
+        smallest_pivot(leg.system, t, &q)
+    };
+    let (half, two) = (M::S::lit(0.5), M::S::lit(2.0));
+    let apart = M::S::lit(BESIDE).max(half * travel);
+    let time = apart * (leg.to.0 - leg.from.0) / travel;
+    let here = pivot(leg.to, M::S::ZERO);
+    let [behind, ahead] = [-time, time].map(|time| pivot(leg.to, time));
+    if !Health(here).is_good() {
+        return M::S::INFINITY;
+    }
+    let slope = half * (ahead - behind).abs() / apart;
+    let bend = (ahead + behind - two * here).max(M::S::ZERO) / (apart * apart);
+    (two * here / slope).min((two * here / bend).sqrt())
 }
 
 /// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
