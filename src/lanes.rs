@@ -132,9 +132,9 @@ impl Scalar for F64x8 {
         Self(self.0.sqrt())
     }
     one_by_one!(tan, asin, acos, exp, ln);
+    #[inline]
     fn atan2(self, x: Self) -> Self {
-        let (y, x) = (self.values(), x.values());
-        Self::of(core::array::from_fn(|i| Scalar::atan2(y[i], x[i])))
+        Self::of(f64::atan2_all(self.values(), x.values()))
     }
     #[inline]
     fn abs(self) -> Self {

@@ -30,6 +30,9 @@ pub trait Loops<S>: Copy {
     /// Puts what `one` holds, in the same chart, into its lane of `wide`; `put` does so with a number.
     fn put<T: Scalar>(wide: &mut Self::Packed<T>, one: &Self, put: &impl Fn(&mut T, S));
 
+    /// Becomes what is held in its lane of `wide`, in the same chart; `take` gives a number of that lane.
+    fn take<T: Scalar>(&mut self, wide: &Self::Packed<T>, take: &impl Fn(T) -> S);
+
     /// The chart that is held, from 0; none where no chart is good.
     fn chart(&self) -> Option<usize>;
 }
@@ -40,6 +43,8 @@ impl<S> Loops<S> for () {
     fn packed<T: Scalar, const N: usize>(&self, _all: [&(); N], _number: &impl Fn([S; N]) -> T) {}
 
     fn put<T: Scalar>(_wide: &mut (), _one: &(), _put: &impl Fn(&mut T, S)) {}
+
+    fn take<T: Scalar>(&mut self, _wide: &(), _take: &impl Fn(T) -> S) {}
 
     fn chart(&self) -> Option<usize> {
         Some(0)

@@ -92,6 +92,12 @@ pub trait Scalar:
     /// Angle of the point (`x`, `self`) from the positive x axis, in rad, in [-pi, pi].
     #[must_use]
     fn atan2(self, x: Self) -> Self;
+    /// Such angles of several points, the same bits as one by one, in vector instructions where there are some.
+    #[inline]
+    #[must_use]
+    fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        core::array::from_fn(|i| y[i].atan2(x[i]))
+    }
     /// Exponential function.
     #[must_use]
     fn exp(self) -> Self;
@@ -283,6 +289,10 @@ macro_rules! real {
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 math::$real::atan2(self, x)
+            }
+            #[inline]
+            fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+                math::$real::atan2_lanes(y, x)
             }
             #[inline]
             fn exp(self) -> Self {

@@ -63,7 +63,7 @@ where
 #[inline]
 fn is_uneventful<M: Pack>(leg: &Leg<'_, M>) -> bool {
     let &Leg { system, held, from: (start, _), to: (end, x), .. } = leg;
-    M::is_calm(end, held, x)
+    system.is_calm(end, held, x)
         && !has_drifted(system, end, x)
         && !M::Rescue::doubts(leg)
         && events::are_quiet(system, end, held, x)

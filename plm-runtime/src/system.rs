@@ -1,6 +1,7 @@
 //! The contract between generated equations of motion and the methods that integrate them.
 
 use crate::fault::Fault;
+use crate::lanes::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::tube::Tube;
 use crate::vector::Vector;
@@ -189,7 +190,7 @@ pub trait System {
 /// A rate apart from the way that is taken: states are copied, so that those of that way stay in registers.
 #[cold]
 #[inline(never)]
-pub fn rate_aside<M: System>(system: &M, t: M::S, u: &M::U, x: M::X) -> (M::X, Health<M::S>) {
+pub fn rate_aside<M: Rate>(system: &M, t: M::S, u: &M::U, x: M::X) -> (M::X, Health<M::S>) {
     let mut dx = x;
     let health = system.rate(t, u, &x, &mut dx);
     (dx, health)

@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 #![allow(clippy::excessive_precision, reason = "the scenes' numbers are written as they were published")]
 
+mod looks;
 mod numbers;
+#[path = "../support/random.rs"]
+mod random;
 mod scenes;
 #[path = "../it/scenes.rs"]
 #[allow(dead_code, unused_imports)] // Other tests use more of it.

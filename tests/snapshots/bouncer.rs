@@ -312,6 +312,19 @@ mod plm_bouncer_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 4]; 2],
+                dx: &mut [[S; 4]; 2],
+                second: impl FnOnce(&[S; 4]) -> [S; 4],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
+
             const KINKS: usize = 1;
             fn guards(&self, t: S, u: &Self::U, x: &[S; 4], g: &mut [S; 2]) {
                 let mut all = [S::lit(0.0); 3];
@@ -664,14 +677,25 @@ mod plm_bouncer_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = false;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 4]) -> T {
+            fn are_calm<T: Scalar>(typical: &[T; 4], t: T, held: &Held<T>, x: &[T; 4]) -> T {
                 T::lit(1.0)
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 4], held: &Held<T>, legs: [&[T; 4]; 2]) -> T {
+                T::lit(1.0)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &Bouncer<T>, t: T, held: &mut Held<T>, x: &[T; 4], due: T) -> T {
+                T::lit(0.0)
             }
 
             #[inline]
@@ -682,6 +706,10 @@ mod plm_bouncer_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

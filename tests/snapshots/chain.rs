@@ -466,6 +466,19 @@ mod plm_chain_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 10]; 2],
+                dx: &mut [[S; 10]; 2],
+                second: impl FnOnce(&[S; 10]) -> [S; 10],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
+
             #[inline]
             fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Accepted, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1], &[2], &[3], &[4]]);
@@ -1162,14 +1175,25 @@ mod plm_chain_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = false;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
                 !rt::turns::are_due(x, &[&[0], &[1], &[2], &[3], &[4]])
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 10]) -> T {
+            fn are_calm<T: Scalar>(typical: &[T; 10], t: T, held: &Held<T>, x: &[T; 10]) -> T {
                 rt::turns::all_near(x, &[&[0], &[1], &[2], &[3], &[4]])
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 10], held: &Held<T>, legs: [&[T; 10]; 2]) -> T {
+                T::lit(1.0)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &Chain<T>, t: T, held: &mut Held<T>, x: &[T; 10], due: T) -> T {
+                T::lit(0.0)
             }
 
             #[inline]
@@ -1180,6 +1204,10 @@ mod plm_chain_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

@@ -365,6 +365,19 @@ mod plm_double_pendulum_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 4]; 2],
+                dx: &mut [[S; 4]; 2],
+                second: impl FnOnce(&[S; 4]) -> [S; 4],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
+
             #[inline]
             fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 4]) -> Result<rt::Accepted, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1]]);
@@ -744,14 +757,25 @@ mod plm_double_pendulum_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = false;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
                 !rt::turns::are_due(x, &[&[0], &[1]])
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 4]) -> T {
+            fn are_calm<T: Scalar>(typical: &[T; 4], t: T, held: &Held<T>, x: &[T; 4]) -> T {
                 rt::turns::all_near(x, &[&[0], &[1]])
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 4], held: &Held<T>, legs: [&[T; 4]; 2]) -> T {
+                T::lit(1.0)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &DoublePendulum<T>, t: T, held: &mut Held<T>, x: &[T; 4], due: T) -> T {
+                T::lit(0.0)
             }
 
             #[inline]
@@ -762,6 +786,10 @@ mod plm_double_pendulum_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

@@ -374,14 +374,7 @@ mod plm_driven_crank_ {
             }
 
             fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
-                let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
-                        self.remember_0(t, held, m, x, &mut memory)
-                    }
-                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
-                };
-                (memory, measure)
+                self.remember_(t, held, x)
             }
 
             fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Memory, S) {
@@ -392,6 +385,19 @@ mod plm_driven_crank_ {
 
             fn project(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
+            }
+        }
+
+        impl<S: Scalar> DrivenCrank<S> {
+            fn remember_(&self, t: S, held: &Held<S>, x: &[S; 0]) -> (rt::charts::Memory<S, 0, 2, 1, 0>, S) {
+                let mut memory: rt::charts::Memory<S, 0, 2, 1, 0> = rt::charts::Remembered::nothing();
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.remember_0(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                };
+                (memory, measure)
             }
         }
 
@@ -419,6 +425,19 @@ mod plm_driven_crank_ {
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 0]; 2],
+                dx: &mut [[S; 0]; 2],
+                second: impl FnOnce(&[S; 0]) -> [S; 0],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
             }
 
             #[cold]
@@ -1083,14 +1102,26 @@ mod plm_driven_crank_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = false;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                rt::charts::is_calm::<Self>(t, held, x)
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
+                rt::charts::is_calm(self, t, held, x)
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 0]) -> T {
-                rt::charts::are_calm::<Self, T>(t, &held.of_loops, x)
+            fn are_calm<T: Scalar>(typical: &[T; 0], t: T, held: &Held<T>, x: &[T; 0]) -> T {
+                rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 0], held: &Held<T>, legs: [&[T; 0]; 2]) -> T {
+                rt::charts::are_short::<Self, T, _>(typical, &held.of_loops, legs)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &DrivenCrank<T>, t: T, held: &mut Held<T>, x: &[T; 0], due: T) -> T {
+                let (memory, measure) = all.remember_(t, held, x);
+                rt::charts::look::<Self, T, _>(&mut held.of_loops, x, (&memory, measure), due)
             }
 
             #[inline]
@@ -1101,6 +1132,10 @@ mod plm_driven_crank_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

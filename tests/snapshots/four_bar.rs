@@ -393,20 +393,7 @@ mod plm_four_bar_ {
             }
 
             fn remember(&self, t: S, held: &Self::U, x: &[S; 2]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
-                let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => {
-                        self.remember_0(t, held, m, x, &mut memory)
-                    }
-                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
-                        self.remember_1(t, held, m, x, &mut memory)
-                    }
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
-                        self.remember_2(t, held, m, x, &mut memory)
-                    }
-                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
-                };
-                (memory, measure)
+                self.remember_(t, held, x)
             }
 
             fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Memory, S) {
@@ -425,6 +412,25 @@ mod plm_four_bar_ {
                     1 => self.project_1(t, q, v, x),
                     _ => self.project_2(t, q, v, x),
                 }
+            }
+        }
+
+        impl<S: Scalar> FourBar<S> {
+            fn remember_(&self, t: S, held: &Held<S>, x: &[S; 2]) -> (rt::charts::Memory<S, 1, 3, 1, 0>, S) {
+                let mut memory: rt::charts::Memory<S, 1, 3, 1, 0> = rt::charts::Remembered::nothing();
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => {
+                        self.remember_0(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
+                        self.remember_1(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.remember_2(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                };
+                (memory, measure)
             }
         }
 
@@ -452,21 +458,9 @@ mod plm_four_bar_ {
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 })
             }
-        }
 
-        impl<S: Real> rt::System for FourBar<S> {
-            type S = S;
-            type X = [S; 2];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 1;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS;
+            const PAIRED: bool = true;
+            const PAIRED_IN_LANES: bool = true;
             #[inline(always)]
             fn rate_pair(
                 &self,
@@ -487,53 +481,6 @@ mod plm_four_bar_ {
                 let health = self.rate_at_pose::<false>(t[0], u, m, x[0], &shared, &mut dx[0]);
                 let next = second(&dx[0]);
                 health.worst(self.rate_at_pose::<true>(t[1], u, m, &next, &shared, &mut dx[1]))
-            }
-
-            #[cold]
-            fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> Result<(), Fault> {
-                if rt::System::rate(self, t, u, x, dx).is_good() {
-                    Ok(())
-                } else {
-                    Err(rt::charts::not_regular(self, t, u, x))
-                }
-            }
-
-            fn is_regular(&self, u: &Self::U) -> bool {
-                !rt::charts::is_free::<Self>(u)
-            }
-
-            #[inline]
-            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 2]) -> Result<rt::Accepted, Fault> {
-                rt::charts::accept(self, t, u, x)
-            }
-
-            fn energy(&self, t: S, u: &Self::U, x: &[S; 2]) -> Option<rt::Energy<S>> {
-                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
-                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
-                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
-            }
-
-            fn typical(&self) -> [S; 2] {
-                [1.0, 1.0].map(S::lit)
-            }
-
-            fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &["crank", "crank"];
-                match PARTS.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[
-                    "crank.angle or rocker.angle or coupler.angle",
-                    "crank.omega or rocker.omega or coupler.omega",
-                ];
-                match NAMES.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
             }
         }
 
@@ -613,6 +560,79 @@ mod plm_four_bar_ {
                     dx[1] = crank_angle_acceleration;
                     shared[3].of::<SECOND>()
                 })
+            }
+        }
+
+        impl<S: Real> rt::System for FourBar<S> {
+            type S = S;
+            type X = [S; 2];
+            type U = Held<S>;
+            type G = [S; 0];
+            const NQ: usize = 1;
+            const SHORT: bool = true;
+            #[inline(always)]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
+                rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 2]; 2],
+                dx: &mut [[S; 2]; 2],
+                second: impl FnOnce(&[S; 2]) -> [S; 2],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
+
+            #[cold]
+            fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> Result<(), Fault> {
+                if rt::System::rate(self, t, u, x, dx).is_good() {
+                    Ok(())
+                } else {
+                    Err(rt::charts::not_regular(self, t, u, x))
+                }
+            }
+
+            fn is_regular(&self, u: &Self::U) -> bool {
+                !rt::charts::is_free::<Self>(u)
+            }
+
+            #[inline]
+            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 2]) -> Result<rt::Accepted, Fault> {
+                rt::charts::accept(self, t, u, x)
+            }
+
+            fn energy(&self, t: S, u: &Self::U, x: &[S; 2]) -> Option<rt::Energy<S>> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
+            }
+
+            fn typical(&self) -> [S; 2] {
+                [1.0, 1.0].map(S::lit)
+            }
+
+            fn part_of_state(&self, index: usize) -> &'static str {
+                const PARTS: &[&str] = &["crank", "crank"];
+                match PARTS.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+
+            fn name_of_state(&self, index: usize) -> &'static str {
+                const NAMES: &[&str] = &[
+                    "crank.angle or rocker.angle or coupler.angle",
+                    "crank.omega or rocker.omega or coupler.omega",
+                ];
+                match NAMES.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
             }
         }
 
@@ -1240,14 +1260,26 @@ mod plm_four_bar_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = false;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                rt::charts::is_calm::<Self>(t, held, x)
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
+                rt::charts::is_calm(self, t, held, x)
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 2]) -> T {
-                rt::charts::are_calm::<Self, T>(t, &held.of_loops, x)
+            fn are_calm<T: Scalar>(typical: &[T; 2], t: T, held: &Held<T>, x: &[T; 2]) -> T {
+                rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 2], held: &Held<T>, legs: [&[T; 2]; 2]) -> T {
+                rt::charts::are_short::<Self, T, _>(typical, &held.of_loops, legs)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &FourBar<T>, t: T, held: &mut Held<T>, x: &[T; 2], due: T) -> T {
+                let (memory, measure) = all.remember_(t, held, x);
+                rt::charts::look::<Self, T, _>(&mut held.of_loops, x, (&memory, measure), due)
             }
 
             #[inline]
@@ -1258,6 +1290,10 @@ mod plm_four_bar_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

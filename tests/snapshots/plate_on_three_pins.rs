@@ -470,14 +470,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
-                let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
-                        self.remember_0(t, held, m, x, &mut memory)
-                    }
-                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
-                };
-                (memory, measure)
+                self.remember_(t, held, x)
             }
 
             fn remember_pose(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> (Self::Memory, S) {
@@ -488,6 +481,19 @@ mod plm_plate_on_three_pins_ {
 
             fn project(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
                 self.project_0(t, q, v, x)
+            }
+        }
+
+        impl<S: Scalar> PlateOnThreePins<S> {
+            fn remember_(&self, t: S, held: &Held<S>, x: &[S; 0]) -> (rt::charts::Memory<S, 0, 4, 1, 4>, S) {
+                let mut memory: rt::charts::Memory<S, 0, 4, 1, 4> = rt::charts::Remembered::nothing();
+                let measure = match &held.of_loops {
+                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                        self.remember_0(t, held, m, x, &mut memory)
+                    }
+                    rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
+                };
+                (memory, measure)
             }
         }
 
@@ -503,21 +509,9 @@ mod plm_plate_on_three_pins_ {
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 })
             }
-        }
 
-        impl<S: Real> rt::System for PlateOnThreePins<S> {
-            type S = S;
-            type X = [S; 0];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 0;
-            const SHORT: bool = false;
-            #[inline]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS;
+            const PAIRED: bool = true;
+            const PAIRED_IN_LANES: bool = false;
             #[inline]
             fn rate_pair(
                 &self,
@@ -538,44 +532,6 @@ mod plm_plate_on_three_pins_ {
                 let health = self.rate_at_pose::<false>(t[0], u, m, x[0], &shared, &mut dx[0]);
                 let next = second(&dx[0]);
                 health.worst(self.rate_at_pose::<true>(t[1], u, m, &next, &shared, &mut dx[1]))
-            }
-
-            #[cold]
-            fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
-                if rt::System::rate(self, t, u, x, dx).is_good() {
-                    Ok(())
-                } else {
-                    Err(rt::charts::not_regular(self, t, u, x))
-                }
-            }
-
-            fn is_regular(&self, u: &Self::U) -> bool {
-                !rt::charts::is_free::<Self>(u)
-            }
-
-            #[inline]
-            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Accepted, Fault> {
-                rt::charts::accept(self, t, u, x)
-            }
-
-            fn typical(&self) -> [S; 0] {
-                [].map(S::lit)
-            }
-
-            fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &[];
-                match PARTS.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[];
-                match NAMES.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
             }
         }
 
@@ -867,6 +823,70 @@ mod plm_plate_on_three_pins_ {
                 dx: &mut [S; 0],
             ) -> rt::Health<S> {
                 rt::Health({ shared[0].of::<SECOND>() })
+            }
+        }
+
+        impl<S: Real> rt::System for PlateOnThreePins<S> {
+            type S = S;
+            type X = [S; 0];
+            type U = Held<S>;
+            type G = [S; 0];
+            const NQ: usize = 0;
+            const SHORT: bool = false;
+            #[inline]
+            fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
+                rt::lanes::Rate::rate(self, t, u, x, dx)
+            }
+
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 0]; 2],
+                dx: &mut [[S; 0]; 2],
+                second: impl FnOnce(&[S; 0]) -> [S; 0],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
+
+            #[cold]
+            fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
+                if rt::System::rate(self, t, u, x, dx).is_good() {
+                    Ok(())
+                } else {
+                    Err(rt::charts::not_regular(self, t, u, x))
+                }
+            }
+
+            fn is_regular(&self, u: &Self::U) -> bool {
+                !rt::charts::is_free::<Self>(u)
+            }
+
+            #[inline]
+            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Accepted, Fault> {
+                rt::charts::accept(self, t, u, x)
+            }
+
+            fn typical(&self) -> [S; 0] {
+                [].map(S::lit)
+            }
+
+            fn part_of_state(&self, index: usize) -> &'static str {
+                const PARTS: &[&str] = &[];
+                match PARTS.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
+            }
+
+            fn name_of_state(&self, index: usize) -> &'static str {
+                const NAMES: &[&str] = &[];
+                match NAMES.get(index) {
+                    Some(name) => name,
+                    None => "",
+                }
             }
         }
 
@@ -1764,14 +1784,25 @@ mod plm_plate_on_three_pins_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = false;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
-                rt::charts::is_calm::<Self>(t, held, x)
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
+                rt::charts::is_calm(self, t, held, x)
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 0]) -> T {
-                rt::charts::are_calm::<Self, T>(t, &held.of_loops, x)
+            fn are_calm<T: Scalar>(typical: &[T; 0], t: T, held: &Held<T>, x: &[T; 0]) -> T {
+                rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 0], held: &Held<T>, legs: [&[T; 0]; 2]) -> T {
+                rt::charts::are_short::<Self, T, _>(typical, &held.of_loops, legs)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &PlateOnThreePins<T>, t: T, held: &mut Held<T>, x: &[T; 0], due: T) -> T {
+                T::lit(0.0)
             }
 
             #[inline]
@@ -1782,6 +1813,10 @@ mod plm_plate_on_three_pins_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

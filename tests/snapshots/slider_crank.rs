@@ -347,6 +347,19 @@ mod plm_slider_crank_ {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
 
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+            #[inline(always)]
+            fn rate_pair(
+                &self,
+                t: [S; 2],
+                u: &Self::U,
+                x: [&[S; 18]; 2],
+                dx: &mut [[S; 18]; 2],
+                second: impl FnOnce(&[S; 18]) -> [S; 18],
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
+
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> Result<(), Fault> {
                 let solution = self.accelerate(t, u, x)?;
                 let (_, v): ([S; 9], [S; 9]) = absolute::split(x);
@@ -958,14 +971,25 @@ mod plm_slider_crank_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = true;
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
                 !rt::turns::are_due(x, &[&[2], &[5]])
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; 18]) -> T {
+            fn are_calm<T: Scalar>(typical: &[T; 18], t: T, held: &Held<T>, x: &[T; 18]) -> T {
                 rt::turns::all_near(x, &[&[2], &[5]])
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; 18], held: &Held<T>, legs: [&[T; 18]; 2]) -> T {
+                T::lit(1.0)
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &SliderCrank<T>, t: T, held: &mut Held<T>, x: &[T; 18], due: T) -> T {
+                T::lit(0.0)
             }
 
             #[inline]
@@ -976,6 +1000,10 @@ mod plm_slider_crank_ {
                     put(&mut turns, S::of_turns(one));
                     *wide = turns.to_turns();
                 }
+            }
+
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
             }
 
             fn chart(held: &Held<S>) -> Option<usize> {

@@ -56,12 +56,35 @@ pub(crate) fn atan<F: Arc>(x: F) -> F {
 
 #[inline]
 pub(crate) fn atan2<F: Arc>(y: F, x: F) -> F {
-    let (larger, smaller) = if y.abs() > x.abs() { (y.abs(), x.abs()) } else { (x.abs(), y.abs()) };
-    if smaller >= F::power_of_two(-F::SCALE) && larger <= F::power_of_two(F::SCALE) {
-        direction(y, x)
-    } else {
-        atan2_extreme(y, x)
+    if is_direct(y, x) { direction(y, x) } else { atan2_extreme(y, x) }
+}
+
+/// One path for all lanes; each operation is written for one lane, and compilers join them.
+#[inline]
+pub(crate) fn atan2_lanes<F: Arc, const N: usize>(y: [F; N], x: [F; N]) -> [F; N] {
+    let direct = (0..N).fold(true, |all, lane| all & is_direct(y[lane], x[lane]));
+    if !direct {
+        return atan2_each(y, x);
     }
+    let mut angles = [F::ZERO; N];
+    for lane in 0..N {
+        angles[lane] = direction(y[lane], x[lane]);
+    }
+    angles
+}
+
+/// Lanes of which one at least leaves the direct path.
+#[cold]
+#[inline(never)]
+fn atan2_each<F: Arc, const N: usize>(y: [F; N], x: [F; N]) -> [F; N] {
+    core::array::from_fn(|lane| atan2(y[lane], x[lane]))
+}
+
+/// Has the quotient of these coordinates normal error terms?
+#[inline]
+fn is_direct<F: Arc>(y: F, x: F) -> bool {
+    let (larger, smaller) = if y.abs() > x.abs() { (y.abs(), x.abs()) } else { (x.abs(), y.abs()) };
+    (smaller >= F::power_of_two(-F::SCALE)) & (larger <= F::power_of_two(F::SCALE))
 }
 
 /// atan2 for coordinates whose quotient has normal error terms.

@@ -84,6 +84,13 @@ macro_rules! functions {
                 atan::atan2(y, x)
             }
 
+            /// Angles of N vectors, with the same bits as one by one, in straight-line code for all lanes, which compilers turn
+            /// into vector instructions.
+            #[inline]
+            pub fn atan2_lanes<const N: usize>(y: [$float; N], x: [$float; N]) -> [$float; N] {
+                atan::atan2_lanes(y, x)
+            }
+
             /// Square root, correctly rounded. -0 for -0, NaN below.
             #[inline]
             pub fn sqrt(x: $float) -> $float {

@@ -69,6 +69,27 @@ macro_rules! bits {
             }
 
             #[test]
+            fn directions_of_several_vectors_are_those_of_one() {
+                fn lanes<const N: usize>(random: &mut Random, within: $float) {
+                    let mut numbers = || core::array::from_fn(|_| number(random) % within);
+                    let (y, x): ([$float; N], [$float; N]) = (numbers(), numbers());
+                    let together = m::atan2_lanes(y, x).map(bits);
+                    let alone = core::array::from_fn(|lane| bits(m::atan2(y[lane], x[lane])));
+                    assert_eq!(together, alone, "{y:?}, {x:?}");
+                }
+                let mut random = Random(3);
+                for _ in 0..5000 {
+                    // Signs, quadrants and both sides of the diagonal; then zeros, infinities, NaN and extreme quotients.
+                    for within in [1.0, $float::INFINITY] {
+                        lanes::<1>(&mut random, within);
+                        lanes::<2>(&mut random, within);
+                        lanes::<3>(&mut random, within);
+                        lanes::<8>(&mut random, within);
+                    }
+                }
+            }
+
+            #[test]
             fn results_have_the_bits_of_the_reference_machine() {
                 let unary: [(&str, fn($float) -> $float); 11] = [
                     ("sin", m::sin),

@@ -5,9 +5,9 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 
 /// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
-const FAR: f64 = 7.0;
+pub(super) const FAR: f64 = 7.0;
 /// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
-const FARTHEST: f64 = 1.0;
+pub(super) const FARTHEST: f64 = 1.0;
 /// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
 /// measure; other solutions are at least about twice the measure away.
 const FARTHEST_FOLLOWED: f64 = 0.25;

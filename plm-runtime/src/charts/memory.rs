@@ -43,7 +43,7 @@ pub struct Memory<S, const Y: usize, const T: usize, const A: usize, const F: us
 pub struct Reach<S> {
     /// The value at the last look.
     pub last: S,
-    /// How far it may move from there.
+    /// Its box: so far it may move from there, and farther where that is far.
     pub reach: S,
 }
 
@@ -89,20 +89,31 @@ pub trait Remembered<S>: Copy {
     fn followed(&self) -> &[Followed<S>];
     /// The same, to write what two looks tell together.
     fn followed_mut(&mut self) -> &mut [Followed<S>];
+    /// Puts every number of `one` to that in its place.
+    fn put(&mut self, one: &Self, put: impl Fn(&mut S, S));
+
+    /// `f` from the first number to the last, beginning with `start`.
+    #[inline]
+    fn fold<A>(&self, start: A, f: impl Fn(A, S) -> A) -> A
+    where
+        S: Scalar,
+    {
+        let reach = |all: A, at: &Reach<S>| f(f(all, at.last), at.reach);
+        let turn = |all: A, at: &Turn<S>| f(f(f(all, at.angle), at.cos), at.sin);
+        let followed = |all: A, at: &Followed<S>| f(f(f(all, at.value), at.rate), at.bend);
+        let all = reach(self.coordinates().iter().fold(start, reach), &self.time());
+        let all = self.turns().iter().fold(all, turn);
+        let all = self.areas().iter().fold(all, |all, &area| f(all, area));
+        self.followed().iter().fold(all, followed)
+    }
 
     /// Every number of it is one.
+    #[inline]
     fn is_finite(&self) -> bool
     where
         S: Scalar,
     {
-        let reach = |at: &Reach<S>| at.last.is_finite() && at.reach.is_finite();
-        let turn = |at: &Turn<S>| [at.angle, at.cos, at.sin].into_iter().all(S::is_finite);
-        let followed = |at: &Followed<S>| [at.value, at.rate, at.bend].into_iter().all(S::is_finite);
-        self.coordinates().iter().all(reach)
-            && reach(&self.time())
-            && self.turns().iter().all(turn)
-            && self.areas().iter().all(|area| area.is_finite())
-            && self.followed().iter().all(followed)
+        self.fold(true, |finite, number| finite && number.is_finite())
     }
 }
 
@@ -152,6 +163,11 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize> 
     fn followed_mut(&mut self) -> &mut [Followed<S>] {
         &mut self.followed
     }
+
+    #[inline]
+    fn put(&mut self, one: &Self, put: impl Fn(&mut S, S)) {
+        put_memory(self, one, &put);
+    }
 }
 
 impl<S: Real> Reach<S> {
@@ -199,6 +215,13 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
         }
     }
 
+    #[inline]
+    fn take<P: Scalar>(&mut self, wide: &Self::Packed<P>, take: &impl Fn(P) -> S) {
+        if let (OfLoops::InChart { memory: one, .. }, OfLoops::InChart { memory: wide, .. }) = (self, wide) {
+            put_memory(one, wide, &|one: &mut S, wide| *one = take(wide));
+        }
+    }
+
     fn chart(&self) -> Option<usize> {
         match *self {
             OfLoops::InChart { chart, .. } => Some(chart),
@@ -207,7 +230,7 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
     }
 }
 
-/// Puts a memory into its lane of several.
+/// Puts every number of a memory to that in its place in another.
 #[inline]
 fn put_memory<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize>(
     wide: &mut Memory<P, Y, T, A, F>,

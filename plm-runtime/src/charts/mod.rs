@@ -12,19 +12,20 @@
 
 mod continuity;
 mod counted;
+mod lanes;
 mod memory;
 
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};
 pub use counted::Counted;
-use counted::{are_due, first_places, unwind};
+use counted::{are_due, unwind};
+pub use lanes::{are_calm, are_short, look};
 pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
 
 use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, System};
-use crate::turns::are_near;
 use crate::vector::Vector;
 
 /// Below this a chart's measure is worth a look at the other charts: the smallest sine (RRR), cosine (RRP), or length
@@ -43,6 +44,13 @@ const BACK: f64 = 1.3;
 const OPEN: f64 = -1e-10;
 /// Below this part of what is typical, a box is that of a measure below [`FLAT`]: boxes are a tenth of it, and they share it.
 const TIGHT: f64 = 0.1 * FLAT;
+/// Where a box is at least so many times as wide as that, a coordinate may go as many boxes far until the next look.
+///
+/// With M the square of a dyad's measure sin theta, and g = cos theta as a function of the coordinate, a box is at most
+/// 0.1 M / |g'| and 0.1 sqrt(M). On n boxes g changes by at most (0.1 n + 0.005 n^2 |g''|) M, and the loop is flat where it has
+/// changed by M / 2: not on two boxes as long as |g''| < 15, which is about the length of a crank over that of the dyad's bars. M
+/// keeps 0.6 of its value if g'' is small, so that a box at the end of the way is not tight where the first was twice as wide.
+const BOXES: f64 = 2.0;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
@@ -138,7 +146,7 @@ pub fn hold<M: Charted, const N: usize>(held: &mut M::U, x: &mut M::X, full: &[M
 /// When the loops cannot be closed there, or cannot have been followed so far.
 #[inline]
 pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Accepted, Fault> {
-    if is_calm::<M>(t, held, x) {
+    if is_calm(system, t, held, x) {
         return Ok(Accepted::default());
     }
     match held.of_loops {
@@ -149,36 +157,17 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 
 /// Whether [`accept`] has nothing to look at yet.
 #[inline]
-pub fn is_calm<M: Charted>(t: M::S, held: &M::U, x: &M::X) -> bool {
+pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
+    let quiet = |k: usize, at: &Reach<M::S>| {
+        let ample = M::S::lit(BOXES * TIGHT / M::NQ as f64) * system.typical().at(k);
+        let reach = if at.reach < ample { at.reach } else { M::S::lit(BOXES) * at.reach };
+        Reach { reach, ..*at }.holds(x.at(k))
+    };
     M::FOLLOWED.is_empty()
-        && memory.coordinates().iter().enumerate().all(|(k, coordinate)| coordinate.holds(x.at(k)))
+        && memory.coordinates().iter().enumerate().all(|(k, at)| quiet(k, at))
         && memory.time().holds(t)
         && !(M::LOOSE && are_due::<M>(held, x))
-}
-
-/// The same of several states side by side, by what is held of their loops: 1 in the lanes where it has nothing to look at
-/// yet, 0 elsewhere.
-#[inline]
-pub fn are_calm<M: Charted, T: Scalar>(
-    t: T,
-    of_loops: &OfLoops<impl Remembered<T>, impl Sized>,
-    x: &impl Vector<T>,
-) -> T {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
-    let OfLoops::InChart { chart, memory } = of_loops else { return zero };
-    if !M::FOLLOWED.is_empty() {
-        return zero;
-    }
-    let holds = |calm: T, at: Reach<T>, value: T| T::select((value - at.last).abs().lt(at.reach), calm, zero);
-    let coordinates = memory.coordinates().iter().enumerate();
-    let calm = coordinates.fold(one, |calm, (k, &coordinate)| holds(calm, coordinate, x.at(k)));
-    let calm = holds(calm, memory.time(), t);
-    if !M::LOOSE {
-        return calm;
-    }
-    let counted = first_places::<M>(*chart).map(|k| are_near(x.at(k)));
-    counted.fold(calm, T::min)
 }
 
 /// How much of its box a coordinate has crossed in a step, the most of all; zero where all loops are far from flat.

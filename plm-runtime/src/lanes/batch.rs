@@ -5,14 +5,14 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::{Deref, DerefMut};
 
-use super::lane::{Lane, column, set_column};
-use super::{LANES, Lanes, Pack, Rate, Unwatched};
+use super::lane::{Lane, column};
+use super::side::{Side, Wide};
+use super::{LANES, Lanes, Pack};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{FixedStep, Formula, Plan, Rk4Formula};
 use crate::scalar::Scalar;
 use crate::sim::{Clock, Sim};
-use crate::vector::Vector;
 
 /// Eight simulations of one mechanism, with parameters, inputs and states of their own: their rates are computed at once,
 /// in numbers `L` of eight lanes.
@@ -71,10 +71,7 @@ where
             self.sims.each_mut().map(|sim| Lane::new(sim, clock.time, joins.next() == Some(true)))
         };
         run::<M, L, F>(&mut lanes);
-        let reached = lanes.map(|mut lane| {
-            lane.close();
-            (lane.course.time, lane.course.held, lane.course.x, lane.outcome)
-        });
+        let reached = lanes.map(|lane| (lane.course.time, lane.course.held, lane.course.x, lane.outcome));
         array::from_fn(|i| {
             let (sim, (time, held, x, outcome)) = (&mut self.sims[i], &reached[i]);
             if !joins[i] {
@@ -107,102 +104,61 @@ where
     }
 }
 
-/// The lanes as one mechanism in one state.
-struct Side<M: Pack<S = f64>, L: Lanes> {
-    mechanism: Unwatched<M::Packed<L>>,
-    held: <M::Packed<L> as Rate>::U,
-    x: <M::Packed<L> as Rate>::X,
-    /// Which lanes are computed: those in the chart of most.
-    joined: [bool; LANES],
-}
-
-impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
-    fn new<F: Formula>(lanes: &[Lane<M, F>; LANES]) -> Self {
-        let systems = lanes.each_ref().map(|lane| lane.course.system);
-        let (held, joined) = hold(lanes);
-        Self {
-            mechanism: Unwatched(systems[0].pack(systems, L::of)),
-            held,
-            x: Vector::from_fn(|k| L::of(lanes.each_ref().map(|lane| lane.course.x.at(k)))),
-            joined,
-        }
-    }
-
-    /// A lane has made a step by itself to the state `next`; it was at a place before.
-    fn renew<F: Formula>(
-        &mut self,
-        next: &mut <M::Packed<L> as Rate>::X,
-        (i, before): (usize, Option<usize>),
-        lanes: &[Lane<M, F>; LANES],
-    ) {
-        let (course, joined) = (&lanes[i % LANES].course, self.joined[i % LANES]);
-        set_column(next, i, &course.x);
-        if lanes[i % LANES].place() != before {
-            (self.held, self.joined) = hold(lanes);
-        } else if joined {
-            M::put_held(&mut self.held, &course.held, |wide: &mut L, one| wide.put(i, one));
-        }
-    }
-}
-
-/// What the lanes hold, as one, in the chart of most, and which lanes are in that.
-fn hold<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
-    lanes: &[Lane<M, F>; LANES],
-) -> (<M::Packed<L> as Rate>::U, [bool; LANES]) {
-    let held = lanes.each_ref().map(|lane| &lane.course.held);
-    let joins = |lane: &Lane<M, F>, first: &Lane<M, F>| {
-        let place = lane.place();
-        place.is_some() && place == M::chart(&first.course.held)
-    };
-    let joined_by = |first: &Lane<M, F>| lanes.iter().filter(|other| joins(other, first)).count();
-    let first = lanes.iter().max_by_key(|lane| joined_by(lane)).unwrap_or(&lanes[0]);
-    (M::pack_held(&first.course.held, held, L::of), lanes.each_ref().map(|lane| joins(lane, first)))
-}
-
 /// Runs all lanes to the end of the interval.
 fn run<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(lanes: &mut [Lane<M, F>; LANES]) {
     let Some(first) = lanes.iter().find(|lane| lane.runs) else { return };
-    let (mut time, end, mut plan) = (first.course.time, first.course.end, first.plan());
+    let (mut time, end, mut plan, mut number) = (first.course.time, first.course.end, first.plan(), 0);
     let mut side = Side::<M, L>::new(lanes);
     while time < end {
-        step(lanes, &mut side, time, &plan);
+        step(lanes, &mut side, (time, &plan, number));
         time = plan.next_time;
         plan.next();
+        number += 1;
     }
+    side.tell(lanes);
     for (i, lane) in lanes.iter_mut().enumerate().filter(|(_, lane)| lane.runs) {
+        lane.catch_up(number);
         (lane.course.time, lane.course.x) = (end, column(&side.x, i));
     }
 }
 
-/// One step of all lanes.
+/// One step of all lanes: its beginning, the plan, and how many were made before.
 #[inline]
 fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
     lanes: &mut [Lane<M, F>; LANES],
     side: &mut Side<M, L>,
-    time: f64,
-    plan: &Plan<f64>,
+    at: (f64, &Plan<f64>, u64),
 ) {
-    let mut next = side.x;
-    let health = F::plain_step(&side.mechanism, L::lit(time), &side.held, &mut next, L::lit(plan.h)).0;
-    // Of a lane that is not a number, others need not be: each says so itself.
-    let calm = M::are_calm(L::lit(plan.next_time), &side.held, &next);
-    let calm = L::select(L::lit(f64::HEALTHY).lt(health), calm, L::lit(0.0));
-    let (health, calm, all_finite) = (health.values(), calm.values(), next.is_finite());
+    let (mut next, health) = side.step::<F>(at);
+    let coasts = side.coast(at.1.next_time, &next, health);
+    if M::WATCHED || L::any(coasts.lt(side.running)) {
+        apart(lanes, side, (&mut next, health, coasts), at);
+    }
+    side.x = next;
+}
+
+/// The same step of those lanes that do not coast (1 in those that do), in ordinary numbers, each as it would be made alone.
+#[inline(never)]
+fn apart<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
+    lanes: &mut [Lane<M, F>; LANES],
+    side: &mut Side<M, L>,
+    (next, health, coasts): (&mut Wide<M, L>, L, L),
+    at: (f64, &Plan<f64>, u64),
+) {
+    side.tell(lanes);
     // Who is joined may change on the way.
-    let joined = side.joined;
+    let (joined, health, coasts) = (side.joined, health.values(), coasts.values());
     for i in 0..LANES {
         let lane = &mut lanes[i];
-        let states = || [column(&side.x, i), column(&next, i)];
-        let trusted = joined[i] && all_finite && calm[i] > 0.0;
-        if !lane.runs || (trusted && lane.coast((time, plan), health[i], states)) {
+        let states = || [column(&side.x, i), column(next, i)];
+        if !lane.runs || (coasts[i] > 0.0 && (!M::WATCHED || lane.coast(at, health[i], states))) {
             continue;
         }
         let ([from, to], place) = (states(), lane.place());
         let healthy = joined[i] && f64::HEALTHY < health[i];
-        lane.step(time, plan, from, healthy.then_some((to, health[i])));
-        side.renew(&mut next, (i, place), lanes);
+        lane.step(at, from, healthy.then_some((to, health[i])));
+        side.renew(next, (i, place), lanes);
     }
-    side.x = next;
 }
 
 impl<M: Mechanism<S = f64>, L, F> Deref for Batch<M, L, F> {

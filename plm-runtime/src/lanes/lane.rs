@@ -19,8 +19,8 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
     /// It goes with the others: it started with them and has not stopped.
     pub(super) runs: bool,
     pub(super) outcome: Result<(), Fault>,
-    /// Steps that were made for all lanes at once, and needed nothing more.
-    coasted: u64,
+    /// So many of the steps that were made since it started are counted.
+    counted: u64,
 }
 
 impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
@@ -30,7 +30,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course::new((system, held), (state.time(), x), end, (stats, longest_step));
         let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
-        Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, coasted: 0 }
+        Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, counted: 0 }
     }
 
     /// The division of the interval into steps.
@@ -44,32 +44,53 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         M::chart(&self.course.held).filter(|_| self.runs && regular)
     }
 
-    /// Makes the next step with the others and without a look at it, if none is due; to a state at which [`Pack::is_calm`]. The
-    /// states before and after it are asked for where they are looked at.
+    /// Its steps may be made with the others' where nothing is to be looked at.
+    pub(super) fn coasts(&self) -> bool {
+        !self.limits.audit()
+    }
+
+    /// Makes the step `number` with the others if one that is [watched](Pack::WATCHED) needs no more. The states before and
+    /// after it are asked for where they are looked at.
     #[inline]
     pub(super) fn coast(
         &mut self,
-        (time, plan): (f64, &Plan<f64>),
+        (time, plan, number): (f64, &Plan<f64>, u64),
         health: f64,
         states: impl FnOnce() -> [M::X; 2],
     ) -> bool {
-        let Self { course: Course { system, held, .. }, method, limits, .. } = self;
-        let coasts = if limits.audit() {
-            false
-        } else if method.coasts() && !M::Rescue::DOUBTS {
-            method.keep(false);
+        let Self { course: Course { system, held, .. }, method, .. } = self;
+        let coasts = if method.coasts() && !M::Rescue::DOUBTS {
             true
         } else {
             let [from, to] = &states();
             let leg = Leg { system: *system, held, from: (time, from), to: (plan.next_time, to), health };
-            !M::Rescue::doubts(&leg) && method.coast(*system, plan.next_time, to)
+            !M::Rescue::doubts(&leg) && method.needs_no_settling(*system, plan.next_time, to)
         };
-        self.coasted += u64::from(coasts);
+        if coasts {
+            self.catch_up(number + 1);
+        }
         coasts
     }
 
-    /// Makes the next step of the plan from the state `x`, to `next` if that is known, with its health, and looks at it.
-    pub(super) fn step(&mut self, time: f64, plan: &Plan<f64>, x: M::X, next: Option<(M::X, f64)>) {
+    /// Counts the steps up to `number` that were made with the others.
+    #[inline]
+    pub(super) fn catch_up(&mut self, number: u64) {
+        let steps = if self.runs { number - self.counted } else { 0 };
+        self.course.stats.steps += steps;
+        self.course.stats.evaluations += steps * F::STAGES;
+        self.method.keep_on(steps);
+        self.counted = number;
+    }
+
+    /// Makes the step `number` of the plan from the state `x`, to `next` if that is known, with its health, and looks at it.
+    pub(super) fn step(
+        &mut self,
+        (time, plan, number): (f64, &Plan<f64>, u64),
+        x: M::X,
+        next: Option<(M::X, f64)>,
+    ) {
+        self.catch_up(number);
+        self.counted += 1;
         (self.course.time, self.course.x, self.method.plan) = (time, x, *plan);
         self.course.health = next.map_or(1.0, |next| next.1.min(1.0));
         let next = next.map(|next| next.0);
@@ -102,20 +123,16 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         }
         Ok(())
     }
-
-    /// Counts the steps that were made with the others.
-    pub(super) fn close(&mut self) {
-        self.course.stats.steps += self.coasted;
-        self.course.stats.evaluations += self.coasted * F::STAGES;
-    }
 }
 
 /// The values of one lane.
+#[inline]
 pub(super) fn column<L: Lanes, X: Vector<f64>>(wide: &impl Vector<L>, lane: usize) -> X {
     X::from_fn(|k| wide.at(k).values()[lane % LANES])
 }
 
 /// Gives one lane its values.
+#[inline]
 pub(super) fn set_column<L: Lanes, Y: Vector<L>>(wide: &mut Y, lane: usize, x: &impl Vector<f64>) {
     for k in 0..Y::LEN {
         let mut number = wide.at(k);

@@ -5,6 +5,7 @@
 
 mod batch;
 mod lane;
+mod side;
 mod two;
 
 pub use batch::Batch;
@@ -42,6 +43,26 @@ pub trait Rate {
 
     /// The rate `dx` of the state, as straight-line code without pivoting.
     fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
+
+    /// It pays to compute rates in pairs, as [`System::PAIRED`].
+    const PAIRED: bool = false;
+    /// It pays in numbers of several lanes too, which fill the registers by themselves.
+    const PAIRED_IN_LANES: bool = false;
+
+    /// Two rates in a row, as [`System::rate_pair`].
+    #[inline]
+    fn rate_pair(
+        &self,
+        t: [Self::S; 2],
+        u: &Self::U,
+        x: [&Self::X; 2],
+        dx: &mut [Self::X; 2],
+        second: impl FnOnce(&Self::X) -> Self::X,
+    ) -> Health<Self::S> {
+        let ([t, later], [x, _], [first, last]) = (t, x, dx);
+        let health = self.rate(t, u, x, first);
+        health.worst(self.rate(later, u, &second(first), last))
+    }
 }
 
 /// A mechanism of which several can be packed into one; implemented by generated code.
@@ -75,11 +96,46 @@ pub trait Pack: Mechanism {
     /// The chart that is held, from 0; none where no chart is good.
     fn chart(held: &Self::U) -> Option<usize>;
 
-    /// Whether [`System::accept`] has nothing to do at a state.
-    fn is_calm(t: Self::S, held: &Self::U, x: &Self::X) -> bool;
+    /// Steps are looked at one by one even where nothing else is to be looked at: for their drift from the constraints, and for
+    /// poses that are nearly singular.
+    const WATCHED: bool;
 
-    /// The same of several states side by side: 1 in the lanes where it has nothing to do, 0 elsewhere.
-    fn are_calm<T: Scalar>(t: T, held: &<Self::Packed<T> as Rate>::U, x: &<Self::Packed<T> as Rate>::X) -> T;
+    /// Whether [`System::accept`] has nothing to do at a state.
+    fn is_calm(&self, t: Self::S, held: &Self::U, x: &Self::X) -> bool;
+
+    /// The same of several states side by side, with the typical size of each number: 1 in the lanes where it has nothing to
+    /// do, 0 elsewhere.
+    fn are_calm<T: Scalar>(
+        typical: &<Self::Packed<T> as Rate>::X,
+        t: T,
+        held: &<Self::Packed<T> as Rate>::U,
+        x: &<Self::Packed<T> as Rate>::X,
+    ) -> T;
+
+    /// Whether steps between two states are short beside the turns that mechanisms make next to a flat pose, with the typical
+    /// size of each number: 1 in the lanes where they surely are, 0 elsewhere.
+    fn are_short<T: Scalar>(
+        typical: &<Self::Packed<T> as Rate>::X,
+        held: &<Self::Packed<T> as Rate>::U,
+        legs: [&<Self::Packed<T> as Rate>::X; 2],
+    ) -> T;
+
+    /// [`System::accept`] of several states side by side, in the lanes in which that is `due` (1, else 0): 1 in those where it
+    /// changes nothing but what is remembered, which is done; 0 elsewhere.
+    fn look<T: Scalar>(
+        all: &Self::Packed<T>,
+        t: T,
+        held: &mut <Self::Packed<T> as Rate>::U,
+        x: &<Self::Packed<T> as Rate>::X,
+        due: T,
+    ) -> T;
+
+    /// What `one` holds of its loops becomes that of its lane, in the same chart; `take` gives a number of that lane.
+    fn take_held<T: Scalar>(
+        one: &mut Self::U,
+        wide: &<Self::Packed<T> as Rate>::U,
+        take: impl Fn(T) -> Self::S,
+    );
 }
 
 /// A right-hand side as a system that is never looked at: what the formulas of methods ask for.
@@ -97,5 +153,20 @@ impl<R: Rate> System for Unwatched<R> {
     #[inline(always)]
     fn rate(&self, t: R::S, u: &R::U, x: &R::X, dx: &mut R::X) -> Health<R::S> {
         self.0.rate(t, u, x, dx)
+    }
+
+    const PAIRED: bool = R::PAIRED_IN_LANES;
+
+    #[allow(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    fn rate_pair(
+        &self,
+        t: [R::S; 2],
+        u: &R::U,
+        x: [&R::X; 2],
+        dx: &mut [R::X; 2],
+        second: impl FnOnce(&R::X) -> R::X,
+    ) -> Health<R::S> {
+        self.0.rate_pair(t, u, x, dx, second)
     }
 }

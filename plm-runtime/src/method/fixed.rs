@@ -108,14 +108,10 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         outcome
     }
 
-    /// A step to the state `x` that needs not be settled, if it is one: its drift is not due to be looked at, or small.
+    /// Is the drift of the state `x` after a step not due to be looked at, or small?
     #[inline]
-    pub(crate) fn coast<M: System<S = S>>(&mut self, system: &M, t: S, x: &M::X) -> bool {
-        let coasts = !self.careful && !self.drifts(system, t, x);
-        if coasts {
-            self.keep(false);
-        }
-        coasts
+    pub(crate) fn needs_no_settling<M: System<S = S>>(&self, system: &M, t: S, x: &M::X) -> bool {
+        !self.careful && !self.drifts(system, t, x)
     }
 
     /// Takes the course to `next`, the state after the step.
@@ -162,6 +158,20 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
             (false, true) => 1,
             (false, false) => self.check_every,
         };
+    }
+
+    /// Counts so many steps to the next look at the drift, as [`keep`](Self::keep) where it was small.
+    #[inline]
+    pub(crate) fn keep_on(&mut self, steps: u64) {
+        if steps == 0 {
+            return;
+        }
+        let (first, every) = (u64::from(self.until_check.max(1)), u64::from(self.check_every));
+        let until_check = match steps.checked_sub(first) {
+            None => first - steps,
+            Some(more) => every - more.checked_rem(every).unwrap_or_default(),
+        };
+        self.until_check = u32::try_from(until_check).unwrap_or(self.check_every);
     }
 
     /// The drift is not looked at after the next step.

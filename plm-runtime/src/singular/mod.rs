@@ -22,6 +22,7 @@ mod leap;
 mod near;
 mod poor;
 
+pub(crate) use self::near::LONG;
 pub use self::near::Near;
 
 use crate::Absolute;

@@ -35,7 +35,7 @@ const TRIALS: u32 = 4;
 const SHARP: f64 = 1.0;
 /// ... and else divided if it crosses this much: of the turn's own length it is a fiftieth then, and the error of a formula of
 /// order 4 some 1e-7 of the turn, ...
-const LONG: f64 = 0.2;
+pub(crate) const LONG: f64 = 0.2;
 /// ... into parts that cross this much, as far as is known, ...
 const SHORT: f64 = 0.1;
 /// ... or so many; what crosses more is divided again.

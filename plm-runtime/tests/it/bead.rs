@@ -1,8 +1,8 @@
 //! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
 
 use plm_runtime::charts::{
-    self, Charted, OfLoops, Reach, Remembered, accept, are_calm, crossed, enter, full, hold, is_calm,
-    is_free, pose,
+    self, Charted, OfLoops, Reach, Remembered, accept, are_calm, are_short, crossed, enter, full, hold,
+    is_calm, is_free, look, pose,
 };
 use plm_runtime::held::{Held, Loops};
 use plm_runtime::{Cause, Health, System};
@@ -141,13 +141,9 @@ fn a_state_within_its_box_is_calm() {
     let (bead, held, x) = entered(1.0, 30.0);
     for (part, calm) in [(0.0, true), (0.9, true), (-0.9, true), (1.1, false), (-1.1, false)] {
         let moved = [x[0] + part * REACH, x[1], x[2]];
-        let both = |t: f64, x: &[f64; 3]| {
-            let side_by_side = are_calm::<Bead, f64>(t, &held.of_loops, x);
-            (is_calm::<Bead>(t, &held, x), side_by_side)
-        };
         let expected = (calm, f64::from(u8::from(calm)));
-        assert_eq!(both(0.0, &moved), expected, "{part} of the reach");
-        assert_eq!(both(part * WHILE, &x), expected, "{part} of the time");
+        assert_eq!(both_calm(bead, 0.0, &held, &moved), expected, "{part} of the reach");
+        assert_eq!(both_calm(bead, part * WHILE, &held, &x), expected, "{part} of the time");
         assert!((crossed(&bead, &held, &x, &moved) - part.abs()).abs() < 1e-12, "{part} of the reach");
     }
     let (chart, mut memory) = within(&held);
@@ -155,6 +151,72 @@ fn a_state_within_its_box_is_calm() {
     let wide = in_chart(chart, memory);
     // A box of a thirtieth of what is typical is not tight.
     assert_eq!(crossed(&bead, &wide, &x, &[x[0] + 0.04, x[1], x[2]]), 0.0);
+}
+
+/// Whether there is nothing to look at, by the functions of one state and of several.
+fn both_calm(bead: Bead, t: f64, held: &Bound, x: &[f64; 3]) -> (bool, f64) {
+    let side_by_side = are_calm::<Bead, f64, _>(&bead.typical(), t, &held.of_loops, x);
+    (is_calm(&bead, t, held, x), side_by_side)
+}
+
+#[test]
+fn two_boxes_are_calm_where_neither_is_tight() {
+    let (bead, held, x) = entered(1.0, 30.0);
+    let (chart, mut memory) = within(&held);
+    for (reach, boxes) in [(0.01, 1.0), (0.0599, 1.0), (0.0601, 2.0), (0.1, 2.0)] {
+        memory.coordinates[0].reach = reach;
+        let held = in_chart(chart, memory);
+        for (part, calm) in
+            [(0.99, (true, 1.0)), (-0.99, (true, 1.0)), (1.01, (false, 0.0)), (-1.01, (false, 0.0))]
+        {
+            let moved = [x[0] + part * boxes * reach, x[1], x[2]];
+            assert_eq!(both_calm(bead, 0.0, &held, &moved), calm, "{part} of {boxes} of {reach}");
+        }
+    }
+}
+
+#[test]
+fn steps_in_tight_boxes_are_short_up_to_a_fifth() {
+    let (bead, held, x) = entered(1.0, 30.0);
+    let (chart, mut memory) = within(&held);
+    for (reach, part, short) in
+        [(0.01, 0.19, 1.0), (0.01, 0.21, 0.0), (0.029, -0.21, 0.0), (0.031, 5.0, 1.0), (0.01, f64::NAN, 0.0)]
+    {
+        memory.coordinates[0].reach = reach;
+        let held = in_chart(chart, memory);
+        let moved = [x[0] + part * reach, x[1], x[2]];
+        let found = are_short::<Bead, f64, _>(&bead.typical(), &held.of_loops, [&x, &moved]);
+        assert_eq!(found, short, "{part} of {reach}");
+    }
+}
+
+/// A look of several states does what `accept` does, or nothing.
+#[test]
+fn looks_side_by_side_are_those_of_one_state() {
+    let mut plain = 0;
+    for degrees in [10.0, 30.0, 70.0, 72.7] {
+        for boxes in [1.5, 6.9, 7.1, -3.0, f64::NAN] {
+            for t in [0.01, 6.9 * WHILE, 7.1 * WHILE] {
+                let (bead, held, mut x) = entered(1.0, degrees);
+                x[0] += boxes * REACH;
+                let (mut alone, mut moved) = (held, x);
+                let accepted = accept(&bead, t, &mut alone, &mut moved);
+                let mut together = held;
+                let (memory, measure) = bead.remember(t, &held, &x);
+                let due =
+                    |due: f64, of_loops: &mut _| look::<Bead, f64, _>(of_loops, &x, (&memory, measure), due);
+                assert_eq!(due(0.0, &mut together.of_loops), 0.0);
+                assert_eq!(together, held);
+                let found = due(1.0, &mut together.of_loops);
+                let unmoved = accepted == Ok(plm_runtime::Accepted::default());
+                let far = measure > 0.3 * 0.3;
+                assert_eq!(found == 1.0, unmoved && far, "{degrees} deg, {boxes} boxes, {t} s: {accepted:?}");
+                assert_eq!(together, if found == 1.0 { alone } else { held });
+                plain += usize::from(found == 1.0);
+            }
+        }
+    }
+    assert!((5..50).contains(&plain), "{plain}");
 }
 
 #[test]
@@ -236,7 +298,7 @@ fn without_a_chart_one_is_taken_that_is_clearly_good() {
         let (q, v) = on_circle(degrees);
         let (bead, mut held, mut x) = (Bead { poorer }, in_chart(0, Memory::nothing()), [1.0, 2.0, 3.0]);
         hold::<Bead, 5>(&mut held, &mut x, &[q[0], q[1], v[0], v[1], 5.0]);
-        assert!(is_free::<Bead>(&held) && !is_calm::<Bead>(0.0, &held, &x));
+        assert!(is_free::<Bead>(&held) && !is_calm(&bead, 0.0, &held, &x));
         assert_eq!(pose(&bead, 0.0, &held, &x), (q, v));
         let accepted = accept(&bead, 0.0, &mut held, &mut x).unwrap();
         assert_eq!((chart(&held), accepted.moved), (wanted, wanted.is_some()), "{poorer}, {degrees} deg");

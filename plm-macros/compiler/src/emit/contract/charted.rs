@@ -18,6 +18,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
     let turning = emission.text(quoted(turning));
     let followed = emission.text(quoted(reduced.followed.iter().map(|(name, _)| name)));
     let counted = turns::of_charts(emission, reduced);
+    let remember = remember(emission, reduced);
     let found = emission.list(reduced.charts.iter().map(|chart| format!("&{:?}", chart.found)));
     let closing = emission.list(reduced.charts.iter().map(|chart| format!("&[{}]", quoted(&chart.closing))));
     let of_held = |function: &str, arguments: TokenStream, free: TokenStream| {
@@ -28,7 +29,6 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
     };
     let zero = quote!(S::lit(0.0));
     let pose = of_held("pose", quote!(&mut q, &mut v), quote!({ (q, v) = (*free_q, *free_v); #zero }));
-    let remember = of_held("remember", quote!(&mut memory), zero);
     let numbered = |function: &str, arguments: TokenStream| {
         by_number(reduced, |k| {
             let function = format_ident!("{function}_{k}");
@@ -56,9 +56,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
                 (q, v, measure)
             }
             fn remember(&self, t: S, held: &Self::U, x: &[S; #length]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
-                let measure = #remember;
-                (memory, measure)
+                self.remember_(t, held, x)
             }
             fn remember_pose(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> (Self::Memory, S) {
                 let mut memory: Self::Memory = rt::charts::Remembered::nothing();
@@ -67,6 +65,27 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
             }
             fn project(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length]) {
                 #project
+            }
+        }
+
+        #remember
+    }
+}
+
+/// `Charted::remember` for numbers of several lanes too.
+fn remember(emission: &Emission, reduced: &Reduced) -> TokenStream {
+    let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
+    let memory = memory(reduced, &quote!(S));
+    let measure = in_held(reduced, &quote!(held), &quote!(S::lit(0.0)), |k| {
+        let function = format_ident!("remember_{k}");
+        quote!(self.#function(t, held, m, x, &mut memory))
+    });
+    quote! {
+        impl<S: Scalar> #name<S> {
+            fn remember_(&self, t: S, held: &Held<S>, x: &[S; #length]) -> (#memory, S) {
+                let mut memory: #memory = rt::charts::Remembered::nothing();
+                let measure = #measure;
+                (memory, measure)
             }
         }
     }

@@ -17,12 +17,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let params = emission.lines(params.map(|field| format!("{field}: number(all.map(|one| one.{field}))")));
     let inputs = &fields.inputs;
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
-    let (is_calm, are_calm) = if emission.loops().is_some() {
-        let are_calm = quote!(rt::charts::are_calm::<Self, T>(t, &held.of_loops, x));
-        (quote!(rt::charts::is_calm::<Self>(t, held, x)), are_calm)
-    } else {
-        turns::are_near(emission)
-    };
+    let Lanes { watched, calm: (is_calm, are_calm), are_short, look } = lanes(emission);
     let length = &emission.sizes.length;
     quote! {
         impl<S: Real> rt::lanes::Pack for #name<S> {
@@ -50,14 +45,26 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
                 rt::Held { input, switches, turns, of_loops }
             }
 
+            const WATCHED: bool = #watched;
+
             #[inline]
-            fn is_calm(t: S, held: &Held<S>, x: &Self::X) -> bool {
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
                 #is_calm
             }
 
             #[inline]
-            fn are_calm<T: Scalar>(t: T, held: &Held<T>, x: &[T; #length]) -> T {
+            fn are_calm<T: Scalar>(typical: &[T; #length], t: T, held: &Held<T>, x: &[T; #length]) -> T {
                 #are_calm
+            }
+
+            #[inline]
+            fn are_short<T: Scalar>(typical: &[T; #length], held: &Held<T>, legs: [&[T; #length]; 2]) -> T {
+                #are_short
+            }
+
+            #[inline(never)]
+            fn look<T: Scalar>(all: &#name<T>, t: T, held: &mut Held<T>, x: &[T; #length], due: T) -> T {
+                #look
             }
 
             #[inline]
@@ -70,9 +77,47 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
                 }
             }
 
+            fn take_held<T: Scalar>(one: &mut Held<S>, wide: &Held<T>, take: impl Fn(T) -> S) {
+                rt::held::Loops::<S>::take(&mut one.of_loops, &wide.of_loops, &take);
+            }
+
             fn chart(held: &Held<S>) -> Option<usize> {
                 rt::held::Loops::<S>::chart(&held.of_loops)
             }
         }
+    }
+}
+
+/// What steps of several mechanisms side by side are looked at by.
+struct Lanes {
+    watched: bool,
+    /// `is_calm` and `are_calm`.
+    calm: (TokenStream, TokenStream),
+    are_short: TokenStream,
+    look: TokenStream,
+}
+
+fn lanes(emission: &Emission) -> Lanes {
+    let Some(reduced) = emission.loops() else {
+        return Lanes {
+            watched: !emission.is_reduced(),
+            calm: turns::are_near(emission),
+            are_short: quote!(T::lit(1.0)),
+            look: quote!(T::lit(0.0)),
+        };
+    };
+    let look = quote! {
+        let (memory, measure) = all.remember_(t, held, x);
+        rt::charts::look::<Self, T, _>(&mut held.of_loops, x, (&memory, measure), due)
+    };
+    Lanes {
+        watched: false,
+        calm: (
+            quote!(rt::charts::is_calm(self, t, held, x)),
+            quote!(rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)),
+        ),
+        are_short: quote!(rt::charts::are_short::<Self, T, _>(typical, &held.of_loops, legs)),
+        // The unknowns of iterations are followed one by one.
+        look: if reduced.followed.is_empty() { look } else { quote!(T::lit(0.0)) },
     }
 }

@@ -21,6 +21,11 @@ const LEAST: usize = 6;
 /// Operations that a function by itself costs.
 const CALL: usize = 20;
 
+/// Operations up to which pairs pay in numbers of eight lanes: what waits for a root or a quotient is done beside that of the
+/// other stage, but all of it goes through memory. Time of a step in pairs over that without: four-bar linkage (80 operations)
+/// 0.93, slider-crank 0.92, Andrews' mechanism 1.06.
+const MOST_IN_LANES: usize = 150;
+
 /// Coordinates whose values in two stages are handed over one by one.
 const FEW: usize = 2;
 
@@ -62,7 +67,7 @@ fn in_both(text: &str) -> String {
     if is_held { format!("Two::both({text})") } else { text.to_owned() }
 }
 
-/// What `System` says of pairs, and the functions behind that.
+/// What `Rate` says of pairs, and the functions behind that.
 pub(super) fn pairs(emission: &Emission) -> [TokenStream; 2] {
     let Some(parts) = of_rate(emission) else { return Default::default() };
     [rate_pair(emission, &parts), functions(emission, &parts)]
@@ -89,8 +94,10 @@ fn rate_pair(emission: &Emission, parts: &Parts) -> TokenStream {
         quote!(self.rate_at_pose::<false>(t[0], u, #memory x[0], &shared, &mut dx[0])),
         quote!(self.rate_at_pose::<true>(t[1], u, #memory &next, &shared, &mut dx[1])),
     ];
+    let in_lanes = parts.still.count.total() <= MOST_IN_LANES;
     quote! {
-        const PAIRED: bool = S::VECTORS;
+        const PAIRED: bool = true;
+        const PAIRED_IN_LANES: bool = #in_lanes;
 
         #inlined
         fn rate_pair(

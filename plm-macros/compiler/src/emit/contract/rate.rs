@@ -7,6 +7,7 @@ use quote::format_ident;
 use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};
 use super::charted::in_held;
+use super::pairs;
 use crate::formulate::Reduced;
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
@@ -39,6 +40,7 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
         },
         Form::Loops(reduced) => in_chart(reduced, direct.as_ref()),
     };
+    let [pair, parts] = pairs::pairs(emission);
     quote! {
         impl<S: Scalar> rt::lanes::Rate for #name<S> {
             type S = S;
@@ -50,7 +52,10 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
             fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
                 #rate
             }
+            #pair
         }
+
+        #parts
     }
 }
 

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted};
-use super::{pairs, rate, switches, turns};
+use super::{rate, switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
 
@@ -39,7 +39,6 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
     let typical = emission.text(typical(emission));
     let part_of_state = part_of_state(emission);
     let names = emission.text(quoted(names_of_state(emission)));
-    let [pair, parts] = pairs::pairs(emission);
     quote! {
         impl<S: Real> rt::System for #name<S> {
             type S = S;
@@ -53,7 +52,16 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
             fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
                 rt::lanes::Rate::rate(self, t, u, x, dx)
             }
-            #pair
+
+            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
+
+            #inlined
+            fn rate_pair(
+                &self, t: [S; 2], u: &Self::U, x: [&[S; #length]; 2], dx: &mut [[S; #length]; 2],
+                second: impl FnOnce(&[S; #length]) -> [S; #length]
+            ) -> rt::Health<S> {
+                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
+            }
             #solution
             #accept
             #stabilisation
@@ -78,7 +86,6 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
                 }
             }
         }
-        #parts
     }
 }
 

@@ -12,7 +12,7 @@ use crate::formulate::reduced::motion::memory::Memorable;
 use crate::formulate::reduced::motion::solution::Solution;
 use crate::formulate::reduced::motion::solution::measure;
 
-/// By this part of its distance to a flat pose a loop may move until the next look, and bodies by as many radians.
+/// A box is this part of a loop's distance to a flat pose, and lets bodies turn by as many radians.
 const CALM: (i64, i64) = (1, 10);
 /// A coordinate that moves no loop may go as far as it likes: in its unit.
 const ANYWHERE: f64 = 1e30;

@@ -1,0 +1,128 @@
+//! Eight lanes as one mechanism in one state.
+
+use super::lane::{Lane, set_column};
+use super::{LANES, Lanes, Pack, Rate, Unwatched};
+use crate::method::{Formula, Plan};
+use crate::scalar::Scalar;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Eight states as one.
+pub(super) type Wide<M, L> = <<M as Pack>::Packed<L> as Rate>::X;
+/// What is held over a step in eight lanes, as one.
+type WideHeld<M, L> = <<M as Pack>::Packed<L> as Rate>::U;
+
+/// The lanes as one mechanism in one state.
+pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
+    mechanism: Unwatched<M::Packed<L>>,
+    held: WideHeld<M, L>,
+    pub(super) x: Wide<M, L>,
+    /// Typical sizes of the numbers of a state.
+    typical: Wide<M, L>,
+    /// Which lanes are computed: those in the chart of most.
+    pub(super) joined: [bool; LANES],
+    /// 1 in those of them that make steps without a look where none is due, 0 elsewhere.
+    coasting: L,
+    /// 1 in the lanes that have not stopped, 0 elsewhere.
+    pub(super) running: L,
+    /// Lanes have been looked at together, and do not know it yet.
+    looked: bool,
+}
+
+impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
+    pub(super) fn new<F: Formula>(lanes: &[Lane<M, F>; LANES]) -> Self {
+        let systems = lanes.each_ref().map(|lane| lane.course.system);
+        let typical = systems.map(System::typical);
+        let (held, joined) = hold(lanes);
+        let mut side = Self {
+            mechanism: Unwatched(systems[0].pack(systems, L::of)),
+            held,
+            x: Vector::from_fn(|k| L::of(lanes.each_ref().map(|lane| lane.course.x.at(k)))),
+            typical: Vector::from_fn(|k| L::of(typical.map(|one| one.at(k)))),
+            joined,
+            coasting: L::lit(0.0),
+            running: L::lit(0.0),
+            looked: false,
+        };
+        side.count(lanes);
+        side
+    }
+
+    /// The states after a step of all lanes, and its health in each.
+    #[inline]
+    pub(super) fn step<F: Formula>(&self, (time, plan, _): (f64, &Plan<f64>, u64)) -> (Wide<M, L>, L) {
+        let mut next = self.x;
+        let health = F::plain_step(&self.mechanism, L::lit(time), &self.held, &mut next, L::lit(plan.h)).0;
+        (next, health)
+    }
+
+    /// Looks at the states that a step has led to where that is due: 1 in the lanes that go on from them as they are, 0 where
+    /// more is to be done.
+    #[inline]
+    pub(super) fn coast(&mut self, time: f64, next: &Wide<M, L>, health: L) -> L {
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
+        let short = M::are_short(&self.typical, &self.held, [&self.x, next]) * self.coasting;
+        let fits = L::select(L::lit(f64::HEALTHY).lt(health), short, zero);
+        // Zero times a number that is none is none.
+        let sum = next.fold(zero, |sum, number| number.mul_add(zero, sum));
+        let fits = L::select(sum.lt(one), fits, zero);
+        let calm = fits * M::are_calm(&self.typical, L::lit(time), &self.held, next);
+        if !L::any(calm.lt(fits)) {
+            return calm;
+        }
+        self.looked = true;
+        calm + M::look(&self.mechanism.0, L::lit(time), &mut self.held, next, fits - calm)
+    }
+
+    /// Tells the lanes what is remembered of them.
+    #[inline]
+    pub(super) fn tell<F: Formula>(&mut self, lanes: &mut [Lane<M, F>; LANES]) {
+        if !self.looked {
+            return;
+        }
+        for (i, lane) in lanes.iter_mut().enumerate().filter(|&(i, _)| self.joined[i]) {
+            M::take_held(&mut lane.course.held, &self.held, |wide: L| wide.values()[i]);
+        }
+        self.looked = false;
+    }
+
+    /// A lane has made a step by itself to the state `next`; it was at a place before.
+    pub(super) fn renew<F: Formula>(
+        &mut self,
+        next: &mut Wide<M, L>,
+        (i, before): (usize, Option<usize>),
+        lanes: &[Lane<M, F>; LANES],
+    ) {
+        let (lane, joined) = (&lanes[i % LANES], self.joined[i % LANES]);
+        set_column(next, i, &lane.course.x);
+        if lane.place() != before || !lane.runs {
+            (self.held, self.joined) = hold(lanes);
+            self.count(lanes);
+        } else if joined {
+            M::put_held(&mut self.held, &lane.course.held, |wide: &mut L, one| wide.put(i, one));
+        }
+    }
+
+    /// Counts who goes with the others, and who runs.
+    fn count<F: Formula>(&mut self, lanes: &[Lane<M, F>; LANES]) {
+        let number = |is: bool| if is { 1.0 } else { 0.0 };
+        let mut joined = self.joined.into_iter();
+        let coasts = |lane: &Lane<M, F>| number(joined.next() == Some(true) && lane.coasts());
+        self.coasting = L::of(lanes.each_ref().map(coasts));
+        self.running = L::of(lanes.each_ref().map(|lane| number(lane.runs)));
+    }
+}
+
+/// What the lanes hold, as one, in the chart of most, and which lanes are in that.
+fn hold<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
+    lanes: &[Lane<M, F>; LANES],
+) -> (WideHeld<M, L>, [bool; LANES]) {
+    let held = lanes.each_ref().map(|lane| &lane.course.held);
+    let joins = |lane: &Lane<M, F>, first: &Lane<M, F>| {
+        let place = lane.place();
+        place.is_some() && place == M::chart(&first.course.held)
+    };
+    let joined_by = |first: &Lane<M, F>| lanes.iter().filter(|other| joins(other, first)).count();
+    let first = lanes.iter().max_by_key(|lane| joined_by(lane)).unwrap_or(&lanes[0]);
+    (M::pack_held(&first.course.held, held, L::of), lanes.each_ref().map(|lane| joins(lane, first)))
+}
