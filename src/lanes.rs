@@ -77,6 +77,7 @@ impl Scalar for F64x8 {
     type Mask = f64x8;
     type Turns = Self;
 
+    const ZERO: Self = Self(f64x8::ZERO);
     const HEALTHY: f64 = f64::HEALTHY;
     const AGREEMENT: f64 = f64::AGREEMENT;
     const PRECISION: f64 = f64::PRECISION;

@@ -1,8 +1,8 @@
 //! Code with loops for what repeats itself beside the same code without: the same bits.
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
-use plm::runtime::Vector;
-use plm::{Moment, Ros34Pw2};
+use plm::runtime::{Statics, System, Vector};
+use plm::{Described, Moment, Ros34Pw2};
 
 /// Declares a mechanism with loops and without, and tells every number of a run of each.
 macro_rules! both {
@@ -126,3 +126,89 @@ both! { a_scissor_lift, {
     pin_slot slide(ground.o, r[0].lo) { damping: 20 N*s/m; }
     output l[11].y, foot.force;
 } }
+
+mod long {
+    plm::mechanism! {
+        pub Chain {
+            gravity: 9.81 m/s^2;
+            code: rolled;
+            param reach: m = 0.05 m;
+            ground { port o: (0, 0) m; }
+            repeat i in 0..110 {
+                body bar[i] {
+                    mass: 0.1 kg + i*0.01 kg; inertia: 2e-4 kg*m^2; centre: (0.01, 0) m;
+                    port a: (-reach, 0 m); port b: (0.05, 0) m;
+                    start angle: 20 deg - i*1 deg; start omega: 0.1 rad/s*i, locked;
+                }
+            }
+            revolute pin[0](ground.o, bar[0].a);
+            repeat i in 1..110 { revolute pin[i](bar[i - 1].b, bar[i].a) { damping: 1e-3 N*m*s/rad; } }
+        }
+    }
+}
+
+#[test]
+fn tables_of_many_bodies_are_complete() {
+    let tables = long::Chain::<f64>::TABLES;
+    let mechanism = long::Chain::new();
+    assert_eq!((tables.bodies.len(), tables.parts.len()), (110, 110));
+    for (k, (body, part)) in tables.bodies.iter().zip(tables.parts).enumerate() {
+        assert_eq!((body.name, body.ports), (&*format!("bar[{k}]"), &["a", "b"][..]));
+        assert_eq!((part.name, part.kind), (&*format!("pin[{k}]"), "revolute"));
+        let frames = part.frames.iter().map(|frame| (frame.argument, frame.body, frame.port));
+        let first = if k == 0 { ("a", None, 0) } else { ("a", Some(k - 1), 1) };
+        assert_eq!(frames.collect::<Vec<_>>(), [first, ("b", Some(k), 0)]);
+        assert!((mechanism.mass(k).unwrap() - (0.1 + 0.01 * k as f64)).abs() < 1e-12);
+        // From G, which is 0.01 m from O.
+        assert_eq!(mechanism.port(k, 0).unwrap().x, -0.05 - 0.01);
+    }
+    let names: Vec<&str> = (0..220).map(|k| System::name_of_state(&mechanism, k)).collect();
+    assert_eq!(
+        (names[0], names[109], names[110], names[219]),
+        ("bar[0].angle", "bar[109].angle", "bar[0].omega", "bar[109].omega")
+    );
+    assert_eq!((mechanism.part_of_state(37), mechanism.part_of_state(147)), ("bar[37]", "bar[37]"));
+    let [coordinates, rows] = [long::Chain::<f64>::COORDINATES, long::Chain::<f64>::ROWS];
+    assert_eq!(
+        (coordinates.len(), coordinates[329], rows.len(), rows[219]),
+        (330, "bar[109].angle", 220, "pin[109].y")
+    );
+}
+
+#[test]
+fn many_bodies_start_where_they_are_told() {
+    let mut mechanism = long::Chain::new();
+    let angle = |k: u32| (20.0 - f64::from(k)).to_radians();
+    let start = mechanism.start.bar_57;
+    assert!((start.angle.value - angle(57)).abs() < 1e-12 && (start.omega.value - 5.7).abs() < 1e-12);
+    assert!(start.omega.locked && !start.angle.locked);
+    mechanism.start.bar_57.angle = plm::Start::locked(0.5);
+    let sim = mechanism.start().unwrap();
+    assert_eq!(sim.bar_57().angle, 0.5);
+    for (k, own) in [(0, sim.bar_0()), (57, sim.bar_57()), (109, sim.bar_109())] {
+        assert_eq!(sim.bar(k), Some(own));
+    }
+    assert!(sim.bar(110).is_none());
+    let branches = sim.branches();
+    assert_eq!((branches.len(), branches[108].0), (109, "pin[109]"));
+    assert!((branches[56].1 - (0.5 - sim.bar_56().angle)).abs() < 1e-12);
+    // O is 0.01 m behind G.
+    let starts = sim.starts();
+    let (o, g) = (starts.bar_57, sim.bar_57());
+    assert!((o.x.value - (g.x - 0.01 * g.angle.cos())).abs() < 1e-12 && o.angle.locked);
+    let lines: Vec<String> = starts.to_string().lines().map(str::to_owned).collect();
+    assert_eq!((lines.len(), &*lines[6 * 57 + 2]), (660, "bar[57].angle = 0.5"));
+    assert!(lines[659].starts_with("bar[109].omega = "));
+}
+
+#[test]
+fn implicit_steps_of_many_bodies_follow_explicit_ones() {
+    let mut explicit = long::Chain::new().start().unwrap();
+    let mut implicit = long::Chain::new().start_with(Ros34Pw2::new(1e-4)).unwrap();
+    explicit.step(1e-4).unwrap();
+    implicit.step(1e-4).unwrap();
+    for k in 0..110 {
+        let (explicit, implicit) = (explicit.bar(k).unwrap().angle, implicit.bar(k).unwrap().angle);
+        assert!((explicit - implicit).abs() < 1e-6, "bar {k}: {explicit}, {implicit}");
+    }
+}

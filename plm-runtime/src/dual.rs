@@ -118,6 +118,7 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     type Mask = bool;
     type Turns = i32;
 
+    const ZERO: Self = Self { value: S::ZERO, tangents: [S::ZERO; K] };
     const HEALTHY: f64 = S::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
@@ -246,7 +247,6 @@ impl<S: Real, const K: usize> Split for Dual<S, K> {
 }
 
 impl<S: Real, const K: usize> Real for Dual<S, K> {
-    const ZERO: Self = Self { value: S::ZERO, tangents: [S::ZERO; K] };
     const EPSILON: Self = Self { value: S::EPSILON, tangents: [S::ZERO; K] };
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };
     const TWOFOLD_EPSILON: Self = Self { value: S::TWOFOLD_EPSILON, tangents: [S::ZERO; K] };

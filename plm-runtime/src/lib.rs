@@ -37,6 +37,8 @@ pub mod absolute;
 mod axes;
 mod body;
 pub mod charts;
+#[doc(hidden)]
+pub mod compact;
 pub mod described;
 pub mod dual;
 pub mod events;

@@ -27,6 +27,8 @@ pub trait Scalar:
     /// Whole turns of an angle, lane by lane.
     type Turns: Copy + Debug + PartialEq;
 
+    /// 0, in every lane.
+    const ZERO: Self;
     /// Smallest pivot ratio ([`Health`](crate::Health)) at which a solution without pivoting is kept.
     ///
     /// With the ratio r such a solution is good to about eps / r, the one by rank to eps / sqrt(r). At
@@ -170,8 +172,6 @@ pub trait Scalar:
 /// One real number: `f32` or `f64`, two of them in one ([`Twofold`](crate::Twofold)), or one with its derivatives
 /// ([`Dual`](crate::Dual)).
 pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
-    /// 0.
-    const ZERO: Self;
     /// Distance from 1 to the next larger number; of [`Twofold`](crate::Twofold) the unit of its errors.
     const EPSILON: Self;
     /// Singular values below this fraction of the largest count as zero: the square root of [`EPSILON`](Self::EPSILON).
@@ -212,6 +212,7 @@ macro_rules! real {
             type Mask = bool;
             type Turns = i32;
 
+            const ZERO: Self = 0.0;
             const HEALTHY: f64 = $healthy;
             const AGREEMENT: f64 = $agreement;
             const PRECISION: f64 = $real::EPSILON as f64;
@@ -325,7 +326,6 @@ macro_rules! real {
         }
 
         impl Real for $real {
-            const ZERO: Self = 0.0;
             const EPSILON: Self = $real::EPSILON;
             const RANK_TOLERANCE: Self = $rank_tolerance;
             const TWOFOLD_EPSILON: Self = $real::EPSILON * $real::EPSILON;

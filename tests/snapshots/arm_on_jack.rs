@@ -483,38 +483,42 @@ mod plm_arm_on_jack_ {
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &[
-                    "arm",
-                    "arm",
-                    "press.chamber1.pressure",
-                    "press.chamber2.pressure",
-                    "line1.flow",
-                    "line1.inlet.pressure",
-                    "line2.flow",
-                    "line2.inlet.pressure",
-                    "valve.servo.value",
-                    "valve.servo.swing",
-                ];
-                match PARTS.get(index) {
+                let parts: &[&str] = const {
+                    &[
+                        "arm",
+                        "arm",
+                        "press.chamber1.pressure",
+                        "press.chamber2.pressure",
+                        "line1.flow",
+                        "line1.inlet.pressure",
+                        "line2.flow",
+                        "line2.inlet.pressure",
+                        "valve.servo.value",
+                        "valve.servo.swing",
+                    ]
+                };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[
-                    "arm.angle",
-                    "arm.omega",
-                    "press.chamber1.pressure",
-                    "press.chamber2.pressure",
-                    "line1.flow",
-                    "line1.inlet.pressure",
-                    "line2.flow",
-                    "line2.inlet.pressure",
-                    "valve.servo.value",
-                    "valve.servo.swing",
-                ];
-                match NAMES.get(index) {
+                let names: &[&str] = const {
+                    &[
+                        "arm.angle",
+                        "arm.omega",
+                        "press.chamber1.pressure",
+                        "press.chamber2.pressure",
+                        "line1.flow",
+                        "line1.inlet.pressure",
+                        "line2.flow",
+                        "line2.inlet.pressure",
+                        "valve.servo.value",
+                        "valve.servo.swing",
+                    ]
+                };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -650,7 +654,7 @@ mod plm_arm_on_jack_ {
             const ROWS: [&'static str; 2] = ["hinge.x", "hinge.y"];
             const PARTS: [&'static str; 2] = ["hinge", "hinge"];
             const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
-            const ANGULAR: [bool; 2] = [false, false];
+            const ANGULAR: [bool; 2] = [false; 2];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 2 add, 2 mul, 1 sin_cos.
@@ -680,10 +684,16 @@ mod plm_arm_on_jack_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 3], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[[0, 0], [0, 2], [1, 1], [1, 2]];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<4>(&rt::compact::numbers::<8>(&[(
+                        1,
+                        &[0, 0, 0, 2, 1, 1, 1, 2],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 4];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -844,7 +854,7 @@ mod plm_arm_on_jack_ {
 
         impl<S: Real> rt::Linear for ArmOnJack<S> {
             type Lifted<const K: usize> = ArmOnJack<rt::Dual<S, K>>;
-            type Derivatives = rt::linalg::Sparse<S, Augmented, 26, 34, 9>;
+            type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 26, 34, 9>;
 
             fn lift<const K: usize>(
                 &self,
@@ -1187,11 +1197,13 @@ mod plm_arm_on_jack_ {
             const DECLARATION: &'static str = "/// The arm of the manual, section 3.2.1.\npub ArmOnJack {\n    /// Acceleration of gravity; the manual's other runs had 9.80665 m/s^2.\n    param g: m/s^2 = 9.81 m/s^2;\n    /// Pressure drop at which the valve lets 20 L/min through: not in the manual.\n    param rated_drop: bar = 1 bar;\n    /// Share of undissolved gas in the oil: not in the manual.\n    param gas: 1 = 0;\n\n    gravity: g;\n    ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }\n    body arm {\n        mass: 100 kg;\n        inertia: 0.01 kg*m^2;\n        port tip: (0.2, 0) m;\n        port jack: (-0.5, 0) m;\n        port o0: (-0.8, 0) m;\n        start angle: 20 deg, locked;\n    }\n    revolute hinge(ground.o0, arm.o0);\n    jack ram(ground.foot, arm.jack) { free_length: 0.22 m; }\n\n    cylinder press(ram.slider) {\n        piston_diameter: 50 mm;\n        rod_diameter: 30 mm;\n        stroke: 0.35 m;\n        friction: 1000 N/(m/s);\n        chamber1.oil.gas_content: gas;\n        chamber2.oil.gas_content: gas;\n        chamber2.pressure: 5 bar, locked;\n    }\n    oil_line line1(press.port1) { inlet.oil.gas_content: gas; }\n    oil_line line2(press.port2) { inlet.oil.gas_content: gas; inlet.pressure: 5 bar; }\n    servo_valve valve(pump.port, line1.port, line2.port, tank.port) {\n        signal: -0.2*command.value;\n        rated_drop: rated_drop;\n        frequency: 20 Hz;\n    }\n    oil_source pump() { pressure: 30 bar; }\n    oil_tank tank() { pressure: 5 bar; }\n    ramps command() {\n        duration1: 0.5 s;\n        duration2: 0.5 s; end2: 1;\n        duration3: 0.5 s; start3: 1; end3: 1;\n        duration4: 1 s; start4: 1;\n    }\n\n    output press.chamber1.pressure, press.chamber2.pressure, ram.length;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    100.0, 0.01, 0.0, 0.2, 0.0, 0.0, -0.5, 0.0, 0.0, -0.8, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-                    -0.25, 0.0, 0.0, 0.0, 0.22, 0.0, 0.0,
-                ];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[
+                        100.0, 0.01, 0.0, 0.2, 0.0, 0.0, -0.5, 0.0, 0.0, -0.8, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+                        0.0, -0.25, 0.0, 0.0, 0.0, 0.22, 0.0, 0.0,
+                    ]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -1287,8 +1299,9 @@ mod plm_arm_on_jack_ {
             type Full = [S; 14];
             type Rows = [S; 2];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &["arm.x", "arm.y", "arm.angle"];
-            const ROWS: &'static [&'static str] = &["hinge.x", "hinge.y"];
+            const COORDINATES: &'static [&'static str] =
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[
                 ("press.chamber1.pressure", "Pa"),
                 ("press.chamber2.pressure", "Pa"),
@@ -1878,116 +1891,69 @@ mod plm_arm_on_jack_ {
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
-        pub struct Augmented;
+        pub struct Augmented<S>(core::marker::PhantomData<S>);
 
-        impl rt::linalg::Patterned for Augmented {
-            const PATTERN: rt::linalg::Pattern = {
-                use rt::linalg::Part::{
-                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
-                };
-                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
-                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
-                    Term { coefficient, row, column, entry, part }
-                }
-
-                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
-                    Pivot { row, entry, below, right, targets }
-                }
-
-                const fn b(row: u32, entry: u32, across: u32) -> Below {
-                    Below { row, entry, across }
-                }
-                Pattern {
-                    coordinates: 1,
-                    states: 8,
-                    terms: const {
+        impl<S: Real> rt::linalg::Patterned for Augmented<S> {
+            const PATTERN: rt::linalg::Pattern = rt::linalg::Pattern {
+                coordinates: 1,
+                states: 8,
+                terms: const {
+                    &rt::compact::terms::<36>(&rt::compact::numbers::<180>(&[(
+                        1,
                         &[
-                            t(0, 0, 0, 3, P),
-                            t(1, 0, 0, 3, V),
-                            t(2, 0, 0, 3, A),
-                            t(3, 0, 1, 6, N),
-                            t(4, 0, 2, 7, N),
-                            t(5, 1, 0, 4, P),
-                            t(6, 1, 0, 4, V),
-                            t(7, 1, 1, 8, N),
-                            t(8, 1, 1, 8, R),
-                            t(9, 1, 3, 12, N),
-                            t(10, 2, 0, 5, P),
-                            t(11, 2, 0, 5, V),
-                            t(12, 2, 2, 13, N),
-                            t(8, 2, 2, 13, R),
-                            t(13, 2, 5, 17, N),
-                            t(14, 3, 1, 10, N),
-                            t(15, 3, 3, 18, N),
-                            t(8, 3, 3, 18, R),
-                            t(16, 3, 4, 21, N),
-                            t(17, 4, 3, 19, N),
-                            t(18, 4, 4, 23, N),
-                            t(8, 4, 4, 23, R),
-                            t(19, 4, 7, 26, N),
-                            t(14, 5, 2, 15, N),
-                            t(15, 5, 5, 27, N),
-                            t(8, 5, 5, 27, R),
-                            t(16, 5, 6, 29, N),
-                            t(20, 6, 5, 28, N),
-                            t(21, 6, 6, 31, N),
-                            t(8, 6, 6, 31, R),
-                            t(22, 6, 7, 32, N),
-                            t(8, 7, 7, 33, R),
-                            t(23, 7, 8, 1, N),
-                            t(24, 8, 7, 2, N),
-                            t(25, 8, 8, 0, N),
-                            t(8, 8, 8, 0, R),
-                        ]
-                    },
-                    pivots: const {
+                            0, 0, 0, 3, 2, 1, 0, 0, 3, 3, 2, 0, 0, 3, 4, 3, 0, 1, 6, 0, 4, 0, 2, 7, 0, 5, 1,
+                            0, 4, 2, 6, 1, 0, 4, 3, 7, 1, 1, 8, 0, 8, 1, 1, 8, 1, 9, 1, 3, 12, 0, 10, 2, 0,
+                            5, 2, 11, 2, 0, 5, 3, 12, 2, 2, 13, 0, 8, 2, 2, 13, 1, 13, 2, 5, 17, 0, 14, 3, 1,
+                            10, 0, 15, 3, 3, 18, 0, 8, 3, 3, 18, 1, 16, 3, 4, 21, 0, 17, 4, 3, 19, 0, 18, 4,
+                            4, 23, 0, 8, 4, 4, 23, 1, 19, 4, 7, 26, 0, 14, 5, 2, 15, 0, 15, 5, 5, 27, 0, 8,
+                            5, 5, 27, 1, 16, 5, 6, 29, 0, 20, 6, 5, 28, 0, 21, 6, 6, 31, 0, 8, 6, 6, 31, 1,
+                            22, 6, 7, 32, 0, 8, 7, 7, 33, 1, 23, 7, 8, 1, 0, 24, 8, 7, 2, 0, 25, 8, 8, 0, 0,
+                            8, 8, 8, 0, 1,
+                        ],
+                        &[],
+                    )]))
+                },
+                pivots: const {
+                    &rt::compact::pivots::<9>(&rt::compact::numbers::<63>(&[
+                        (1, &[8, 0, 0, 1, 0, 1, 0, 0, 3, 1], &[]),
+                        (4, &[3, 1, 3, 1, 1, 8, 3], &[2, 2, 2, 4, 1, 5, 2]),
+                        (
+                            1,
+                            &[
+                                10, 9, 11, 17, 5, 27, 10, 11, 11, 13, 19, 6, 31, 11, 11, 13, 14, 21, 7, 33,
+                                11, 11, 14, 14, 21,
+                            ],
+                            &[],
+                        ),
+                    ]))
+                },
+                below: const {
+                    &rt::compact::below::<11>(&rt::compact::numbers::<33>(&[(
+                        1,
                         &[
-                            p(8, 0, [0, 1], [0, 1], 0),
-                            p(0, 3, [1, 3], [1, 3], 1),
-                            p(1, 8, [3, 5], [3, 5], 5),
-                            p(2, 13, [5, 7], [5, 7], 9),
-                            p(3, 18, [7, 9], [7, 9], 13),
-                            p(4, 23, [9, 10], [9, 11], 17),
-                            p(5, 27, [10, 11], [11, 13], 19),
-                            p(6, 31, [11, 11], [13, 14], 21),
-                            p(7, 33, [11, 11], [14, 14], 21),
-                        ]
-                    },
-                    below: const {
+                            7, 1, 2, 1, 4, 6, 2, 5, 7, 2, 9, 11, 3, 10, 12, 3, 14, 16, 5, 15, 17, 4, 19, 21,
+                            5, 20, 22, 5, 24, 25, 6, 28, 29,
+                        ],
+                        &[],
+                    )]))
+                },
+                right: const {
+                    &rt::compact::pairs::<14>(&rt::compact::numbers::<28>(&[(
+                        1,
                         &[
-                            b(7, 1, 2),
-                            b(1, 4, 6),
-                            b(2, 5, 7),
-                            b(2, 9, 11),
-                            b(3, 10, 12),
-                            b(3, 14, 16),
-                            b(5, 15, 17),
-                            b(4, 19, 21),
-                            b(5, 20, 22),
-                            b(5, 24, 25),
-                            b(6, 28, 29),
-                        ]
-                    },
-                    right: &[
-                        [7, 2],
-                        [1, 6],
-                        [2, 7],
-                        [2, 11],
-                        [3, 12],
-                        [3, 16],
-                        [5, 17],
-                        [4, 21],
-                        [5, 22],
-                        [5, 25],
-                        [7, 26],
-                        [6, 29],
-                        [7, 30],
-                        [7, 32],
-                    ],
-                    targets: &[
-                        33, 8, 11, 9, 13, 13, 16, 14, 18, 18, 22, 20, 27, 23, 25, 24, 27, 27, 30, 31, 32,
-                    ],
-                }
+                            7, 2, 1, 6, 2, 7, 2, 11, 3, 12, 3, 16, 5, 17, 4, 21, 5, 22, 5, 25, 7, 26, 6, 29,
+                            7, 30, 7, 32,
+                        ],
+                        &[],
+                    )]))
+                },
+                targets: const {
+                    &rt::compact::numbers::<21>(&[(
+                        1,
+                        &[33, 8, 11, 9, 13, 13, 16, 14, 18, 18, 22, 20, 27, 23, 25, 24, 27, 27, 30, 31, 32],
+                        &[],
+                    )])
+                },
             };
         }
 

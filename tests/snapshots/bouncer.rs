@@ -405,21 +405,21 @@ mod plm_bouncer_ {
             }
 
             fn typical(&self) -> [S; 4] {
-                [1.0, 1.0, 1.0, 1.0].map(S::lit)
+                [1.0; 4].map(S::lit)
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &["rail", "other", "rail", "other"];
-                match PARTS.get(index) {
+                let parts: &[&str] = const { &["rail", "other", "rail", "other"] };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] =
-                    &["rail.displacement", "other.displacement", "rail.speed", "other.speed"];
-                match NAMES.get(index) {
+                let names: &[&str] =
+                    const { &["rail.displacement", "other.displacement", "rail.speed", "other.speed"] };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -571,10 +571,16 @@ mod plm_bouncer_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[[0, 1], [1, 2], [2, 4], [3, 5]];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<4>(&rt::compact::numbers::<8>(&[(
+                        1,
+                        &[0, 1, 1, 2, 2, 4, 3, 5],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 4];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -719,7 +725,7 @@ mod plm_bouncer_ {
 
         impl<S: Real> rt::Linear for Bouncer<S> {
             type Lifted<const K: usize> = Bouncer<rt::Dual<S, K>>;
-            type Derivatives = rt::linalg::Sparse<S, Augmented, 3, 2, 2>;
+            type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 3, 2, 2>;
 
             fn lift<const K: usize>(
                 &self,
@@ -870,9 +876,10 @@ mod plm_bouncer_ {
             const DECLARATION: &'static str = "/// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.\npub Bouncer {\n    /// When the pulse ends.\n    param until: s = 0.7 s;\n    input push: N = 0 N;\n    ground { port o: (0, 0) m; }\n    body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 1 m; }\n    body clock { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }\n    prismatic rail(ground.o, block.o);\n    prismatic other(ground.o, clock.o);\n    force back(block.o) { x: if block.x < 0 m then 4 N else -2 N; }\n    force pulse(clock.o) { x: push + (if t < 0.3 s then 0 N else if t < until then 3 N else 0 N); }\n    force stop(clock.o) { x: if clock.x < 100 m then 0 N else -10 N/m*(clock.x - 100 m); }\n    require near: block.x < 10 m;\n    output block.x;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] =
-                    &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -957,9 +964,8 @@ mod plm_bouncer_ {
             type Rows = [S; 4];
             type Starts = Starts<S>;
             const COORDINATES: &'static [&'static str] =
-                &["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
-            const ROWS: &'static [&'static str] =
-                &["rail.normal", "rail.angle", "other.normal", "other.angle"];
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 12] {
                 state.absolute_()
@@ -1095,34 +1101,29 @@ mod plm_bouncer_ {
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
-        pub struct Augmented;
+        pub struct Augmented<S>(core::marker::PhantomData<S>);
 
-        impl rt::linalg::Patterned for Augmented {
-            const PATTERN: rt::linalg::Pattern = {
-                use rt::linalg::Part::{
-                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
-                };
-                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
-                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
-                    Term { coefficient, row, column, entry, part }
-                }
-
-                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
-                    Pivot { row, entry, below, right, targets }
-                }
-
-                const fn b(row: u32, entry: u32, across: u32) -> Below {
-                    Below { row, entry, across }
-                }
-                Pattern {
-                    coordinates: 2,
-                    states: 0,
-                    terms: const { &[t(0, 0, 0, 0, A), t(1, 1, 1, 1, P), t(2, 1, 1, 1, A)] },
-                    pivots: const { &[p(0, 0, [0, 0], [0, 0], 0), p(1, 1, [0, 0], [0, 0], 0)] },
-                    below: const { &[] },
-                    right: &[],
-                    targets: &[],
-                }
+        impl<S: Real> rt::linalg::Patterned for Augmented<S> {
+            const PATTERN: rt::linalg::Pattern = rt::linalg::Pattern {
+                coordinates: 2,
+                states: 0,
+                terms: const {
+                    &rt::compact::terms::<3>(&rt::compact::numbers::<15>(&[(
+                        1,
+                        &[0, 0, 0, 0, 4, 1, 1, 1, 1, 2, 2, 1, 1, 1, 4],
+                        &[],
+                    )]))
+                },
+                pivots: const {
+                    &rt::compact::pivots::<2>(&rt::compact::numbers::<14>(&[(
+                        1,
+                        &[0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0],
+                        &[],
+                    )]))
+                },
+                below: const { &rt::compact::below::<0>(&rt::compact::numbers::<0>(&[])) },
+                right: const { &rt::compact::pairs::<0>(&rt::compact::numbers::<0>(&[])) },
+                targets: const { &rt::compact::numbers::<0>(&[]) },
             };
         }
 

@@ -492,34 +492,38 @@ mod plm_chain_ {
             }
 
             fn typical(&self) -> [S; 10] {
-                [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0].map(S::lit)
+                [1.0; 10].map(S::lit)
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &[
-                    "bar[0]", "bar[1]", "bar[2]", "bar[3]", "bar[4]", "bar[0]", "bar[1]", "bar[2]", "bar[3]",
-                    "bar[4]",
-                ];
-                match PARTS.get(index) {
+                let parts: &[&str] = const {
+                    &[
+                        "bar[0]", "bar[1]", "bar[2]", "bar[3]", "bar[4]", "bar[0]", "bar[1]", "bar[2]",
+                        "bar[3]", "bar[4]",
+                    ]
+                };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[
-                    "bar[0].angle",
-                    "bar[1].angle",
-                    "bar[2].angle",
-                    "bar[3].angle",
-                    "bar[4].angle",
-                    "bar[0].omega",
-                    "bar[1].omega",
-                    "bar[2].omega",
-                    "bar[3].omega",
-                    "bar[4].omega",
-                ];
-                match NAMES.get(index) {
+                let names: &[&str] = const {
+                    &[
+                        "bar[0].angle",
+                        "bar[1].angle",
+                        "bar[2].angle",
+                        "bar[3].angle",
+                        "bar[4].angle",
+                        "bar[0].omega",
+                        "bar[1].omega",
+                        "bar[2].omega",
+                        "bar[3].omega",
+                        "bar[4].omega",
+                    ]
+                };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -703,8 +707,7 @@ mod plm_chain_ {
                 "bar[4].y",
                 "bar[4].angle",
             ];
-            const ANGULAR: [bool; 10] =
-                [false, false, false, false, false, false, false, false, false, false];
+            const ANGULAR: [bool; 10] = [false; 10];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 26 add, 10 mul, 5 sin_cos.
@@ -803,47 +806,20 @@ mod plm_chain_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 15], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[
-                    [0, 0],
-                    [0, 2],
-                    [1, 1],
-                    [1, 2],
-                    [2, 0],
-                    [2, 2],
-                    [2, 3],
-                    [2, 5],
-                    [3, 1],
-                    [3, 2],
-                    [3, 4],
-                    [3, 5],
-                    [4, 3],
-                    [4, 5],
-                    [4, 6],
-                    [4, 8],
-                    [5, 4],
-                    [5, 5],
-                    [5, 7],
-                    [5, 8],
-                    [6, 6],
-                    [6, 8],
-                    [6, 9],
-                    [6, 11],
-                    [7, 7],
-                    [7, 8],
-                    [7, 10],
-                    [7, 11],
-                    [8, 9],
-                    [8, 11],
-                    [8, 12],
-                    [8, 14],
-                    [9, 10],
-                    [9, 11],
-                    [9, 13],
-                    [9, 14],
-                ];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<36>(&rt::compact::numbers::<72>(&[
+                        (1, &[0, 0, 0, 2, 1, 1], &[]),
+                        (
+                            4,
+                            &[1, 2, 2, 0, 2, 2, 2, 3, 2, 5, 3, 1, 3, 2, 3, 4],
+                            &[2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3],
+                        ),
+                        (1, &[9, 14], &[]),
+                    ]))
+                };
                 let mut entries = [S::lit(0.0); 36];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -1217,7 +1193,7 @@ mod plm_chain_ {
 
         impl<S: Real> rt::Linear for Chain<S> {
             type Lifted<const K: usize> = Chain<rt::Dual<S, K>>;
-            type Derivatives = rt::linalg::Sparse<S, Augmented, 61, 25, 5>;
+            type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 61, 25, 5>;
 
             fn lift<const K: usize>(&self, held: &Held<S>) -> (Chain<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
                 use rt::lanes::Pack;
@@ -1362,63 +1338,65 @@ mod plm_chain_ {
             const DECLARATION: &'static str = "/// A chain of five bars: elimination body by body.\npub Chain {\n    gravity: 9.81 m/s^2;\n    ground { port o: (0, 0) m; }\n    repeat i in 0..5 {\n        body bar[i] { mass: 1 kg; inertia: 1 kg*m^2/12; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg*i; }\n    }\n    revolute first(ground.o, bar[0].a) { damping: 0.1 N*m*s/rad; }\n    repeat i in 1..5 {\n        revolute pin[i](bar[i - 1].b, bar[i].a);\n    }\n    output bar[4].b.y;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    1.0,
-                    0.08333333333333333,
-                    0.0,
-                    -0.5,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.0,
-                    0.0,
-                    1.0,
-                    0.08333333333333333,
-                    0.0,
-                    -0.5,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.0,
-                    0.0,
-                    1.0,
-                    0.08333333333333333,
-                    0.0,
-                    -0.5,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.0,
-                    0.0,
-                    1.0,
-                    0.08333333333333333,
-                    0.0,
-                    -0.5,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.0,
-                    0.0,
-                    1.0,
-                    0.08333333333333333,
-                    0.0,
-                    -0.5,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                ];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[
+                        1.0,
+                        0.08333333333333333,
+                        0.0,
+                        -0.5,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.0,
+                        0.0,
+                        1.0,
+                        0.08333333333333333,
+                        0.0,
+                        -0.5,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.0,
+                        0.0,
+                        1.0,
+                        0.08333333333333333,
+                        0.0,
+                        -0.5,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.0,
+                        0.0,
+                        1.0,
+                        0.08333333333333333,
+                        0.0,
+                        -0.5,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.0,
+                        0.0,
+                        1.0,
+                        0.08333333333333333,
+                        0.0,
+                        -0.5,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -1521,27 +1499,9 @@ mod plm_chain_ {
             type Full = [S; 30];
             type Rows = [S; 10];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &[
-                "bar[0].x",
-                "bar[0].y",
-                "bar[0].angle",
-                "bar[1].x",
-                "bar[1].y",
-                "bar[1].angle",
-                "bar[2].x",
-                "bar[2].y",
-                "bar[2].angle",
-                "bar[3].x",
-                "bar[3].y",
-                "bar[3].angle",
-                "bar[4].x",
-                "bar[4].y",
-                "bar[4].angle",
-            ];
-            const ROWS: &'static [&'static str] = &[
-                "first.x", "first.y", "pin[1].x", "pin[1].y", "pin[2].x", "pin[2].y", "pin[3].x", "pin[3].y",
-                "pin[4].x", "pin[4].y",
-            ];
+            const COORDINATES: &'static [&'static str] =
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 30] {
                 {
@@ -2023,143 +1983,78 @@ mod plm_chain_ {
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
-        pub struct Augmented;
+        pub struct Augmented<S>(core::marker::PhantomData<S>);
 
-        impl rt::linalg::Patterned for Augmented {
-            const PATTERN: rt::linalg::Pattern = {
-                use rt::linalg::Part::{
-                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
-                };
-                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
-                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
-                    Term { coefficient, row, column, entry, part }
-                }
-
-                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
-                    Pivot { row, entry, below, right, targets }
-                }
-
-                const fn b(row: u32, entry: u32, across: u32) -> Below {
-                    Below { row, entry, across }
-                }
-                Pattern {
-                    coordinates: 5,
-                    states: 0,
-                    terms: const {
+        impl<S: Real> rt::linalg::Patterned for Augmented<S> {
+            const PATTERN: rt::linalg::Pattern = rt::linalg::Pattern {
+                coordinates: 5,
+                states: 0,
+                terms: const {
+                    &rt::compact::terms::<71>(&rt::compact::numbers::<355>(&[
+                        (1, &[0, 0, 0, 0, 2, 1, 0, 0, 0, 3, 2, 0, 0, 0, 4], &[]),
+                        (
+                            4,
+                            &[3, 0, 1, 5, 2, 4, 0, 1, 5, 3, 5, 0, 1, 5, 4],
+                            &[3, 0, 1, 1, 0, 3, 0, 1, 1, 0, 3, 0, 1, 1, 0],
+                        ),
+                        (
+                            1,
+                            &[
+                                15, 1, 0, 1, 2, 16, 1, 0, 1, 3, 5, 1, 0, 1, 4, 17, 1, 1, 9, 2, 18, 1, 1, 9,
+                                4, 19, 1, 2, 13, 2, 20, 1, 2, 13, 3, 21, 1, 2, 13, 4, 22, 1, 3, 14, 2, 23, 1,
+                                3, 14, 3, 24, 1, 3, 14, 4, 25, 1, 4, 15, 2, 26, 1, 4, 15, 3, 27, 1, 4, 15, 4,
+                                28, 2, 0, 2, 2, 29, 2, 0, 2, 3, 8, 2, 0, 2, 4, 30, 2, 1, 10, 2, 31, 2, 1, 10,
+                                3, 21, 2, 1, 10, 4, 32, 2, 2, 16, 2, 33, 2, 2, 16, 4, 34, 2, 3, 19, 2, 35, 2,
+                                3, 19, 3, 36, 2, 3, 19, 4, 37, 2, 4, 20, 2, 38, 2, 4, 20, 3, 39, 2, 4, 20, 4,
+                                40, 3, 0, 3, 2, 41, 3, 0, 3, 3, 11, 3, 0, 3, 4, 42, 3, 1, 11, 2, 43, 3, 1,
+                                11, 3, 24, 3, 1, 11, 4, 44, 3, 2, 17, 2, 45, 3, 2, 17, 3, 36, 3, 2, 17, 4,
+                                46, 3, 3, 21, 2, 47, 3, 3, 21, 4, 48, 3, 4, 23, 2, 49, 3, 4, 23, 3, 50, 3, 4,
+                                23, 4, 51, 4, 0, 4, 2, 52, 4, 0, 4, 3, 14, 4, 0, 4, 4, 53, 4, 1, 12, 2, 54,
+                                4, 1, 12, 3, 27, 4, 1, 12, 4, 55, 4, 2, 18, 2, 56, 4, 2, 18, 3, 39, 4, 2, 18,
+                                4, 57, 4, 3, 22, 2, 58, 4, 3, 22, 3, 50, 4, 3, 22, 4, 59, 4, 4, 24, 2, 60, 4,
+                                4, 24, 4,
+                            ],
+                            &[],
+                        ),
+                    ]))
+                },
+                pivots: const {
+                    &rt::compact::pivots::<5>(&rt::compact::numbers::<35>(&[(
+                        1,
                         &[
-                            t(0, 0, 0, 0, P),
-                            t(1, 0, 0, 0, V),
-                            t(2, 0, 0, 0, A),
-                            t(3, 0, 1, 5, P),
-                            t(4, 0, 1, 5, V),
-                            t(5, 0, 1, 5, A),
-                            t(6, 0, 2, 6, P),
-                            t(7, 0, 2, 6, V),
-                            t(8, 0, 2, 6, A),
-                            t(9, 0, 3, 7, P),
-                            t(10, 0, 3, 7, V),
-                            t(11, 0, 3, 7, A),
-                            t(12, 0, 4, 8, P),
-                            t(13, 0, 4, 8, V),
-                            t(14, 0, 4, 8, A),
-                            t(15, 1, 0, 1, P),
-                            t(16, 1, 0, 1, V),
-                            t(5, 1, 0, 1, A),
-                            t(17, 1, 1, 9, P),
-                            t(18, 1, 1, 9, A),
-                            t(19, 1, 2, 13, P),
-                            t(20, 1, 2, 13, V),
-                            t(21, 1, 2, 13, A),
-                            t(22, 1, 3, 14, P),
-                            t(23, 1, 3, 14, V),
-                            t(24, 1, 3, 14, A),
-                            t(25, 1, 4, 15, P),
-                            t(26, 1, 4, 15, V),
-                            t(27, 1, 4, 15, A),
-                            t(28, 2, 0, 2, P),
-                            t(29, 2, 0, 2, V),
-                            t(8, 2, 0, 2, A),
-                            t(30, 2, 1, 10, P),
-                            t(31, 2, 1, 10, V),
-                            t(21, 2, 1, 10, A),
-                            t(32, 2, 2, 16, P),
-                            t(33, 2, 2, 16, A),
-                            t(34, 2, 3, 19, P),
-                            t(35, 2, 3, 19, V),
-                            t(36, 2, 3, 19, A),
-                            t(37, 2, 4, 20, P),
-                            t(38, 2, 4, 20, V),
-                            t(39, 2, 4, 20, A),
-                            t(40, 3, 0, 3, P),
-                            t(41, 3, 0, 3, V),
-                            t(11, 3, 0, 3, A),
-                            t(42, 3, 1, 11, P),
-                            t(43, 3, 1, 11, V),
-                            t(24, 3, 1, 11, A),
-                            t(44, 3, 2, 17, P),
-                            t(45, 3, 2, 17, V),
-                            t(36, 3, 2, 17, A),
-                            t(46, 3, 3, 21, P),
-                            t(47, 3, 3, 21, A),
-                            t(48, 3, 4, 23, P),
-                            t(49, 3, 4, 23, V),
-                            t(50, 3, 4, 23, A),
-                            t(51, 4, 0, 4, P),
-                            t(52, 4, 0, 4, V),
-                            t(14, 4, 0, 4, A),
-                            t(53, 4, 1, 12, P),
-                            t(54, 4, 1, 12, V),
-                            t(27, 4, 1, 12, A),
-                            t(55, 4, 2, 18, P),
-                            t(56, 4, 2, 18, V),
-                            t(39, 4, 2, 18, A),
-                            t(57, 4, 3, 22, P),
-                            t(58, 4, 3, 22, V),
-                            t(50, 4, 3, 22, A),
-                            t(59, 4, 4, 24, P),
-                            t(60, 4, 4, 24, A),
-                        ]
-                    },
-                    pivots: const {
+                            0, 0, 0, 4, 0, 4, 0, 1, 9, 4, 7, 4, 7, 16, 2, 16, 7, 9, 7, 9, 25, 3, 21, 9, 10,
+                            9, 10, 29, 4, 24, 10, 10, 10, 10, 30,
+                        ],
+                        &[],
+                    )]))
+                },
+                below: const {
+                    &rt::compact::below::<10>(&rt::compact::numbers::<30>(&[(
+                        1,
                         &[
-                            p(0, 0, [0, 4], [0, 4], 0),
-                            p(1, 9, [4, 7], [4, 7], 16),
-                            p(2, 16, [7, 9], [7, 9], 25),
-                            p(3, 21, [9, 10], [9, 10], 29),
-                            p(4, 24, [10, 10], [10, 10], 30),
-                        ]
-                    },
-                    below: const {
+                            1, 1, 5, 2, 2, 6, 3, 3, 7, 4, 4, 8, 2, 10, 13, 3, 11, 14, 4, 12, 15, 3, 17, 19,
+                            4, 18, 20, 4, 22, 23,
+                        ],
+                        &[],
+                    )]))
+                },
+                right: const {
+                    &rt::compact::pairs::<10>(&rt::compact::numbers::<20>(&[(
+                        1,
+                        &[1, 5, 2, 6, 3, 7, 4, 8, 2, 13, 3, 14, 4, 15, 3, 19, 4, 20, 4, 23],
+                        &[],
+                    )]))
+                },
+                targets: const {
+                    &rt::compact::numbers::<30>(&[(
+                        1,
                         &[
-                            b(1, 1, 5),
-                            b(2, 2, 6),
-                            b(3, 3, 7),
-                            b(4, 4, 8),
-                            b(2, 10, 13),
-                            b(3, 11, 14),
-                            b(4, 12, 15),
-                            b(3, 17, 19),
-                            b(4, 18, 20),
-                            b(4, 22, 23),
-                        ]
-                    },
-                    right: &[
-                        [1, 5],
-                        [2, 6],
-                        [3, 7],
-                        [4, 8],
-                        [2, 13],
-                        [3, 14],
-                        [4, 15],
-                        [3, 19],
-                        [4, 20],
-                        [4, 23],
-                    ],
-                    targets: &[
-                        9, 13, 14, 15, 10, 16, 19, 20, 11, 17, 21, 23, 12, 18, 22, 24, 16, 19, 20, 17, 21,
-                        23, 18, 22, 24, 21, 23, 22, 24, 24,
-                    ],
-                }
+                            9, 13, 14, 15, 10, 16, 19, 20, 11, 17, 21, 23, 12, 18, 22, 24, 16, 19, 20, 17,
+                            21, 23, 18, 22, 24, 21, 23, 22, 24, 24,
+                        ],
+                        &[],
+                    )])
+                },
             };
         }
     }

@@ -391,20 +391,20 @@ mod plm_double_pendulum_ {
             }
 
             fn typical(&self) -> [S; 4] {
-                [1.0, 1.0, 1.0, 1.0].map(S::lit)
+                [1.0; 4].map(S::lit)
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &["arm", "forearm", "arm", "forearm"];
-                match PARTS.get(index) {
+                let parts: &[&str] = const { &["arm", "forearm", "arm", "forearm"] };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &["arm.angle", "forearm.angle", "arm.omega", "forearm.omega"];
-                match NAMES.get(index) {
+                let names: &[&str] = const { &["arm.angle", "forearm.angle", "arm.omega", "forearm.omega"] };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -530,7 +530,7 @@ mod plm_double_pendulum_ {
             const PARTS: [&'static str; 4] = ["shoulder", "shoulder", "elbow", "elbow"];
             const COORDINATES: [&'static str; 6] =
                 ["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
-            const ANGULAR: [bool; 4] = [false, false, false, false];
+            const ANGULAR: [bool; 4] = [false; 4];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 8 add, 2 mul, 2 sin_cos.
@@ -569,23 +569,16 @@ mod plm_double_pendulum_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 6], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[
-                    [0, 0],
-                    [0, 2],
-                    [1, 1],
-                    [1, 2],
-                    [2, 0],
-                    [2, 2],
-                    [2, 3],
-                    [2, 5],
-                    [3, 1],
-                    [3, 2],
-                    [3, 4],
-                    [3, 5],
-                ];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<12>(&rt::compact::numbers::<24>(&[(
+                        1,
+                        &[0, 0, 0, 2, 1, 1, 1, 2, 2, 0, 2, 2, 2, 3, 2, 5, 3, 1, 3, 2, 3, 4, 3, 5],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 12];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -799,7 +792,7 @@ mod plm_double_pendulum_ {
 
         impl<S: Real> rt::Linear for DoublePendulum<S> {
             type Lifted<const K: usize> = DoublePendulum<rt::Dual<S, K>>;
-            type Derivatives = rt::linalg::Sparse<S, Augmented, 11, 4, 2>;
+            type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 11, 4, 2>;
 
             fn lift<const K: usize>(
                 &self,
@@ -965,11 +958,13 @@ mod plm_double_pendulum_ {
             const DECLARATION: &'static str = "/// The double pendulum of the manual, section 2.2.\npub DoublePendulum {\n    gravity: 9.81 m/s^2;\n\n    ground { port o0: (0, 0) m; }\n\n    body arm {\n        mass: 10 kg;\n        inertia: 0.01 kg*m^2;\n        port o0:  (-0.5, 0) m;\n        port p12: ( 0.5, 0) m;\n        start angle: 45 deg, locked;\n    }\n    body forearm {\n        mass: 10 kg;\n        inertia: 0.01 kg*m^2;\n        port p12: (-1, 0) m;\n        start angle: 0 deg, locked;\n    }\n\n    revolute shoulder(ground.o0, arm.o0)    { damping: 1 N*m/(rev/min); }\n    revolute elbow(arm.p12, forearm.p12)    { damping: 1 N*m/(rev/min); }\n\n    output arm.angle in deg, forearm.angle in deg, shoulder.force, elbow.force;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    10.0, 0.01, 0.0, -0.5, 0.0, 0.0, 0.5, 0.0, 0.0, 10.0, 0.01, 0.0, -1.0, 0.0, 0.0, 0.0,
-                    0.0, 0.0, 0.0, 0.0, 0.0,
-                ];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[
+                        10.0, 0.01, 0.0, -0.5, 0.0, 0.0, 0.5, 0.0, 0.0, 10.0, 0.01, 0.0, -1.0, 0.0, 0.0, 0.0,
+                        0.0, 0.0, 0.0, 0.0, 0.0,
+                    ]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -1043,8 +1038,8 @@ mod plm_double_pendulum_ {
             type Rows = [S; 4];
             type Starts = Starts<S>;
             const COORDINATES: &'static [&'static str] =
-                &["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
-            const ROWS: &'static [&'static str] = &["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 12] {
                 {
@@ -1258,49 +1253,33 @@ mod plm_double_pendulum_ {
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
-        pub struct Augmented;
+        pub struct Augmented<S>(core::marker::PhantomData<S>);
 
-        impl rt::linalg::Patterned for Augmented {
-            const PATTERN: rt::linalg::Pattern = {
-                use rt::linalg::Part::{
-                    Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V,
-                };
-                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
-                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
-                    Term { coefficient, row, column, entry, part }
-                }
-
-                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
-                    Pivot { row, entry, below, right, targets }
-                }
-
-                const fn b(row: u32, entry: u32, across: u32) -> Below {
-                    Below { row, entry, across }
-                }
-                Pattern {
-                    coordinates: 2,
-                    states: 0,
-                    terms: const {
+        impl<S: Real> rt::linalg::Patterned for Augmented<S> {
+            const PATTERN: rt::linalg::Pattern = rt::linalg::Pattern {
+                coordinates: 2,
+                states: 0,
+                terms: const {
+                    &rt::compact::terms::<12>(&rt::compact::numbers::<60>(&[(
+                        1,
                         &[
-                            t(0, 0, 0, 0, P),
-                            t(1, 0, 0, 0, V),
-                            t(2, 0, 0, 0, A),
-                            t(3, 0, 1, 2, P),
-                            t(4, 0, 1, 2, V),
-                            t(5, 0, 1, 2, A),
-                            t(6, 1, 0, 1, P),
-                            t(7, 1, 0, 1, V),
-                            t(5, 1, 0, 1, A),
-                            t(8, 1, 1, 3, P),
-                            t(9, 1, 1, 3, V),
-                            t(10, 1, 1, 3, A),
-                        ]
-                    },
-                    pivots: const { &[p(0, 0, [0, 1], [0, 1], 0), p(1, 3, [1, 1], [1, 1], 1)] },
-                    below: const { &[b(1, 1, 2)] },
-                    right: &[[1, 2]],
-                    targets: &[3],
-                }
+                            0, 0, 0, 0, 2, 1, 0, 0, 0, 3, 2, 0, 0, 0, 4, 3, 0, 1, 2, 2, 4, 0, 1, 2, 3, 5, 0,
+                            1, 2, 4, 6, 1, 0, 1, 2, 7, 1, 0, 1, 3, 5, 1, 0, 1, 4, 8, 1, 1, 3, 2, 9, 1, 1, 3,
+                            3, 10, 1, 1, 3, 4,
+                        ],
+                        &[],
+                    )]))
+                },
+                pivots: const {
+                    &rt::compact::pivots::<2>(&rt::compact::numbers::<14>(&[(
+                        1,
+                        &[0, 0, 0, 1, 0, 1, 0, 1, 3, 1, 1, 1, 1, 1],
+                        &[],
+                    )]))
+                },
+                below: const { &rt::compact::below::<1>(&rt::compact::numbers::<3>(&[(1, &[1, 1, 2], &[])])) },
+                right: const { &rt::compact::pairs::<1>(&rt::compact::numbers::<2>(&[(1, &[1, 2], &[])])) },
+                targets: const { &rt::compact::numbers::<1>(&[(1, &[3], &[])]) },
             };
         }
     }

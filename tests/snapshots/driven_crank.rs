@@ -463,16 +463,16 @@ mod plm_driven_crank_ {
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &[];
-                match PARTS.get(index) {
+                let parts: &[&str] = const { &[] };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[];
-                match NAMES.get(index) {
+                let names: &[&str] = const { &[] };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -793,32 +793,19 @@ mod plm_driven_crank_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[
-                    [0, 0],
-                    [0, 2],
-                    [1, 1],
-                    [1, 2],
-                    [2, 0],
-                    [2, 2],
-                    [2, 3],
-                    [2, 5],
-                    [3, 1],
-                    [3, 2],
-                    [3, 4],
-                    [3, 5],
-                    [4, 3],
-                    [4, 5],
-                    [4, 6],
-                    [5, 4],
-                    [5, 5],
-                    [5, 7],
-                    [6, 7],
-                    [7, 8],
-                    [8, 2],
-                ];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<21>(&rt::compact::numbers::<42>(&[(
+                        1,
+                        &[
+                            0, 0, 0, 2, 1, 1, 1, 2, 2, 0, 2, 2, 2, 3, 2, 5, 3, 1, 3, 2, 3, 4, 3, 5, 4, 3, 4,
+                            5, 4, 6, 5, 4, 5, 5, 5, 7, 6, 7, 7, 8, 8, 2,
+                        ],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 21];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -1286,43 +1273,46 @@ mod plm_driven_crank_ {
             const DECLARATION: &'static str = "/// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.\npub DrivenCrank {\n    param amplitude: m = 10 mm;\n    gravity: 9.81 m/s^2;\n    ground { port o: (0, amplitude*sin(20 rad/s*t)); port rail: (0, 0) m; }\n    body crank { mass: 0.2 kg; inertia: 0.001 kg*m^2; port o: (-0.1, 0) m; port pin: (0.1, 0) m; start angle: 60 deg; }\n    body rod { mass: 0.6 kg; inertia: 0.018 kg*m^2; port pin: (-0.3, 0) m; port wrist: (0.3, 0) m; start angle: -17 deg; }\n    body slider { mass: 0.5 kg; inertia: 0.001 kg*m^2; port wrist: (0, 0) m; start x: 0.67 m; }\n    revolute drive(ground.o, crank.o);\n    revolute crank_pin(crank.pin, rod.pin);\n    revolute wrist_pin(rod.wrist, slider.wrist);\n    prismatic guide(ground.rail, slider.wrist);\n    constraint turns: crank.angle = 60 deg + 3 rad/s*t;\n    output drive.force, torque = reaction(turns);\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    0.2,
-                    0.001,
-                    0.0,
-                    -0.1,
-                    0.0,
-                    0.0,
-                    0.1,
-                    0.0,
-                    0.0,
-                    0.6,
-                    0.018,
-                    0.0,
-                    -0.3,
-                    0.0,
-                    0.0,
-                    0.3,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.001,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    f64::NAN,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                ];
+                let constants: &[f64] = const {
+                    &[
+                        0.2,
+                        0.001,
+                        0.0,
+                        -0.1,
+                        0.0,
+                        0.0,
+                        0.1,
+                        0.0,
+                        0.0,
+                        0.6,
+                        0.018,
+                        0.0,
+                        -0.3,
+                        0.0,
+                        0.0,
+                        0.3,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.001,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        f64::NAN,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ]
+                };
+
                 fn block_0<S: Real>(mechanism: &DrivenCrank<S>, t: S, index: usize) -> Option<S> {
                     let lit = S::lit;
                     Some(match index {
@@ -1336,7 +1326,7 @@ mod plm_driven_crank_ {
                 if let Some(varying) = block_0(self, t, index) {
                     return Some(varying);
                 }
-                CONSTANTS.get(index).copied().map(S::lit)
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -1420,28 +1410,9 @@ mod plm_driven_crank_ {
             type Full = [S; 18];
             type Rows = [S; 9];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &[
-                "crank.x",
-                "crank.y",
-                "crank.angle",
-                "rod.x",
-                "rod.y",
-                "rod.angle",
-                "slider.x",
-                "slider.y",
-                "slider.angle",
-            ];
-            const ROWS: &'static [&'static str] = &[
-                "drive.x",
-                "drive.y",
-                "crank_pin.x",
-                "crank_pin.y",
-                "wrist_pin.x",
-                "wrist_pin.y",
-                "guide.normal",
-                "guide.angle",
-                "turns",
-            ];
+            const COORDINATES: &'static [&'static str] =
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
                 {

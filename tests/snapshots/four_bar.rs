@@ -613,23 +613,25 @@ mod plm_four_bar_ {
             }
 
             fn typical(&self) -> [S; 2] {
-                [1.0, 1.0].map(S::lit)
+                [1.0; 2].map(S::lit)
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &["crank", "crank"];
-                match PARTS.get(index) {
+                let parts: &[&str] = const { &["crank", "crank"] };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[
-                    "crank.angle or rocker.angle or coupler.angle",
-                    "crank.omega or rocker.omega or coupler.omega",
-                ];
-                match NAMES.get(index) {
+                let names: &[&str] = const {
+                    &[
+                        "crank.angle or rocker.angle or coupler.angle",
+                        "crank.omega or rocker.omega or coupler.omega",
+                    ]
+                };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -860,7 +862,7 @@ mod plm_four_bar_ {
                 "rocker.y",
                 "rocker.angle",
             ];
-            const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, false];
+            const ANGULAR: [bool; 8] = [false; 8];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 17 add, 6 mul, 3 sin_cos.
@@ -943,35 +945,19 @@ mod plm_four_bar_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[
-                    [0, 0],
-                    [0, 2],
-                    [1, 1],
-                    [1, 2],
-                    [2, 0],
-                    [2, 2],
-                    [2, 3],
-                    [2, 5],
-                    [3, 1],
-                    [3, 2],
-                    [3, 4],
-                    [3, 5],
-                    [4, 3],
-                    [4, 5],
-                    [4, 6],
-                    [4, 8],
-                    [5, 4],
-                    [5, 5],
-                    [5, 7],
-                    [5, 8],
-                    [6, 6],
-                    [6, 8],
-                    [7, 7],
-                    [7, 8],
-                ];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<24>(&rt::compact::numbers::<48>(&[(
+                        1,
+                        &[
+                            0, 0, 0, 2, 1, 1, 1, 2, 2, 0, 2, 2, 2, 3, 2, 5, 3, 1, 3, 2, 3, 4, 3, 5, 4, 3, 4,
+                            5, 4, 6, 4, 8, 5, 4, 5, 5, 5, 7, 5, 8, 6, 6, 6, 8, 7, 7, 7, 8,
+                        ],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 24];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -1429,48 +1415,50 @@ mod plm_four_bar_ {
             const DECLARATION: &'static str = "/// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.\npub FourBar {\n    gravity: 9.81 m/s^2;\n    ground { port a: (0, 0) m; port d: (1, 0) m; }\n    body crank {\n        mass: 0.3 kg;\n        inertia: 0.00225 kg*m^2;\n        port a: (-0.15, 0) m;\n        port b: (0.15, 0) m;\n        start angle: 60 deg, locked;\n    }\n    body coupler {\n        mass: 0.9 kg;\n        inertia: 0.06075 kg*m^2;\n        port b: (-0.45, 0) m;\n        port c: (0.45, 0) m;\n        start angle: 30 deg;\n    }\n    body rocker {\n        mass: 0.7 kg;\n        inertia: 0.7 kg * (0.7 m)^2 / 12;\n        port d: (-0.35, 0) m;\n        port c: (0.35, 0) m;\n        start x: 1 m;\n        start angle: 95 deg;\n    }\n    revolute drive(ground.a, crank.a);\n    revolute crank_coupler(crank.b, coupler.b);\n    revolute coupler_rocker(coupler.c, rocker.c);\n    revolute pivot(ground.d, rocker.d);\n    output drive.force;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    0.3,
-                    0.00225,
-                    0.0,
-                    -0.15,
-                    0.0,
-                    0.0,
-                    0.15,
-                    0.0,
-                    0.0,
-                    0.9,
-                    0.06075,
-                    0.0,
-                    -0.45,
-                    0.0,
-                    0.0,
-                    0.45,
-                    0.0,
-                    0.0,
-                    0.7,
-                    0.028583333333333332,
-                    0.0,
-                    -0.35,
-                    0.0,
-                    0.0,
-                    0.35,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    1.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                ];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[
+                        0.3,
+                        0.00225,
+                        0.0,
+                        -0.15,
+                        0.0,
+                        0.0,
+                        0.15,
+                        0.0,
+                        0.0,
+                        0.9,
+                        0.06075,
+                        0.0,
+                        -0.45,
+                        0.0,
+                        0.0,
+                        0.45,
+                        0.0,
+                        0.0,
+                        0.7,
+                        0.028583333333333332,
+                        0.0,
+                        -0.35,
+                        0.0,
+                        0.0,
+                        0.35,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        1.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -1555,27 +1543,9 @@ mod plm_four_bar_ {
             type Full = [S; 18];
             type Rows = [S; 8];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &[
-                "crank.x",
-                "crank.y",
-                "crank.angle",
-                "coupler.x",
-                "coupler.y",
-                "coupler.angle",
-                "rocker.x",
-                "rocker.y",
-                "rocker.angle",
-            ];
-            const ROWS: &'static [&'static str] = &[
-                "drive.x",
-                "drive.y",
-                "crank_coupler.x",
-                "crank_coupler.y",
-                "coupler_rocker.x",
-                "coupler_rocker.y",
-                "pivot.x",
-                "pivot.y",
-            ];
+            const COORDINATES: &'static [&'static str] =
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
                 {

@@ -874,16 +874,16 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
-                const PARTS: &[&str] = &[];
-                match PARTS.get(index) {
+                let parts: &[&str] = const { &[] };
+                match parts.get(index) {
                     Some(name) => name,
                     None => "",
                 }
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[];
-                match NAMES.get(index) {
+                let names: &[&str] = const { &[] };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -1339,44 +1339,20 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 12], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[
-                    [0, 0],
-                    [0, 2],
-                    [1, 1],
-                    [1, 2],
-                    [2, 3],
-                    [2, 5],
-                    [3, 4],
-                    [3, 5],
-                    [4, 6],
-                    [4, 8],
-                    [5, 7],
-                    [5, 8],
-                    [6, 0],
-                    [6, 1],
-                    [6, 2],
-                    [6, 9],
-                    [6, 10],
-                    [6, 11],
-                    [7, 3],
-                    [7, 4],
-                    [7, 5],
-                    [7, 9],
-                    [7, 10],
-                    [7, 11],
-                    [8, 6],
-                    [8, 7],
-                    [8, 8],
-                    [8, 9],
-                    [8, 10],
-                    [8, 11],
-                    [9, 2],
-                    [10, 5],
-                    [11, 8],
-                ];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<33>(&rt::compact::numbers::<66>(&[(
+                        1,
+                        &[
+                            0, 0, 0, 2, 1, 1, 1, 2, 2, 3, 2, 5, 3, 4, 3, 5, 4, 6, 4, 8, 5, 7, 5, 8, 6, 0, 6,
+                            1, 6, 2, 6, 9, 6, 10, 6, 11, 7, 3, 7, 4, 7, 5, 7, 9, 7, 10, 7, 11, 8, 6, 8, 7, 8,
+                            8, 8, 9, 8, 10, 8, 11, 9, 2, 10, 5, 11, 8,
+                        ],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 33];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -1976,63 +1952,65 @@ mod plm_plate_on_three_pins_ {
             const DECLARATION: &'static str = "/// A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.\npub PlateOnThreePins {\n    gravity: 9.81 m/s^2;\n    ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }\n    body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg; }\n    body crank[1] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 1.1 m; start angle: 20 deg; }\n    body crank[2] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.6 m; start y: 0.9 m; start angle: -20 deg; }\n    body plate { mass: 2 kg; inertia: 0.3 kg*m^2; port a: (-0.4, -0.3) m, angle: 35 deg; port b: (0.4, -0.3) m, angle: 140 deg; port c: (0, 0.4) m, angle: 100 deg; start x: 0.5 m; start y: 0.3 m; }\n    revolute o[0](ground.a, crank[0].o);\n    revolute o[1](ground.b, crank[1].o);\n    revolute o[2](ground.c, crank[2].o);\n    pin_slot slot[0](plate.a, crank[0].p) { stiffness: 100 N/m; }\n    pin_slot slot[1](plate.b, crank[1].p);\n    pin_slot slot[2](plate.c, crank[2].p);\n    constraint first: crank[0].angle = 0.4 rad*sin(3 rad/s*t);\n    constraint second: crank[1].angle = 0.3 rad*cos(2 rad/s*t);\n    constraint third: crank[2].angle = 0.2 rad*sin(4 rad/s*t) - 0.1 rad;\n    output slot[2].force;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    0.3,
-                    0.01,
-                    0.0,
-                    -0.1,
-                    0.0,
-                    0.0,
-                    0.1,
-                    0.0,
-                    0.0,
-                    0.3,
-                    0.01,
-                    0.0,
-                    -0.1,
-                    0.0,
-                    0.0,
-                    0.1,
-                    0.0,
-                    0.0,
-                    0.3,
-                    0.01,
-                    0.0,
-                    -0.1,
-                    0.0,
-                    0.0,
-                    0.1,
-                    0.0,
-                    0.0,
-                    2.0,
-                    0.3,
-                    0.0,
-                    -0.4,
-                    -0.3,
-                    0.6108652381980153,
-                    0.4,
-                    -0.3,
-                    2.443460952792061,
-                    0.0,
-                    0.4,
-                    1.7453292519943295,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    1.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.9,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                ];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[
+                        0.3,
+                        0.01,
+                        0.0,
+                        -0.1,
+                        0.0,
+                        0.0,
+                        0.1,
+                        0.0,
+                        0.0,
+                        0.3,
+                        0.01,
+                        0.0,
+                        -0.1,
+                        0.0,
+                        0.0,
+                        0.1,
+                        0.0,
+                        0.0,
+                        0.3,
+                        0.01,
+                        0.0,
+                        -0.1,
+                        0.0,
+                        0.0,
+                        0.1,
+                        0.0,
+                        0.0,
+                        2.0,
+                        0.3,
+                        0.0,
+                        -0.4,
+                        -0.3,
+                        0.6108652381980153,
+                        0.4,
+                        -0.3,
+                        2.443460952792061,
+                        0.0,
+                        0.4,
+                        1.7453292519943295,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        1.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.9,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -2147,34 +2125,9 @@ mod plm_plate_on_three_pins_ {
             type Full = [S; 24];
             type Rows = [S; 12];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &[
-                "crank[0].x",
-                "crank[0].y",
-                "crank[0].angle",
-                "crank[1].x",
-                "crank[1].y",
-                "crank[1].angle",
-                "crank[2].x",
-                "crank[2].y",
-                "crank[2].angle",
-                "plate.x",
-                "plate.y",
-                "plate.angle",
-            ];
-            const ROWS: &'static [&'static str] = &[
-                "o[0].x",
-                "o[0].y",
-                "o[1].x",
-                "o[1].y",
-                "o[2].x",
-                "o[2].y",
-                "slot[0].normal",
-                "slot[1].normal",
-                "slot[2].normal",
-                "first",
-                "second",
-                "third",
-            ];
+            const COORDINATES: &'static [&'static str] =
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 24] {
                 {

@@ -407,27 +407,29 @@ mod plm_slider_crank_ {
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[
-                    "crank.x",
-                    "crank.y",
-                    "crank.angle",
-                    "rod.x",
-                    "rod.y",
-                    "rod.angle",
-                    "slider.x",
-                    "slider.y",
-                    "slider.angle",
-                    "crank.vx",
-                    "crank.vy",
-                    "crank.omega",
-                    "rod.vx",
-                    "rod.vy",
-                    "rod.omega",
-                    "slider.vx",
-                    "slider.vy",
-                    "slider.omega",
-                ];
-                match NAMES.get(index) {
+                let names: &[&str] = const {
+                    &[
+                        "crank.x",
+                        "crank.y",
+                        "crank.angle",
+                        "rod.x",
+                        "rod.y",
+                        "rod.angle",
+                        "slider.x",
+                        "slider.y",
+                        "slider.angle",
+                        "crank.vx",
+                        "crank.vy",
+                        "crank.omega",
+                        "rod.vx",
+                        "rod.vy",
+                        "rod.omega",
+                        "slider.vx",
+                        "slider.vy",
+                        "slider.omega",
+                    ]
+                };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -693,31 +695,19 @@ mod plm_slider_crank_ {
             }
 
             fn phi_q(&self, t: S, q: &[S; 9], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[
-                    [0, 0],
-                    [0, 2],
-                    [1, 1],
-                    [1, 2],
-                    [2, 0],
-                    [2, 2],
-                    [2, 3],
-                    [2, 5],
-                    [3, 1],
-                    [3, 2],
-                    [3, 4],
-                    [3, 5],
-                    [4, 3],
-                    [4, 5],
-                    [4, 6],
-                    [5, 4],
-                    [5, 5],
-                    [5, 7],
-                    [6, 7],
-                    [7, 8],
-                ];
+                let places: &[[u32; 2]] = const {
+                    &rt::compact::pairs::<20>(&rt::compact::numbers::<40>(&[(
+                        1,
+                        &[
+                            0, 0, 0, 2, 1, 1, 1, 2, 2, 0, 2, 2, 2, 3, 2, 5, 3, 1, 3, 2, 3, 4, 3, 5, 4, 3, 4,
+                            5, 4, 6, 5, 4, 5, 5, 5, 7, 6, 7, 7, 8,
+                        ],
+                        &[],
+                    )]))
+                };
                 let mut entries = [S::lit(0.0); 20];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -1140,40 +1130,42 @@ mod plm_slider_crank_ {
             const DECLARATION: &'static str = "/// Slider-crank in absolute coordinates.\npub SliderCrank {\n    gravity: 9.81 m/s^2;\n    rung: absolute;\n    ground { port o: (0, 0) m; }\n    body crank {\n        mass: 0.2 kg;\n        inertia: 0.2 kg * (0.2 m)^2 / 12;\n        port o: (-0.1, 0) m;\n        port pin: (0.1, 0) m;\n        start angle: 60 deg, locked;\n    }\n    body rod {\n        mass: 0.6 kg;\n        inertia: 0.018 kg*m^2;\n        port pin: (-0.3, 0) m;\n        port wrist: (0.3, 0) m;\n        start angle: -17 deg;\n    }\n    body slider {\n        mass: 0.5 kg;\n        inertia: 0.001 kg*m^2;\n        port wrist: (0, 0) m;\n        start x: 0.67 m;\n    }\n    revolute drive(ground.o, crank.o) { drive: 1 N*m; }\n    revolute crank_pin(crank.pin, rod.pin);\n    revolute wrist_pin(rod.wrist, slider.wrist);\n    prismatic guide(ground.o, slider.wrist);\n    output drive.force;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
-                const CONSTANTS: &[f64] = &[
-                    0.2,
-                    0.0006666666666666666,
-                    0.0,
-                    -0.1,
-                    0.0,
-                    0.0,
-                    0.1,
-                    0.0,
-                    0.0,
-                    0.6,
-                    0.018,
-                    0.0,
-                    -0.3,
-                    0.0,
-                    0.0,
-                    0.3,
-                    0.0,
-                    0.0,
-                    0.5,
-                    0.001,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                    0.0,
-                ];
-                CONSTANTS.get(index).copied().map(S::lit)
+                let constants: &[f64] = const {
+                    &[
+                        0.2,
+                        0.0006666666666666666,
+                        0.0,
+                        -0.1,
+                        0.0,
+                        0.0,
+                        0.1,
+                        0.0,
+                        0.0,
+                        0.6,
+                        0.018,
+                        0.0,
+                        -0.3,
+                        0.0,
+                        0.0,
+                        0.3,
+                        0.0,
+                        0.0,
+                        0.5,
+                        0.001,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                    ]
+                };
+                constants.get(index).copied().map(S::lit)
             }
 
             fn parameter(&self, index: usize) -> Option<S> {
@@ -1255,27 +1247,9 @@ mod plm_slider_crank_ {
             type Full = [S; 18];
             type Rows = [S; 8];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &[
-                "crank.x",
-                "crank.y",
-                "crank.angle",
-                "rod.x",
-                "rod.y",
-                "rod.angle",
-                "slider.x",
-                "slider.y",
-                "slider.angle",
-            ];
-            const ROWS: &'static [&'static str] = &[
-                "drive.x",
-                "drive.y",
-                "crank_pin.x",
-                "crank_pin.y",
-                "wrist_pin.x",
-                "wrist_pin.y",
-                "guide.normal",
-                "guide.angle",
-            ];
+            const COORDINATES: &'static [&'static str] =
+                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
                 {

@@ -76,6 +76,7 @@ impl<S: Scalar> Scalar for Two<S> {
     type Mask = [S::Mask; 2];
     type Turns = [S::Turns; 2];
 
+    const ZERO: Self = Self([S::ZERO; 2]);
     const HEALTHY: f64 = S::HEALTHY;
     const MOST_GROWTH: f64 = S::MOST_GROWTH;
     const AGREEMENT: f64 = S::AGREEMENT;

@@ -3,7 +3,7 @@
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
 use crate::method::Course;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::system::Energy;
 use crate::vector::Vector;
 

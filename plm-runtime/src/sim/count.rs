@@ -3,7 +3,7 @@
 use super::Sim;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::Method;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::vector::Vector;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {

@@ -149,7 +149,7 @@ impl<M: Mechanism> Method<M> for Never<M> {
         Ok(())
     }
     fn interpolate(&self, _time: M::S) -> M::X {
-        crate::Vector::fill(M::S::ZERO)
+        crate::Vector::fill(<M::S as crate::scalar::Scalar>::ZERO)
     }
     fn restart(&mut self) {}
     fn fresh(&self) -> Self {

@@ -132,6 +132,10 @@ impl<S: Real> Scalar for Tube<S> {
     type Mask = Outcome;
     type Turns = i32;
 
+    const ZERO: Self = {
+        let nothing = Interval { low: S::ZERO, high: S::ZERO };
+        Self { middle: S::ZERO, value: nothing, slope: nothing }
+    };
     const HEALTHY: f64 = S::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;

@@ -7,6 +7,7 @@ impl<S: Real> Scalar for Twofold<S> {
     type Mask = bool;
     type Turns = i32;
 
+    const ZERO: Self = Self::of(S::ZERO);
     /// What repeats itself but for rounding of the lengths in `S` stays below.
     const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
@@ -102,7 +103,6 @@ impl<S: Real> Scalar for Twofold<S> {
 }
 
 impl<S: Real> Real for Twofold<S> {
-    const ZERO: Self = Self::of(S::ZERO);
     /// A unit of errors, not the distance to the next number: next to 1 that is far smaller.
     const EPSILON: Self = Self::of(S::TWOFOLD_EPSILON);
     /// Lengths are known as exactly as in `S`.

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 use super::item::{outputs::kind, state::whole_pose};
 use super::names::{Names, token};
-use super::{Emission, docs};
+use super::{Emission, compact, docs, number};
 use crate::model::{Model, Output};
 
 /// Names of the indices; what has more of them is read by its own name alone.
@@ -96,8 +96,22 @@ impl Family {
         INDICES.iter().take(count).map(|name| Ident::new(name, Span::call_site())).collect_vec()
     }
 
+    /// The first of many bodies whose numbers are those of their indices, but for the first's.
+    fn in_a_row(&self) -> Option<usize> {
+        let (_, first) = self.members.first()?;
+        let is_next = |(k, (indices, member)): (usize, &(Vec<usize>, usize))| {
+            indices.as_slice() == [k] && *member == first + k
+        };
+        let in_a_row = self.members.iter().enumerate().all(is_next);
+        (self.are_bodies && compact::is_long(self.members.len()) && in_a_row).then_some(*first)
+    }
+
     /// `match (i, j) { (0, 1) => …, _ => return None }`
     fn chosen(&self, emission: &Emission, value: impl Fn(usize) -> String) -> TokenStream {
+        if let (Some(first), [index]) = (self.in_a_row(), self.indices().as_slice()) {
+            let (first, count) = (number(first), number(self.members.len()));
+            return quote!(if #index < #count { #first + #index } else { return None });
+        }
         let arms = self.members.iter().map(|(indices, member)| {
             let indices: Vec<String> = indices.iter().map(usize::to_string).collect_vec();
             match indices.as_slice() {

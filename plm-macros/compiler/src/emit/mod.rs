@@ -5,6 +5,7 @@
 
 mod bindings;
 mod code;
+mod compact;
 mod contract;
 mod docs;
 mod families;

@@ -7,23 +7,24 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::super::bindings::Origin;
 use super::super::function::{body, function};
+use super::super::item::start;
 use super::super::lower::inline;
-use super::super::{Emission, Sizes, number, quoted};
+use super::super::{Emission, Sizes, compact, number, quoted};
 use crate::formulate::coordinate_name;
-use crate::model::Turn;
+use crate::model::{Row, Turn};
 
 /// `Absolute`.
 pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let Emission { name, equations, program, model, report, sizes: Sizes { nq, nc, .. }, .. } = emission;
-    let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
-    let parts = emission.text(quoted(model.rows.iter().map(|row| &model.parts[row.part].name.text)));
-    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
-    let coordinates = emission.text(quoted(coordinates));
-    let angular = emission.list(model.rows.iter().map(|row| row.is_angular().to_string()));
+    let rows = model.rows.iter().map(|row| row.name.clone()).collect_vec();
+    let parts = model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect_vec();
+    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec();
+    let [rows, parts, coordinates] = [rows, parts, coordinates].map(|names| compact::names(emission, &names));
+    let angular = angular(emission);
     let places = equations.phi_q.iter().enumerate();
-    let places = places.flat_map(|(i, row)| row.iter().map(move |(j, _)| format!("[{i}, {j}]")));
-    let places: Vec<String> = places.collect_vec();
-    let (entries, places) = (number(places.len()), emission.list(places));
+    let places = places.flat_map(|(i, row)| row.iter().flat_map(move |(j, _)| [i as u32, *j as u32]));
+    let places: Vec<u32> = places.collect_vec();
+    let (entries, places) = (number(places.len() / 2), compact::numbers(emission, &places));
     let length = Literal::f64_unsuffixed(report.length);
     let [(literals, positions), (_, velocities)] = starts(emission);
     let bodies = number(model.bodies.len());
@@ -63,10 +64,10 @@ Returns the smallest pivot ratio of the factorisation.",
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for #name<S> {
-            const ROWS: [&'static str; #nc] = [#rows];
-            const PARTS: [&'static str; #nc] = [#parts];
-            const COORDINATES: [&'static str; #nq] = [#coordinates];
-            const ANGULAR: [bool; #nc] = [#angular];
+            const ROWS: [&'static str; #nc] = #rows;
+            const PARTS: [&'static str; #nc] = #parts;
+            const COORDINATES: [&'static str; #nq] = #coordinates;
+            const ANGULAR: [bool; #nc] = #angular;
 
             #phi_docs
             fn phi(&self, t: S, q: &[S; #nq]) -> [S; #nc] {
@@ -83,10 +84,10 @@ Returns the smallest pivot ratio of the factorisation.",
             }
 
             fn phi_q(&self, t: S, q: &[S; #nq], each: &mut impl FnMut(usize, usize, S)) {
-                const PLACES: &[[u32; 2]] = &[#places];
+                let places: &[[u32; 2]] = const { &rt::compact::pairs::<#entries>(&#places) };
                 let mut entries = [S::lit(0.0); #entries];
                 self.phi_q_entries(t, q, &mut entries);
-                for (&[row, column], entry) in PLACES.iter().zip(entries) {
+                for (&[row, column], entry) in places.iter().zip(entries) {
                     each(row as usize, column as usize, entry);
                 }
             }
@@ -125,36 +126,61 @@ Returns the smallest pivot ratio of the factorisation.",
     }
 }
 
+/// Which rows are of angles.
+fn angular(emission: &Emission) -> TokenStream {
+    let rows = emission.model.rows.iter().map(Row::is_angular).collect_vec();
+    match rows.first() {
+        Some(first) if rows.iter().all(|row| row == first) => {
+            let count = number(rows.len());
+            quote!([#first; #count])
+        }
+        _ => {
+            let rows = emission.list(rows.iter().map(bool::to_string));
+            quote!([#rows])
+        }
+    }
+}
+
 /// Start positions and velocities of G from those of O, behind what it takes to read their constants.
 fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
     let Emission { model, fields, .. } = emission;
     let bindings = emission.parameters();
-    let centres = model.bodies.iter().map(|body| {
-        let [x, y] = body.centre.components().map(|component| inline(component, &bindings));
-        format!("[{x}, {y}]")
-    });
+    let centres = model
+        .bodies
+        .iter()
+        .map(|body| body.centre.components().map(|component| inline(component, &bindings)));
     if emission.rolled {
-        let (literals, centres) = emission.values(centres.collect_vec());
-        let bodies = emission.list(fields.bodies.iter().map(|field| format!("&self.start.{field}")));
+        let count = number(fields.bodies.len());
+        let (tables, centre) = start::centre(&centres.collect_vec());
+        let (tables, centre) = (emission.text(tables), emission.text(centre));
         let of_all = |value| {
-            quote! {
-                {
-                    let (starts, centres) = ([#bodies], [#centres]);
-                    core::array::from_fn(|k| starts[k].#value)
-                }
-            }
+            let before = quote!(let lit = S::lit; #tables);
+            (
+                Some(before),
+                quote!({
+                    let mut all = [[Start::free(S::lit(0.0)); 3]; #count];
+                    let mut starts = self.start;
+                    starts.each_body_(&mut |k, body| {
+                        if let Some(start) = all.get_mut(k) {
+                            *start = #value;
+                        }
+                    });
+                    all
+                }),
+            )
         };
-        let positions = of_all(quote!(of_centre(centres[k])));
-        let velocities = of_all(quote!(velocity_of_centre(centres[k], q[3 * k + 2])));
-        return [(literals.clone(), positions), (literals, velocities)];
+        let positions = of_all(quote!(body.of_centre(#centre)));
+        let angle = quote!(rt::Vector::at(q, 3 * k + 2));
+        let velocities = of_all(quote!(body.velocity_of_centre(#centre, #angle)));
+        return [positions, velocities];
     }
     let (positions, velocities) = centres
         .zip(&fields.bodies)
         .enumerate()
-        .map(|(k, (centre, field))| {
+        .map(|(k, ([x, y], field))| {
             (
-                format!("self.start.{field}.of_centre({centre})"),
-                format!("self.start.{field}.velocity_of_centre({centre}, q[{}])", 3 * k + 2),
+                format!("self.start.{field}.of_centre([{x}, {y}])"),
+                format!("self.start.{field}.velocity_of_centre([{x}, {y}], q[{}])", 3 * k + 2),
             )
         })
         .unzip();

@@ -7,7 +7,7 @@ use quote::format_ident;
 
 use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
-use super::super::{Emission, number, quoted};
+use super::super::{Emission, compact, number, quoted};
 use crate::tables::{Figure, Figures};
 
 /// `Described`.
@@ -77,14 +77,14 @@ fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
             }
         });
     }
-    let constants = emission.list(constants);
+    let constants = emission.text(compact::constants(&constants));
     let blocks = varying.chunks(BLOCK).enumerate();
     let (blocks, arms): (Vec<Ident>, Vec<_>) =
         blocks.map(|(k, arms)| (format_ident!("block_{k}"), emission.values(arms.to_vec()))).unzip();
     let (literals, arms): (Vec<_>, Vec<TokenStream>) = arms.into_iter().unzip();
     quote! {
         fn figure(&self, t: S, index: usize) -> Option<S> {
-            const CONSTANTS: &[f64] = &[#constants];
+            let constants: &[f64] = const { &#constants };
             #(
                 fn #blocks<S: Real>(mechanism: &#name<S>, t: S, index: usize) -> Option<S> {
                     #literals
@@ -97,7 +97,7 @@ fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
                     return Some(varying);
                 }
             )*
-            CONSTANTS.get(index).copied().map(S::lit)
+            constants.get(index).copied().map(S::lit)
         }
     }
 }

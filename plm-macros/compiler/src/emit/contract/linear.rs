@@ -7,7 +7,7 @@ use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::function;
-use super::super::{Emission, Form, Sizes, number};
+use super::super::{Emission, Form, Sizes, compact, number};
 use super::charted::call;
 use crate::formulate::{Augmented, Chart, Linearised, Part, Reduced, Term};
 
@@ -143,7 +143,7 @@ fn of_augmented(emission: &Emission, augmented: &Augmented) -> (TokenStream, Tok
     let pattern = &augmented.pattern;
     let [coefficients, places, pivots] =
         [augmented.coefficients.results.len(), pattern.places.len(), pattern.pivots.len()].map(number);
-    let sparse = quote!(rt::linalg::Sparse<S, Augmented, #coefficients, #places, #pivots>);
+    let sparse = quote!(rt::linalg::Sparse<S, Augmented<S>, #coefficients, #places, #pivots>);
     let (kind, begin, end, c) = if emission.is_reduced() {
         (sparse, None, None, quote!(&mut by_x.coefficients))
     } else {
@@ -213,97 +213,85 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
 fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     let (coordinates, states) = (number(augmented.accelerations.len()), number(augmented.states));
     let Tables { terms, pivots, below, right, targets } = Tables::of(augmented);
-    let [terms, pivots, below, right, targets] =
-        [terms, pivots, below, right, targets].map(|entries| emission.text(listed(&entries)));
+    let table = |name: &str, numbers: &[u32], width: usize| {
+        let (name, count) = (format_ident!("{name}"), number(numbers.len() / width));
+        let numbers = compact::numbers(emission, numbers);
+        quote!(const { &rt::compact::#name::<#count>(&#numbers) })
+    };
+    let [terms, pivots] = [table("terms", &terms, 5), table("pivots", &pivots, 7)];
+    let [below, right] = [table("below", &below, 3), table("pairs", &right, 2)];
+    let targets = compact::numbers(emission, &targets);
     quote! {
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
-        pub struct Augmented;
+        pub struct Augmented<S>(core::marker::PhantomData<S>);
 
-        impl rt::linalg::Patterned for Augmented {
-            const PATTERN: rt::linalg::Pattern = {
-                use rt::linalg::Part::{Acceleration as A, Position as P, Rate as R, Value as N, Velocity as V};
-                use rt::linalg::{Below, Part, Pattern, Pivot, Term};
-                const fn t(coefficient: u32, row: u32, column: u32, entry: u32, part: Part) -> Term {
-                    Term { coefficient, row, column, entry, part }
-                }
-                const fn p(row: u32, entry: u32, below: [u32; 2], right: [u32; 2], targets: u32) -> Pivot {
-                    Pivot { row, entry, below, right, targets }
-                }
-                const fn b(row: u32, entry: u32, across: u32) -> Below {
-                    Below { row, entry, across }
-                }
-                Pattern {
-                    coordinates: #coordinates,
-                    states: #states,
-                    terms: const { &[#terms] },
-                    pivots: const { &[#pivots] },
-                    below: const { &[#below] },
-                    right: &[#right],
-                    targets: &[#targets],
-                }
+        // Generic, so that rustc works the tables out for who reads them alone.
+        impl<S: Real> rt::linalg::Patterned for Augmented<S> {
+            const PATTERN: rt::linalg::Pattern = rt::linalg::Pattern {
+                coordinates: #coordinates,
+                states: #states,
+                terms: #terms,
+                pivots: #pivots,
+                below: #below,
+                right: #right,
+                targets: const { &#targets },
             };
         }
     }
 }
 
-/// What stands where, and the order of elimination.
+/// What stands where, and the order of elimination: numbers in rows, as the runtime's `compact` has them.
 #[derive(Default)]
 struct Tables {
-    terms: Vec<String>,
-    pivots: Vec<String>,
-    below: Vec<String>,
-    right: Vec<String>,
-    targets: Vec<String>,
+    terms: Vec<u32>,
+    pivots: Vec<u32>,
+    below: Vec<u32>,
+    right: Vec<u32>,
+    targets: Vec<u32>,
 }
 
 impl Tables {
     fn of(augmented: &Augmented) -> Tables {
         let Augmented { terms, pattern, .. } = augmented;
-        let place = |row: usize, column: usize| pattern.places.get(&(row, column)).copied();
-        let term = |term: &Term| {
-            let entry = place(term.row, term.column).unwrap_or_default();
-            format!("t({}, {}, {}, {entry}, {})", term.coefficient, term.row, term.column, part(term.part))
-        };
-        let mut tables = Tables { terms: terms.iter().map(term).collect_vec(), ..Tables::default() };
+        let place = |row: usize, column: usize| pattern.places.get(&(row, column)).map(|place| *place as u32);
+        let mut tables = Tables::default();
+        for Term { coefficient, row, column, part } in terms {
+            let entry = place(*row, *column).unwrap_or_default();
+            let numbers = [*coefficient as u32, *row as u32, *column as u32, entry, number_of(*part)];
+            tables.terms.extend_from_slice(&numbers);
+        }
         let Tables { pivots, below, right, targets, .. } = &mut tables;
         for pivot in &pattern.pivots {
-            let (first_below, first_right, first_target) = (below.len(), right.len(), targets.len());
-            for &row in &pivot.below {
-                let entry = place(row, pivot.row).unwrap_or_default();
-                let across = place(pivot.row, row).map_or("u32::MAX".to_owned(), |across| across.to_string());
-                below.push(format!("b({row}, {entry}, {across})"));
-                let changed = pivot.right.iter().filter_map(|&column| place(row, column));
-                targets.extend(changed.map(|target| target.to_string()));
+            let row = pivot.row;
+            let (first_below, first_right) = ((below.len() / 3) as u32, (right.len() / 2) as u32);
+            let first_target = targets.len() as u32;
+            for &lower in &pivot.below {
+                let entry = place(lower, row).unwrap_or_default();
+                below.extend_from_slice(&[lower as u32, entry, place(row, lower).unwrap_or(u32::MAX)]);
+                targets.extend(pivot.right.iter().filter_map(|&column| place(lower, column)));
             }
             for &column in &pivot.right {
-                right.push(format!("[{column}, {}]", place(pivot.row, column).unwrap_or_default()));
+                right.extend_from_slice(&[column as u32, place(row, column).unwrap_or_default()]);
             }
-            pivots.push(format!(
-                "p({}, {}, [{first_below}, {}], [{first_right}, {}], {first_target})",
-                pivot.row,
-                place(pivot.row, pivot.row).unwrap_or_default(),
-                below.len(),
-                right.len()
-            ));
+            let (last_below, last_right) = ((below.len() / 3) as u32, (right.len() / 2) as u32);
+            let entry = place(row, row).unwrap_or_default();
+            let ends = [first_below, last_below, first_right, last_right];
+            pivots.extend_from_slice(&[row as u32, entry]);
+            pivots.extend_from_slice(&ends);
+            pivots.push(first_target);
         }
         tables
     }
 }
 
-fn part(part: Part) -> char {
+fn number_of(part: Part) -> u32 {
     match part {
-        Part::Value => 'N',
-        Part::Rate => 'R',
-        Part::Position => 'P',
-        Part::Velocity => 'V',
-        Part::Acceleration => 'A',
+        Part::Value => 0,
+        Part::Rate => 1,
+        Part::Position => 2,
+        Part::Velocity => 3,
+        Part::Acceleration => 4,
     }
-}
-
-/// Entries of an array, some to a line.
-fn listed(entries: &[String]) -> String {
-    let lines: Vec<String> = entries.chunks(8).map(|chunk| chunk.join(", ")).collect_vec();
-    lines.join(",\n")
 }

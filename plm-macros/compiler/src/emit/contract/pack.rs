@@ -4,15 +4,13 @@
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::Emission;
+use super::super::{Emission, number};
 use super::turns;
 
 /// `Pack`.
 pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let Emission { fields, name, .. } = emission;
-    let starts = fields.bodies.iter().chain(&fields.states);
-    let starts =
-        emission.lines(starts.map(|field| format!("{field}: self.start.{field}.map(|s| number([s; N]))")));
+    let starts = starts(emission);
     let params = fields.params.iter();
     let params = emission.lines(params.map(|field| format!("{field}: number(all.map(|one| one.{field}))")));
     let inputs = &fields.inputs;
@@ -25,7 +23,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
 
             #[allow(unused_variables)] // where there are no parameters
             fn pack<T: Scalar, const N: usize>(&self, all: [&Self; N], number: impl Fn([S; N]) -> T) -> #name<T> {
-                let start = Starts { #starts };
+                let start = #starts;
                 #name { start, #params }
             }
 
@@ -120,4 +118,32 @@ fn lanes(emission: &Emission) -> Lanes {
         // The unknowns of iterations are followed one by one.
         look: if reduced.followed.is_empty() { look } else { quote!(T::lit(0.0)) },
     }
+}
+
+/// Start values in the other numbers, of many bodies in a loop.
+fn starts(emission: &Emission) -> TokenStream {
+    let fields = &emission.fields;
+    if !emission.rolled {
+        let starts = fields.bodies.iter().chain(&fields.states);
+        let starts = starts.map(|field| format!("{field}: self.start.{field}.map(|s| number([s; N]))"));
+        let starts = emission.lines(starts);
+        return quote!(Starts { #starts });
+    }
+    let (states, count) = (&fields.states, number(fields.bodies.len()));
+    quote! {{
+        let (mut start, mut own) = (Starts::<T>::ZERO_, self.start);
+        let mut packed = [None; #count];
+        own.each_body_(&mut |k, body| {
+            if let Some(packed) = packed.get_mut(k) {
+                *packed = Some(body.map(|s| number([s; N])));
+            }
+        });
+        start.each_body_(&mut |k, body| {
+            if let Some(Some(packed)) = packed.get(k) {
+                *body = *packed;
+            }
+        });
+        #(start.#states = self.start.#states.map(|s| number([s; N]));)*
+        start
+    }}
 }

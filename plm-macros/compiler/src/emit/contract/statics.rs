@@ -7,20 +7,30 @@ use proc_macro2::TokenStream;
 use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::item::{start, state::whole_state};
-use super::super::{Emission, Sizes, docs, quoted};
-use crate::formulate::coordinate_name;
+use super::super::{Emission, Sizes, compact, docs};
+use crate::model::Body;
 
 /// Statements of a block; rustc recurses over longer ones.
-const MOST_LINES: usize = 200;
+pub(crate) const MOST_LINES: usize = 200;
 
 /// `StartValues` and `Display` of the start values.
 pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     let Emission { model, fields, .. } = emission;
-    let bodies = model.bodies.iter().zip(&fields.bodies).map(|(body, field)| {
-        let names =
-            ["x", "y", "angle", "vx", "vy", "omega"].map(|value| format!("{}.{value}", body.name.text));
-        format!("self.{field}.each({names:?}, &mut *each);\n")
+    let names = |body: &Body| start::OF_BODY.map(|value| format!("{}.{value}", body.name.text));
+    let in_a_loop = emission.rolled.then(|| {
+        let names = compact::names(emission, &model.bodies.iter().flat_map(names).collect_vec());
+        quote! {
+            let names: &[&str] = const { &#names };
+            let names = names.as_chunks::<6>().0;
+            self.each_body_(&mut |k, body| {
+                if let Some(names) = names.get(k) {
+                    body.each(*names, &mut *each);
+                }
+            });
+        }
     });
+    let bodies = model.bodies.iter().zip(&fields.bodies).filter(|_| in_a_loop.is_none());
+    let bodies = bodies.map(|(body, field)| format!("self.{field}.each({:?}, &mut *each);\n", names(body)));
     let states = model.states.iter().zip(&fields.states);
     let states = states.map(|(state, field)| format!("each({:?}, &mut self.{field});\n", state.name.text));
     let lines: Vec<String> = bodies.chain(states).collect_vec();
@@ -30,6 +40,7 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     quote! {
         impl<S: Scalar> rt::StartValues<S> for Starts<S> {
             fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>)) {
+                #in_a_loop
                 #lines
             }
         }
@@ -44,11 +55,8 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
 
 /// `Statics`.
 pub(crate) fn statics(emission: &Emission) -> TokenStream {
-    let Emission { model, name, equations, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
+    let Emission { model, name, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
     let (declared, whole) = (start::declared(emission), whole_state(emission, &quote!(state)));
-    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k));
-    let coordinates = emission.text(quoted(coordinates));
-    let rows = emission.text(quoted(model.rows.iter().map(|row| &row.name)));
     let states = model.states.iter();
     let states =
         emission.list(states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit))));
@@ -64,8 +72,8 @@ constraints, rates of the first-order states, without accelerations.",
             type Full = [S; #full];
             type Rows = [S; #nc];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &[#coordinates];
-            const ROWS: &'static [&'static str] = &[#rows];
+            const COORDINATES: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
+            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
             const STATES: &'static [(&'static str, &'static str)] = &[#states];
 
             fn full(state: &State<S>) -> [S; #full] {

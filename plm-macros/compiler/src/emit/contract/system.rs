@@ -6,7 +6,7 @@ use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
-use super::super::{Emission, Form, Sizes, number, quoted};
+use super::super::{Emission, Form, Sizes, compact, number, quoted};
 use super::{rate, switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
@@ -36,9 +36,9 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let typical = emission.text(typical(emission));
+    let typical = typical(emission);
     let part_of_state = part_of_state(emission);
-    let names = emission.text(quoted(names_of_state(emission)));
+    let names = compact::names(emission, &names_of_state(emission));
     quote! {
         impl<S: Real> rt::System for #name<S> {
             type S = S;
@@ -71,7 +71,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
             #jump
             #energy
             fn typical(&self) -> [S; #length] {
-                [#typical].map(S::lit)
+                #typical.map(S::lit)
             }
 
             fn part_of_state(&self, index: usize) -> &'static str {
@@ -79,8 +79,8 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
             }
 
             fn name_of_state(&self, index: usize) -> &'static str {
-                const NAMES: &[&str] = &[#names];
-                match NAMES.get(index) {
+                let names: &[&str] = const { &#names };
+                match names.get(index) {
                     Some(name) => name,
                     None => "",
                 }
@@ -187,7 +187,7 @@ fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
 
 /// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
 /// rates, one of the unit that it is declared in for a state.
-fn typical(emission: &Emission) -> String {
+fn typical(emission: &Emission) -> TokenStream {
     let Emission { equations, model, report, .. } = emission;
     let angles: Vec<bool> = match first(emission) {
         Some(chart) => chart.turning.iter().map(Option::is_some).collect_vec(),
@@ -196,7 +196,16 @@ fn typical(emission: &Emission) -> String {
     let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });
     let states = model.states.iter().map(|state| state.unit.factor.to_f64());
     let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect_vec();
-    sizes.join(", ")
+    match sizes.as_slice() {
+        [first, .., _] if sizes.iter().all(|size| size == first) => {
+            let (first, count) = (emission.text(first), number(sizes.len()));
+            quote!([#first; #count])
+        }
+        _ => {
+            let sizes = emission.list(sizes);
+            quote!([#sizes])
+        }
+    }
 }
 
 /// Names of the parts that the numbers of the state belong to.
@@ -212,9 +221,10 @@ fn part_of_state(emission: &Emission) -> TokenStream {
         }
     };
     if let Some(chart) = first(emission) {
-        let parts = emission.text(quoted(chart.parts.iter().chain(&chart.parts).chain(states)));
-        let part = named(quote!(PARTS.get(index)));
-        return quote!(const PARTS: &[&str] = &[#parts]; #part);
+        let parts = chart.parts.iter().chain(&chart.parts).chain(states).cloned().collect_vec();
+        let parts = compact::names(emission, &parts);
+        let part = named(quote!(parts.get(index)));
+        return quote!(let parts: &[&str] = const { &#parts }; #part);
     }
     let bodies = emission.text(quoted(model.bodies.iter().map(|body| &body.name.text)));
     let (states, part) = (emission.text(quoted(states)), named(quote!(part)));

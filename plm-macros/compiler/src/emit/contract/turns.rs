@@ -4,7 +4,7 @@ use crate::collect::CollectVec;
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::{Emission, Form, Sizes, number};
+use super::super::{Emission, Form, Sizes, compact, number};
 use crate::formulate::Reduced;
 
 /// Is anything counted?
@@ -22,12 +22,47 @@ fn places<'a>(emission: &'a Emission, bodies: &'a [Option<usize>]) -> impl Itera
     })
 }
 
-/// By count, the places of its angles in the pose of all bodies.
+/// By count, the places in a list of what belongs to its `bodies`: a reference to an array.
+fn all_places(emission: &Emission, bodies: &[Option<usize>]) -> TokenStream {
+    let turns = &emission.model.turns;
+    let all = compact::is_long(turns.len()).then(|| in_short(emission, bodies)).flatten();
+    all.unwrap_or_else(|| {
+        let places = emission.list(places(emission, bodies));
+        quote!(&[#places])
+    })
+}
+
+/// The same where each count has one place, all of them equally far apart.
+fn in_short(emission: &Emission, bodies: &[Option<usize>]) -> Option<TokenStream> {
+    let turns = &emission.model.turns;
+    let mut place_of = vec![None; emission.model.bodies.len()];
+    for (place, body) in bodies.iter().enumerate() {
+        if let Some(body) = body
+            && place_of[*body].replace(place).is_some()
+        {
+            return None;
+        }
+    }
+    let places = turns.iter().map(|counted| match counted.bodies[..] {
+        [body] => place_of[body],
+        _ => None,
+    });
+    let places = places.collect::<Option<Vec<usize>>>()?;
+    let (first, step) = (*places.first()?, places.get(1)?.checked_sub(places[0])?);
+    let is_even = places.iter().zip(0..).all(|(place, k)| *place == first + step * k);
+    let [first, step, count] = [first, step, places.len()].map(number);
+    is_even.then(|| {
+        quote!(const {
+            &rt::compact::singles::<#count>(const { &rt::compact::places::<#count>(#first, #step) })
+        })
+    })
+}
+
+/// By count, the places of its angles in the pose of all bodies: a reference to an array.
 pub(in super::super) fn in_pose(emission: &Emission) -> TokenStream {
     let of_pose = |k: usize| (k % 3 == 2).then_some(k / 3);
     let bodies: Vec<Option<usize>> = (0..emission.equations.q.len()).map(of_pose).collect_vec();
-    let places = emission.list(places(emission, &bodies));
-    quote!([#places])
+    all_places(emission, &bodies)
 }
 
 /// By count, the places of its angles in the state; not of loops, which have other coordinates in each chart.
@@ -35,8 +70,7 @@ fn in_state(emission: &Emission) -> Option<TokenStream> {
     let Form::Tree(chart) = emission.form else {
         return (!emission.is_reduced()).then(|| in_pose(emission));
     };
-    let places = emission.list(places(emission, &chart.turning));
-    Some(quote!([#places]))
+    Some(all_places(emission, &chart.turning))
 }
 
 /// `accept` of what has no charts.
@@ -46,7 +80,7 @@ pub(super) fn accept(emission: &Emission) -> Option<TokenStream> {
     Some(quote! {
         #[inline]
         fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Accepted, Fault> {
-            let turned = rt::turns::unwind(&mut u.turns, x, &#places);
+            let turned = rt::turns::unwind(&mut u.turns, x, #places);
             Ok(rt::Accepted { turned, ..Default::default() })
         }
     })
@@ -56,7 +90,7 @@ pub(super) fn accept(emission: &Emission) -> Option<TokenStream> {
 pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
     match in_state(emission) {
         Some(places) if are_counted(emission) => {
-            (quote!(!rt::turns::are_due(x, &#places)), quote!(rt::turns::all_near(x, &#places)))
+            (quote!(!rt::turns::are_due(x, #places)), quote!(rt::turns::all_near(x, #places)))
         }
         _ => (quote!(true), quote!(T::lit(1.0))),
     }

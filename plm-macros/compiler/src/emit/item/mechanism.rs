@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, docs};
-use super::start::{body_start, state_start};
+use super::start::declared_values;
 use crate::model::Param;
 
 /// The type itself; its name is the only one beside it that it must not meet.
@@ -99,16 +99,12 @@ fn declared(emission: &Emission) -> TokenStream {
         }
         bindings.insert(param.symbol, field.to_string());
     }
-    let bodies = model.bodies.iter().zip(&fields.bodies);
-    let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, &bindings)));
-    let states = model.states.iter().zip(&fields.states);
-    let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, &bindings)));
-    let (defaults, starts) = (emission.text(defaults.concat()), emission.lines(bodies.chain(states)));
+    let (defaults, starts) = (emission.text(defaults.concat()), declared_values(emission, &bindings));
     let params = &fields.params;
     quote! {
         let lit = S::lit;
         #defaults
-        let start = Starts { #starts };
+        let start = #starts;
         #name { #(#params,)* start }
     }
 }

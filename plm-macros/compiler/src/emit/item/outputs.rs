@@ -7,7 +7,8 @@ use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::lower::{Around, Bindings, statements};
-use super::super::{Emission, docs, families, number};
+use super::super::{Emission, compact, docs, families, number};
+use super::state::whole_pose;
 use crate::formulate::Function;
 use crate::model::Output;
 use crate::units::DisplayUnit;
@@ -63,6 +64,15 @@ fn poses(emission: &Emission) -> TokenStream {
         let docs =
             format!("Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.", body.name.text);
         let docs = docs::docs(emission, &docs);
+        if emission.rolled {
+            let k = number(k);
+            return quote! {
+                #docs
+                pub fn #field(&self) -> BodyState<S> {
+                    self.body_(#k)
+                }
+            };
+        }
         let reduced = emission.is_reduced();
         let (q, v, i, j) =
             if reduced { ("q", "v", 3 * k, 3 * k) } else { ("self.x", "self.x", 3 * k, nq + 3 * k) };
@@ -81,7 +91,20 @@ fn poses(emission: &Emission) -> TokenStream {
             }
         }
     };
-    model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect()
+    let bodies: TokenStream = model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect();
+    let whole = whole_pose(emission, &quote!(self));
+    let nq = number(nq);
+    let by_number = emission.rolled.then(|| {
+        quote! {
+            /// The body with this number.
+            fn body_(&self, body: usize) -> BodyState<S> {
+                let (q, v): ([S; #nq], [S; #nq]) = #whole;
+                let none = [S::lit(f64::NAN); 3];
+                BodyState::among(&q, &v, body).unwrap_or(BodyState::of(none, none))
+            }
+        }
+    });
+    quote!(#bodies #by_number)
 }
 
 /// The line that gives an accessor of `State` two arrays, as far as it reads them.
@@ -147,9 +170,19 @@ fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenS
 fn branches(emission: &Emission, bindings: &Bindings) -> TokenStream {
     let Emission { model, equations, program, .. } = emission;
     let count = number(equations.branches.len());
-    let joints = equations.branches.iter().enumerate();
-    let joints = joints.map(|(k, branch)| format!("({:?}, value[{k}])", model.parts[branch.part].name.text));
-    let joints = emission.list(joints);
+    let joints = equations.branches.iter().map(|branch| model.parts[branch.part].name.text.clone());
+    let joints = joints.collect_vec();
+    let joints = if compact::is_long(joints.len()) {
+        let names = compact::names(emission, &joints);
+        quote!({
+            let names: &[&str; #count] = const { &#names };
+            core::array::from_fn(|k| (names[k], value[k]))
+        })
+    } else {
+        let joints = joints.iter().enumerate().map(|(k, name)| format!("({name:?}, value[{k}])"));
+        let joints = emission.list(joints);
+        quote!([#joints])
+    };
     let body = body(emission, bindings, &program.outputs.branches);
     quote! {
         /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
@@ -157,7 +190,7 @@ fn branches(emission: &Emission, bindings: &Bindings) -> TokenStream {
         pub fn branches(&self) -> [(&'static str, S); #count] {
             let mut value = [S::lit(0.0); #count];
             #body
-            [#joints]
+            #joints
         }
     }
 }

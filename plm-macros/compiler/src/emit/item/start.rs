@@ -2,11 +2,12 @@
 
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
+use plm_cas::algebra;
 use proc_macro2::TokenStream;
 
-use super::super::contract::limits;
+use super::super::contract::{limits, statics::MOST_LINES};
 use super::super::lower::{Bindings, inline};
-use super::super::{Emission, Form, Sizes, docs, number};
+use super::super::{Emission, Form, Sizes, compact, docs, number};
 use crate::model::{Body, Start, State};
 
 /// `Starts`, and what assembly finds for them.
@@ -20,6 +21,7 @@ pub(crate) fn values(emission: &Emission) -> TokenStream {
         let docs = emission.text(docs::field(&[], &format!("State `{}`", state.name.text), &state.unit, ""));
         quote!(#docs pub #field: Start<S>,)
     });
+    let by_number = emission.rolled.then(|| by_number(emission));
     quote! {
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,47 +29,115 @@ pub(crate) fn values(emission: &Emission) -> TokenStream {
             #(#bodies)*
             #(#states)*
         }
+        #by_number
 
         /// What assembly found.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
     }
 }
 
+/// Bodies by number. One is borrowed at a time, and each is handed to a function that rustc does not see: its work grows
+/// with the square of what is borrowed together, and of copies in a row.
+fn by_number(emission: &Emission) -> TokenStream {
+    let Emission { fields, .. } = emission;
+    let zero = emission.list(fields.bodies.iter().map(|field| format!("{field}: zero")));
+    let calls = fields.bodies.iter().enumerate();
+    let calls: Vec<String> = calls.map(|(k, field)| format!("each({k}, &mut self.{field});\n")).collect_vec();
+    let blocks = calls.chunks(MOST_LINES).map(|calls| emission.text(calls.concat()));
+    let states = &fields.states;
+    quote! {
+        impl<S: Scalar> Starts<S> {
+            /// All at zero, and free.
+            const ZERO_: Self = {
+                let value = Start::free(S::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                Starts { #(#states: value,)* #zero }
+            };
+
+            /// Gives `each` every body with its number.
+            #[inline(never)]
+            fn each_body_(&mut self, each: &mut dyn FnMut(usize, &mut BodyStart<S>)) {
+                #({ #blocks })*
+            }
+        }
+    }
+}
+
+/// Start values as declared, an expression; of many bodies a loop.
+pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> TokenStream {
+    let Emission { model, fields, .. } = emission;
+    let states = model.states.iter().zip(&fields.states);
+    if !emission.rolled {
+        let bodies = model.bodies.iter().zip(&fields.bodies);
+        let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, bindings)));
+        let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, bindings)));
+        let starts = emission.lines(bodies.chain(states));
+        return quote!(Starts { #starts });
+    }
+    let (mut tables, mut entries) = (String::new(), Vec::new());
+    for (k, name) in OF_BODY.into_iter().enumerate() {
+        let start = |body: &Body| body.start.iter().chain(&body.start_velocity).nth(k).copied();
+        let starts = model.bodies.iter().filter_map(start).collect_vec();
+        let values = starts.iter().map(|start| inline(start.value, bindings)).collect_vec();
+        let (table, value) = compact::element(name, &values, "k");
+        let locked = starts.iter().map(|start| start.locked).collect_vec();
+        let locked = match locked.first() {
+            Some(first) if locked.iter().all(|locked| locked == first) => first.to_string(),
+            _ => {
+                let name = format!("{}_LOCKED", name.to_uppercase());
+                tables = format!("{tables}const {name}: [bool; {}] = {locked:?};\n", locked.len());
+                format!("{name}.get(k) == Some(&true)")
+            }
+        };
+        tables.push_str(&table);
+        entries.push(format!("{name}: Start {{ value: {value}, locked: {locked} }}"));
+    }
+    let states = states.map(|(state, field)| format!("start.{field} = {};\n", state_start(state, bindings)));
+    let (tables, states) = (emission.text(tables), emission.text(states.collect_vec().concat()));
+    let entries = emission.list(entries);
+    quote! {{
+        let mut start = Starts::ZERO_;
+        #tables
+        start.each_body_(&mut |k, body| *body = BodyStart { #entries });
+        #states
+        start
+    }}
+}
+
+/// The start values of a body.
+pub(crate) const OF_BODY: [&str; 6] = ["x", "y", "angle", "vx", "vy", "omega"];
+
 /// The declared start of a body.
-pub(super) fn body_start(body: &Body, bindings: &Bindings) -> String {
-    let names = ["x", "y", "angle", "vx", "vy", "omega"];
+fn body_start(body: &Body, bindings: &Bindings) -> String {
     let starts = body.start.iter().chain(&body.start_velocity);
     let entry = |(name, start): (&str, &Start)| {
         let kind = if start.locked { "locked" } else { "free" };
         format!("{name}: Start::{kind}({})", inline(start.value, bindings))
     };
-    let entries: Vec<String> = names.into_iter().zip(starts).map(entry).collect_vec();
+    let entries: Vec<String> = OF_BODY.into_iter().zip(starts).map(entry).collect_vec();
     format!("BodyStart {{ {} }}", entries.join(", "))
 }
 
 /// Start values as declared, with the parameters as they are; nothing where none of them reads a parameter.
 pub(crate) fn declared(emission: &Emission) -> Option<TokenStream> {
-    let Emission { model, fields, .. } = emission;
-    let bindings = emission.parameters();
-    let bodies = model.bodies.iter().zip(&fields.bodies);
-    let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, &bindings)));
-    let states = model.states.iter().zip(&fields.states);
-    let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, &bindings)));
-    let entries: Vec<String> = bodies.chain(states).collect_vec();
-    let reads_parameters = entries.iter().any(|entry| entry.contains("self."));
+    let model = emission.model;
+    let of_bodies = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
+    let values = of_bodies.map(|start| start.value).chain(model.states.iter().map(|state| state.start));
+    let known = algebra::symbols(&values.collect_vec());
+    let reads_parameters = model.params.iter().any(|param| known.contains(&param.symbol));
     reads_parameters.then(|| {
-        let (literals, starts) = emission.values(entries);
+        let starts = declared_values(emission, &emission.parameters());
         quote! {
             fn declared_starts(&self) -> Starts<S> {
-                #literals
-                Starts { #starts }
+                let lit = S::lit;
+                #starts
             }
         }
     })
 }
 
 /// The declared start of a first-order state.
-pub(super) fn state_start(state: &State, bindings: &Bindings) -> String {
+fn state_start(state: &State, bindings: &Bindings) -> String {
     let kind = if state.locked { "locked" } else { "free" };
     format!("Start::{kind}({})", inline(state.start, bindings))
 }
@@ -76,20 +146,46 @@ pub(super) fn state_start(state: &State, bindings: &Bindings) -> String {
 pub(crate) fn placed(emission: &Emission) -> TokenStream {
     let Emission { model, fields, name, sizes: Sizes { full, .. }, .. } = emission;
     let (bindings, nq) = (emission.parameters(), emission.equations.q.len());
-    let bodies = model.bodies.iter().zip(&fields.bodies).enumerate().map(|(k, (body, field))| {
-        let [x, y] = body.centre.components().map(|component| inline(component, &bindings));
-        let [q, v] =
-            [3 * k, nq + 3 * k].map(|first| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2));
-        format!("{field}: self.start.{field}.with_centre_at([{x}, {y}], {q}, {v})")
-    });
+    let centres = model
+        .bodies
+        .iter()
+        .map(|body| body.centre.components().map(|component| inline(component, &bindings)));
     let states = fields.states.iter().zip(2 * nq..);
-    let states = states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
-    let (literals, starts) = emission.values(bodies.chain(states).collect_vec());
+    let (literals, starts) = if emission.rolled {
+        let states = states.map(|(field, k)| format!("start.{field}.value = x[{k}];\n")).collect_vec();
+        let (tables, centre) = centre(&centres.collect_vec());
+        let (tables, centre) = (emission.text(tables), emission.text(centre));
+        let (states, nq) = (emission.text(states.concat()), number(nq));
+        let loop_over_all = quote! {{
+            #tables
+            let mut start = self.start;
+            let (q, v): ([S; #nq], [S; #nq]) = absolute::split(x);
+            let (q, v) = (q.as_chunks::<3>().0, v.as_chunks::<3>().0);
+            start.each_body_(&mut |k, body| {
+                if let (Some(q), Some(v)) = (q.get(k), v.get(k)) {
+                    *body = body.with_centre_at(#centre, *q, *v);
+                }
+            });
+            #states
+            start
+        }};
+        (Some(quote!(let lit = S::lit;)), loop_over_all)
+    } else {
+        let bodies = centres.zip(&fields.bodies).enumerate().map(|(k, ([x, y], field))| {
+            let [q, v] =
+                [3 * k, nq + 3 * k].map(|first| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2));
+            format!("{field}: self.start.{field}.with_centre_at([{x}, {y}], {q}, {v})")
+        });
+        let states =
+            states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
+        let (literals, starts) = emission.values(bodies.chain(states).collect_vec());
+        (literals, quote!(Starts { #starts }))
+    };
     quote! {
         impl<S: Real> #name<S> {
             fn placed(&self, x: &[S; #full]) -> Starts<S> {
                 #literals
-                Starts { #starts }
+                #starts
             }
         }
 
@@ -101,6 +197,16 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
             }
         }
     }
+}
+
+/// The centre of gravity of the body with the number `k`, from O, behind the tables that it reads.
+pub(crate) fn centre(centres: &[[String; 2]]) -> (String, String) {
+    let of_axis = |axis: usize, name| {
+        let texts = centres.iter().map(|centre| centre[axis].clone()).collect_vec();
+        compact::element(name, &texts, "k")
+    };
+    let [(x_table, x), (y_table, y)] = [of_axis(0, "centre_x"), of_axis(1, "centre_y")];
+    (x_table + &y_table, format!("[{x}, {y}]"))
 }
 
 /// A look at the parameters, where there are any.

@@ -53,7 +53,7 @@ pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStre
     let places = turns::in_pose(emission);
     quote! {{
         let mut x = #state.absolute_();
-        rt::turns::add(&#state.held.turns, &mut x, &#places);
+        rt::turns::add(&#state.held.turns, &mut x, #places);
         x
     }}
 }
@@ -86,7 +86,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
             /// The same with all turns of the angles.
             fn whole_(&self) -> ([S; #nq], [S; #nq]) {
                 let (mut q, v) = self.pose_();
-                rt::turns::add(&self.held.turns, &mut q, &#places);
+                rt::turns::add(&self.held.turns, &mut q, #places);
                 (q, v)
             }
         }

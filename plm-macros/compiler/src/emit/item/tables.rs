@@ -6,10 +6,11 @@ use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
 
-use super::super::{Emission, docs, quoted};
+use super::super::{Emission, compact, docs, number, quoted};
 use crate::model::{Instance, Name, Pair};
 use crate::numeric::value;
 use crate::reads::{Reads, reads};
+use crate::sorted::SortedMap;
 use crate::tables::{Figures, declared_values, exponents};
 use crate::units::DisplayUnit;
 
@@ -32,8 +33,7 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
     let [parameters, inputs, states] = [parameters.collect_vec(), inputs.collect_vec(), states.collect_vec()]
         .map(|rows| emission.lines(rows));
     let (bodies, ground) = (bodies(emission, figures), ground(emission, figures));
-    let parts = model.instances.iter().zip(&figures.parts).map(|(instance, first)| part(instance, *first));
-    let (parts, outputs) = (emission.lines(parts), emission.lines(outputs(emission)));
+    let (parts, outputs) = (parts(emission, figures), emission.lines(outputs(emission)));
     let reads = emission.lines(reads(model).iter().map(|row| reads_row(row.as_ref())));
     let (rung, formulation, reason) =
         (Literal::u8_unsuffixed(report.taken.rung), &report.taken.formulation, &report.taken.reason);
@@ -48,9 +48,9 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
                 operations: OPERATIONS,
                 degrees_of_freedom: NDOF,
             },
-            bodies: &[#bodies],
+            bodies: #bodies,
             ground: &[#ground],
-            parts: &[#parts],
+            parts: #parts,
             parameters: &[#parameters],
             inputs: &[#inputs],
             states: &[#states],
@@ -61,12 +61,34 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
 }
 
 fn bodies(emission: &Emission, figures: &Figures) -> TokenStream {
-    let bodies = emission.model.bodies.iter().zip(&figures.bodies);
-    emission.lines(bodies.map(|(body, first)| {
+    let (bodies, mut rows) = (&emission.model.bodies, Vec::new());
+    let (mut lists, mut known) = (Vec::new(), SortedMap::new());
+    for (body, first) in bodies.iter().zip(&figures.bodies) {
         let ports = quoted(body.ports.iter().map(|port| &port.name.text));
-        let (name, points) = (&body.name.text, body.contour.len());
-        format!("described::Body {{ name: {name:?}, ports: &[{ports}], contour: {points}, first: {first} }}")
-    }))
+        let list = numbered(&mut lists, &mut known, format!("&[{ports}]"));
+        rows.push([list, body.contour.len() as u32, *first as u32]);
+    }
+    if !compact::is_long(bodies.len()) {
+        let bodies = bodies.iter().zip(rows).map(|(body, [list, points, first])| {
+            let (name, ports) = (&body.name.text, &lists[list as usize]);
+            format!("described::Body {{ name: {name:?}, ports: {ports}, contour: {points}, first: {first} }}")
+        });
+        let bodies = emission.lines(bodies);
+        return quote!(&[#bodies]);
+    }
+    let names = bodies.iter().map(|body| body.name.text.clone()).collect_vec();
+    let (count, names, lists) = (number(names.len()), compact::names(emission, &names), emission.list(lists));
+    let rows = compact::numbers(emission, &rows.concat());
+    quote!(const { &rt::compact::bodies::<#count>(#names, &[#lists], &#rows) })
+}
+
+/// The number of a text among those that differ.
+fn numbered(texts: &mut Vec<String>, known: &mut SortedMap<String, u32>, text: String) -> u32 {
+    let number = *known.or_insert(text.clone(), texts.len() as u32);
+    if number as usize == texts.len() {
+        texts.push(text);
+    }
+    number
 }
 
 fn ground(emission: &Emission, figures: &Figures) -> TokenStream {
@@ -77,13 +99,50 @@ fn ground(emission: &Emission, figures: &Figures) -> TokenStream {
     }))
 }
 
-fn part(instance: &Instance, first: usize) -> String {
-    let Instance { name, kind, pair, frames, sizes } = instance;
-    let frames = frames.iter().map(|(argument, frame)| {
-        let (body, port) = (frame.body, frame.port);
-        format!("described::Frame {{ argument: {argument:?}, body: {body:?}, port: {port} }}")
-    });
-    let frames = frames.collect_vec().join(", ");
+fn parts(emission: &Emission, figures: &Figures) -> TokenStream {
+    let instances = &emission.model.instances;
+    if !compact::is_long(instances.len()) {
+        let parts = instances.iter().zip(&figures.parts).map(|(instance, first)| {
+            let frames = instance.frames.iter().map(|(argument, frame)| {
+                let (body, port) = (frame.body, frame.port);
+                format!("described::Frame {{ argument: {argument:?}, body: {body:?}, port: {port} }}")
+            });
+            part(instance, &instance.name, &frames.collect_vec().join(", "), *first)
+        });
+        let parts = emission.lines(parts);
+        return quote!(&[#parts]);
+    }
+    let (mut kinds, mut known_kinds) = (Vec::new(), SortedMap::new());
+    let (mut arguments, mut known_arguments) = (Vec::new(), SortedMap::new());
+    let (mut rows, mut frames, mut names) = (Vec::new(), Vec::new(), Vec::new());
+    for (instance, first) in instances.iter().zip(&figures.parts) {
+        let kind = numbered(&mut kinds, &mut known_kinds, part(instance, "", "", 0));
+        rows.extend_from_slice(&[kind, instance.frames.len() as u32, *first as u32]);
+        names.push(instance.name.clone());
+        for (argument, frame) in &instance.frames {
+            let argument = numbered(&mut arguments, &mut known_arguments, format!("{argument:?}"));
+            let body = frame.body.map_or(u32::MAX, |body| body as u32);
+            frames.extend_from_slice(&[argument, body, frame.port as u32]);
+        }
+    }
+    let [count, of_frames] = [names.len(), frames.len() / 3].map(number);
+    let [rows, frames] = [rows, frames].map(|numbers| compact::numbers(emission, &numbers));
+    let (names, kinds) = (compact::names(emission, &names), emission.list(kinds));
+    let arguments = emission.list(arguments);
+    quote! {
+        const {
+            &rt::compact::parts::<#count>(
+                #names,
+                &[#kinds],
+                &#rows,
+                const { &rt::compact::frames::<#of_frames>(&[#arguments], &#frames) },
+            )
+        }
+    }
+}
+
+fn part(instance: &Instance, name: &str, frames: &str, first: usize) -> String {
+    let Instance { kind, pair, sizes, .. } = instance;
     let (pair, sizes) = (pair.map(Pair::name), quoted(sizes.iter().map(|size| &size.name)));
     format!(
         "described::Part {{ name: {name:?}, kind: {kind:?}, pair: {pair:?}, frames: &[{frames}], sizes: &[{sizes}], \

@@ -4,6 +4,7 @@ use crate::collect::CollectVec;
 use crate::sorted::SortedMap;
 use plm_cas::{Expr, Instr, Op, Ref, Tape};
 
+use super::super::super::compact;
 use super::super::piece::{Piece, literal};
 use super::super::statement::Statement;
 use super::super::{Around, Bindings, Lowering, blocks};
@@ -62,8 +63,9 @@ impl Writer<'_> {
             Role::Same(Source::Number(value)) => return Some(pattern.number(*value)),
             Role::Same(source) => (self.outside(pattern, *source), Some(*source)),
             Role::Constants(numbers) => {
-                let numbers = numbers.iter().map(|number| constant(*number)).collect_vec().join(", ");
-                (pattern.table(self, &format!("const #: [f64; {count}] = [{numbers}];"), &i), None)
+                let numbers = numbers.iter().map(|number| constant(*number)).collect_vec();
+                let numbers = compact::constants(&numbers);
+                (pattern.table(self, &format!("let #: &[f64; {count}] = const {{ &{numbers} }};"), &i), None)
             }
             Role::Gathered(all) => {
                 let values = all.iter().map(|source| self.outside(pattern, *source)).collect_vec().join(", ");
@@ -227,8 +229,7 @@ impl Pattern {
         if let Some(known) = self.tables.get(text) {
             return known.clone();
         }
-        let (is_constant, name) = (text.starts_with("const"), writer.lowering.names.numbered("k"));
-        let name = if is_constant { name.to_uppercase() } else { name };
+        let (is_constant, name) = (text.starts_with("let #: &"), writer.lowering.names.numbered("k"));
         self.before.push(text.replacen('#', &name, 1));
         let element = if is_constant { format!("lit({name}[{index}])") } else { format!("{name}[{index}]") };
         self.tables.insert(text.to_owned(), element.clone());
