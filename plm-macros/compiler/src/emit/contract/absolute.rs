@@ -27,7 +27,6 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let (entries, places) = (number(places.len() / 2), compact::numbers(emission, &places));
     let length = Literal::f64_unsuffixed(report.length);
     let [(literals, positions), (_, velocities)] = starts(emission);
-    let bodies = number(model.bodies.len());
     let branch = branch(emission);
     let of_pose = |docs, arguments: &[&str], of| body(emission, docs, arguments, (of, Origin::Pose));
     let (phi_docs, phi) = of_pose(
@@ -113,13 +112,11 @@ Returns the smallest pivot ratio of the factorisation.",
             }
             fn start_position(&self) -> [Start<S>; #nq] {
                 #literals
-                let bodies: [[Start<S>; 3]; #bodies] = #positions;
-                core::array::from_fn(|k| bodies[k / 3][k % 3])
+                #positions
             }
             fn start_velocity(&self, q: &[S; #nq]) -> [Start<S>; #nq] {
                 #literals
-                let bodies: [[Start<S>; 3]; #bodies] = #velocities;
-                core::array::from_fn(|k| bodies[k / 3][k % 3])
+                #velocities
             }
             #branch
         }
@@ -150,7 +147,7 @@ fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
         .iter()
         .map(|body| body.centre.components().map(|component| inline(component, &bindings)));
     if emission.rolled {
-        let count = number(fields.bodies.len());
+        let nq = &emission.sizes.nq;
         let (tables, centre) = start::centre(&centres.collect_vec());
         let (tables, centre) = (emission.text(tables), emission.text(centre));
         let of_all = |value| {
@@ -158,10 +155,10 @@ fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
             (
                 Some(before),
                 quote!({
-                    let mut all = [[Start::free(S::lit(0.0)); 3]; #count];
+                    let mut all = [Start::free(S::ZERO); #nq];
                     let mut starts = self.start;
                     starts.each_body_(&mut |k, body| {
-                        if let Some(start) = all.get_mut(k) {
+                        if let Some(start) = all.as_chunks_mut::<3>().0.get_mut(k) {
                             *start = #value;
                         }
                     });
@@ -184,9 +181,14 @@ fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
             )
         })
         .unzip();
+    let count = number(fields.bodies.len());
     [positions, velocities].map(|list| {
         let (literals, list) = emission.values(list);
-        (literals, quote!([#list]))
+        let bodies = quote! {
+            let bodies: [[Start<S>; 3]; #count] = [#list];
+            core::array::from_fn(|k| bodies[k / 3][k % 3])
+        };
+        (literals, bodies)
     })
 }
 
