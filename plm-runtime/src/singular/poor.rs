@@ -22,7 +22,9 @@ const APART: f64 = 0.05;
 const MOST_LOOKS: usize = 64;
 /// A low place between them is followed down so often, by parabolas.
 const DESCENTS: usize = 8;
-/// A step without error control is looked at if it is longer than this, rad, times the root of its pivot ratio: a turn is seldom
+/// Where the pivot ratio is larger than this there is no turn, unless a step is long.
+const REGULAR: f64 = 0.3;
+/// Elsewhere a step without error control is looked at if it is longer than this, rad, times the root of its pivot ratio: a turn is seldom
 /// shorter than half of that root, ...
 const SLOW: f64 = 0.005;
 /// ... and divided where that turn is shorter than this, rad.
@@ -70,7 +72,8 @@ pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, cons
     leg: &Leg<'_, M>,
 ) -> M::S {
     let travel = travel(leg);
-    if travel < M::S::lit(SLOW) * leg.health.sqrt() || is_poor(leg) {
+    let regular = leg.health > M::S::lit(REGULAR) && travel < M::S::lit(LONG);
+    if regular || travel < M::S::lit(SLOW) * leg.health.sqrt() || is_poor(leg) {
         return M::S::ZERO;
     }
     let turn = shortest_turn(leg, travel);
