@@ -52,7 +52,7 @@ impl Options {
             seed: given.number("seed")?.unwrap_or(1),
             case: given.number("case")?,
             only: given.text("only")?.map(kind).transpose()?,
-            by: given.text("by")?.map(method).transpose()?,
+            by: given.text("by")?.as_deref().map(method).transpose()?,
             verbose: given.flag("verbose"),
             double: given.flag("double"),
             threads: given.number("threads")?,
@@ -69,7 +69,7 @@ fn kind(name: String) -> Result<String, BadOption> {
     Err(BadOption::new(format!("--only: no kind is called {name}; there are {}", names.join("; "))))
 }
 
-fn method(name: String) -> Result<By, BadOption> {
-    let named = By::ALL.into_iter().find(|by| format!("{by:?}").eq_ignore_ascii_case(&name));
+fn method(name: &str) -> Result<By, BadOption> {
+    let named = By::ALL.into_iter().find(|by| format!("{by:?}").eq_ignore_ascii_case(name));
     named.ok_or_else(|| BadOption::new(format!("--by: no method is called {name}; there are {:?}", By::ALL)))
 }
