@@ -73,11 +73,11 @@ pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, cons
 ) -> M::S {
     let travel = travel(leg);
     let regular = leg.health > M::S::lit(REGULAR) && travel < M::S::lit(LONG);
-    if regular || travel < M::S::lit(SLOW) * leg.health.sqrt() || is_poor(leg) {
+    if regular || travel < M::S::lit(SLOW) * leg.health.sqrt() {
         return M::S::ZERO;
     }
     let turn = shortest_turn(leg, travel);
-    if turn < M::S::lit(WIDE) { travel / turn } else { M::S::ZERO }
+    if turn < M::S::lit(WIDE) && !is_poor(leg) { travel / turn } else { M::S::ZERO }
 }
 
 /// The length of a turn where a step ends, rad.
