@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { LIVE_COMMANDS } from "../src/commands.js";
 import { readResults } from "../src/results.js";
 import { modulePath, nativeRows } from "../tests/support/live.js";
-import { address, alive, now, onScreen, pose, RED, setting, skip } from "./support/alive.js";
+import { address, alive, answered, now, onScreen, pose, RED, setting, skip } from "./support/alive.js";
 import { drawn, frames, openedIn, pieces, settle, shot, state, until } from "./support/browser.js";
 
 /** The bits of all rows of the live run. */
@@ -154,7 +154,7 @@ test("a parameter is turned by slider, by key and by number, in its unit", { ski
   const before = await drawn(page);
   const box = await slider.boundingBox();
   await page.mouse.click(box.x + 0.6 * box.width, box.y + 0.5 * box.height);
-  await page.waitForFunction(() => window.plmPage.app.live.settings.parameter[0] > 0.401);
+  await answered(page, 0, "value > 0.401");
   await settle(page);
   const turned = await setting(page, "parameter", 0);
   assert.ok(turned < 0.55, `${turned}`);
@@ -167,7 +167,7 @@ test("a parameter is turned by slider, by key and by number, in its unit", { ski
   // Beyond the range of the slider, which becomes longer.
   await page.fill("#parameter-1", "2.5");
   await page.keyboard.press("Enter");
-  await page.waitForFunction(() => window.plmPage.app.live.settings.parameter[1] === 2.5);
+  await answered(page, 1, "value === 2.5");
   await settle(page);
   assert.equal(await page.getAttribute("#parameter-1-slider", "max"), "2.5");
   assert.equal(await page.locator("[id^=input-]").count(), 2, "the page's own pulls are not shown");
@@ -224,7 +224,7 @@ test("contour and pin follow a parameter that is turned", { skip }, async () => 
   const slider = page.locator("#parameter-0-slider");
   for (const turned of [0.4, 0.48]) {
     await slider.fill(String(1e3 * turned));
-    await page.waitForFunction((reach) => Math.abs(window.plmPage.app.live.settings.parameter[0] - reach) < 1e-9, turned);
+    await answered(page, 0, `Math.abs(value - ${turned}) < 1e-9`);
     await settle(page);
     const scale = await state(page, "app.view.scale");
     // The contour of the coupler is 1.2 of the parameter long and 60 mm high.

@@ -31,6 +31,10 @@ export const now = (page) => state(page, "app.live.run.end");
 export const pose = (page, body) => state(page, `[0, 1, 2].map((axis) => app.live.run.poses.at(app.live.run.rows - 1, 6 * ${body} + axis))`);
 export const setting = (page, kind, index) => state(page, `app.live.settings.${kind}[${index}]`);
 
+/** Until the mechanism stands with a parameter as it was turned: the panel shows the setting before that. */
+export const answered = (page, index, holds) =>
+  page.waitForFunction(`((value) => ${holds})(window.plmPage.app.live.mechanism.parameters[${index}].value)`);
+
 /** Where a point of a body is on the screen, in pixels of the page. */
 export async function onScreen(page, body, point = [0, 0]) {
   const [x, y] = await page.evaluate(
