@@ -64,7 +64,8 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         } else {
             let [from, to] = &states();
             let leg = Leg { system: *system, held, from: (time, from), to: (plan.next_time, to), health };
-            !M::Rescue::doubts(&leg) && method.needs_no_settling(*system, plan.next_time, to)
+            let whole = M::Rescue::parts(&leg, <FixedStep<f64, F> as Method<M>>::CAUTION) == 1;
+            whole && !M::Rescue::doubts(&leg) && method.needs_no_settling(*system, plan.next_time, to)
         };
         if coasts {
             self.catch_up(number + 1);

@@ -80,25 +80,26 @@ pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, cons
     if turn < M::S::lit(WIDE) && !is_poor(leg) { travel / turn } else { M::S::ZERO }
 }
 
-/// The length of a turn where a step ends, rad.
+/// The length of a turn where a step ends, rad; infinite where rows always depend on each other, and where the pivot ratio is so
+/// large that there is none.
 #[cold]
 fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     leg: &Leg<'_, M>,
     travel: M::S,
 ) -> M::S {
-    let pivot = |(t, x): (M::S, &M::X), along: M::S| {
-        let (q, v) = split::<_, NX, NQ>(&leg.system.full(t, leg.held, x));
-        let q = Vector::from_fn(|i| along.mul_add(v.at(i), q.at(i)));
-        smallest_pivot(leg.system, t, &q)
+    let (q, v) = split::<_, NX, NQ>(&leg.system.full(leg.to.0, leg.held, leg.to.1));
+    let pivot = |after: M::S| {
+        let q = Vector::from_fn(|i| after.mul_add(v.at(i), q.at(i)));
+        smallest_pivot(leg.system, leg.to.0, &q)
     };
     let (half, two) = (M::S::lit(0.5), M::S::lit(2.0));
     let apart = M::S::lit(BESIDE).max(half * travel);
     let time = apart * (leg.to.0 - leg.from.0) / travel;
-    let here = pivot(leg.to, M::S::ZERO);
-    let [behind, ahead] = [-time, time].map(|time| pivot(leg.to, time));
-    if !Health(here).is_good() {
+    let here = pivot(M::S::ZERO);
+    if !Health(here).is_good() || here > half {
         return M::S::INFINITY;
     }
+    let [behind, ahead] = [-time, time].map(pivot);
     let slope = half * (ahead - behind).abs() / apart;
     let bend = (ahead + behind - two * here).max(M::S::ZERO) / (apart * apart);
     (two * here / slope).min((two * here / bend).sqrt())

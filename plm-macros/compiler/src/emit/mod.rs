@@ -49,6 +49,8 @@ pub(crate) struct Emission<'a> {
     shown: Ident,
     fields: Fields,
     sizes: Sizes,
+    /// May the constraints come to depend on each other?
+    may_be_singular: bool,
     /// Is what repeats itself written as loops?
     rolled: bool,
     texts: Texts,
@@ -106,6 +108,7 @@ pub(crate) fn emit(
         shown: names::token(&shown, span),
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
+        may_be_singular: contract::singular::may_be_singular(model, equations, form),
         rolled: report.is_rolled(),
         texts: Texts::default(),
     };

@@ -20,5 +20,5 @@ pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulat
 pub(crate) use function::{Function, Place};
 pub(crate) use linearised::{Augmented, Linearised, Part, Term};
 pub(crate) use program::{Program, reduce};
-pub(crate) use reduced::{Chart, Reduced};
+pub(crate) use reduced::{Chart, Reduced, is_tree};
 pub(crate) use resolvent::Resolvent;

@@ -5,24 +5,26 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, Form, Sizes};
-use crate::model::Stabilisation;
+use crate::derive::Equations;
+use crate::formulate::is_tree;
+use crate::model::{Model, Stabilisation};
 
 /// The type that takes over from the method where no chart is regular.
 pub(super) fn rescue(emission: &Emission) -> TokenStream {
     let Sizes { nq, nc, full, .. } = &emission.sizes;
-    if may_be_singular(emission) {
+    if emission.may_be_singular {
         quote!(rt::singular::Near<Self, #nq, #nc, #full>)
     } else {
         quote!(rt::singular::Never<Self>)
     }
 }
 
-/// Has it loops, or constraints whose rank may drop? Where Baumgarte's stabilisation lets states drift from them, there are no
-/// poses to come back to.
-fn may_be_singular(emission: &Emission) -> bool {
-    let projects = matches!(emission.model.stabilisation, Stabilisation::Projection);
-    match emission.form {
-        Form::Absolute => projects && !emission.equations.phi.is_empty(),
+/// Has it loops, or constraints whose rank may drop? That of a tree of joints does not. Where Baumgarte's stabilisation lets states
+/// drift from the constraints, there are no poses to come back to.
+pub(in crate::emit) fn may_be_singular(model: &Model, equations: &Equations, form: Form) -> bool {
+    let projects = matches!(model.stabilisation, Stabilisation::Projection);
+    match form {
+        Form::Absolute => projects && !equations.phi.is_empty() && !is_tree(model),
         Form::Tree(_) => false,
         Form::Loops(_) => true,
     }
@@ -31,7 +33,7 @@ fn may_be_singular(emission: &Emission) -> bool {
 /// `Fine`, for mechanisms with singular poses.
 pub(crate) fn fine(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
-    if !may_be_singular(emission) {
+    if !emission.may_be_singular {
         return TokenStream::new();
     }
     let between = if emission.loops().is_some() { charted(emission) } else { alone() };

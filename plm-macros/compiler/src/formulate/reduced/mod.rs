@@ -177,6 +177,11 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
     })
 }
 
+/// Do its joints make a tree, with no other constraints?
+pub(crate) fn is_tree(model: &Model) -> bool {
+    Coordinates::new(model).is_ok_and(|coordinates| coordinates.is_tree())
+}
+
 /// The charts of a mechanism, with as many coordinates as it has freedoms.
 ///
 /// # Errors
