@@ -151,6 +151,27 @@ fn fixed_steps_converge() {
     assert!(errors.windows(2).all(|pair| (14.0..20.0).contains(&(pair[0] / pair[1]))), "{errors:?}");
 }
 
+/// Next to its flat poses the measure of a group changes faster than its unknowns turn. Steps that do not know their error are
+/// divided for it, also the first one in a new chart.
+#[test]
+fn fixed_steps_are_divided_where_a_group_turns_sharply() {
+    let mut scene = double_butterfly::least::Scene::new();
+    scene.start.base.omega.value = 3.0;
+    // The most energy that is lost or won in a millisecond.
+    let lost = |h: f64| {
+        let mut fixed = scene.start_with(Rk4::new(h)).unwrap();
+        let energies = (0..=10_000).map(|_| {
+            let energy = fixed.kinetic_energy() + fixed.gravity_energy();
+            fixed.step(1e-3).unwrap();
+            energy
+        });
+        let energies: Vec<f64> = energies.collect();
+        energies.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max) / energies[0]
+    };
+    let [coarse, fine] = [1e-3, 2.5e-4].map(lost);
+    assert!(coarse < 1e-5 && fine < coarse / 30.0, "{coarse:e} {fine:e}");
+}
+
 /// What counts as closed depends on the arithmetic.
 #[test]
 fn single_precision_iterates_as_well() {

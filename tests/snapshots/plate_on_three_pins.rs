@@ -3668,7 +3668,7 @@ mod plm_plate_on_three_pins_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 11 select, 1 other.
+            /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 10 select, 1 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -3968,29 +3968,30 @@ mod plm_plate_on_three_pins_ {
                     / (j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0)
                         * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
                 let t60 = S::select(t58, t59, lit(-1.0));
-                let t61 = lit(1.0) / t60.sqrt();
+                let t61 = t60.sqrt();
+                let t62 = lit(1.0) / t61;
                 let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
                     j_0_across_0_0 * j_0_reciprocal,
                     j_0_time_rate_across_0 * -(j_0_across_1_0 * j_0_reciprocal),
                 );
-                let t62 = (-j_0_time_rate_0).mul_add(
+                let t63 = (-j_0_time_rate_0).mul_add(
                     lit(1.0000000000000002) * arm_1_4_x.mul_add(t38, arm_1_4_y * t36),
                     lit(1.0000000000000002) * t55.mul_add(t38, t56 * t36),
                 );
                 let j_0_time_rate_3 = (-(lit(1.0000000000000002) * (-t35).mul_add(t38, t36 * t37)))
-                    .mul_add(j_0_time_rate_1, t62);
-                let t63 = lit(2.5) * t61;
-                let t64 = (-j_0_time_rate_0).mul_add(
+                    .mul_add(j_0_time_rate_1, t63);
+                let t64 = lit(2.5) * t62;
+                let t65 = (-j_0_time_rate_0).mul_add(
                     lit(1.0000000000000002) * arm_0_4_x.mul_add(t45, arm_0_4_y * t44),
                     lit(1.0000000000000002) * t51.mul_add(t45, t53 * t44),
                 );
                 let j_0_time_rate_2 =
-                    (-j_0_time_rate_1).mul_add(lit(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t64);
-                let t65 = t57
-                    .max((t63 * j_0_time_rate_3.abs()).max(
-                        (t63 * j_0_time_rate_2.abs()).max((t57 * t61).max(t63 * j_0_time_rate_1.abs())),
+                    (-j_0_time_rate_1).mul_add(lit(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t65);
+                let t66 = t57
+                    .max((t64 * j_0_time_rate_3.abs()).max(
+                        (t64 * j_0_time_rate_2.abs()).max((t57 * t62).max(t64 * j_0_time_rate_1.abs())),
                     ));
-                memory.time.reach = lit(-0.1) / t65;
+                memory.time.reach = lit(-0.1) / t66;
                 memory.turns[0].angle = crank_0_angle;
                 memory.turns[0].cos = cos_crank_0_angle;
                 memory.turns[0].sin = sin_crank_0_angle;
@@ -4001,16 +4002,16 @@ mod plm_plate_on_three_pins_ {
                 memory.turns[2].cos = cos_crank_2_angle;
                 memory.turns[2].sin = sin_crank_2_angle;
                 let last_angle_3 = m.turns[3].angle;
-                let t66 = last_angle_3
+                let t67 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
                         .atan2(last_sine_3.mul_add(plate_angle_2_sin, last_cosine_3 * plate_angle_2_cos));
-                memory.turns[3].angle = t66;
-                let (sin_t66, cos_t66) = t66.sin_cos();
-                memory.turns[3].cos = cos_t66;
-                memory.turns[3].sin = sin_t66;
-                memory.areas[0] = S::select(t58, lit(1.0), lit(0.0));
-                memory.followed[0].value = t66;
+                memory.turns[3].angle = t67;
+                let (sin_t67, cos_t67) = t67.sin_cos();
+                memory.turns[3].cos = cos_t67;
+                memory.turns[3].sin = sin_t67;
+                memory.areas[0] = t61;
+                memory.followed[0].value = t67;
                 memory.followed[0].rate = -j_0_time_rate_0;
                 memory.followed[0].bend = lit(0.0);
                 memory.followed[1].value = lit(2.5) * slot_0_displacement_2;
@@ -4027,7 +4028,7 @@ mod plm_plate_on_three_pins_ {
 
             /// The same of a pose and velocity.
             ///
-            /// 84 add, 105 mul, 1 div, 2 neg, 4 sin_cos.
+            /// 84 add, 105 mul, 1 div, 2 neg, 1 sqrt, 4 sin_cos.
             #[cold]
             fn remember_pose_0(
                 &self,
@@ -4059,125 +4060,125 @@ mod plm_plate_on_three_pins_ {
                 memory.turns[3].angle = plate_angle;
                 memory.turns[3].cos = cos_plate_angle;
                 memory.turns[3].sin = sin_plate_angle;
-                memory.areas[0] = lit(1.0);
+                let t1 = lit(0.8191520442889918)
+                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t2 = lit(0.6427876096865393)
+                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                let t3 = lit(-0.573576436351046)
+                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t4 = lit(-0.766044443118978)
+                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                let j_0_across_0_1 = t3.mul_add(t4, t1 * t2);
+                let t5 = lit(0.984807753012208)
+                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                let t6 = lit(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                let j_0_across_1_1 = t3.mul_add(t6, t1 * t5);
+                let crank_0_x = q[0];
+                let plate_x = q[9];
+                let t7 = lit(0.3).mul_add(sin_plate_angle, plate_x);
+                let t8 = lit(0.4) * cos_plate_angle;
+                let t9 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t8 - t7;
+                let crank_0_y = q[1];
+                let plate_y = q[10];
+                let t10 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t11 = lit(0.4) * sin_plate_angle;
+                let t12 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t11 - t10;
+                let t13 = t1.mul_add(t12, t3 * t9);
+                let crank_1_x = q[3];
+                let t14 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t8 - t7;
+                let t15 = t2 * t14;
+                let crank_1_y = q[4];
+                let t16 = lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t11 - t10;
+                let t17 = t4 * t16;
+                let t18 = lit(0.8191520442889918) * t13;
+                let t19 = lit(-0.766044443118978).mul_add(lit(0.9999999999999999).mul_add(t15, -t17), t18)
+                    - lit(0.8);
+                let t20 = t15 - t17;
+                let t21 = lit(0.573576436351046) * t13;
+                let t22 = lit(0.6427876096865393).mul_add(t20, t21);
+                let j_0_across_0_0 = (-t2).mul_add(
+                    (-cos_plate_angle).mul_add(t19, sin_plate_angle * t22),
+                    t4 * -cos_plate_angle.mul_add(t22, sin_plate_angle * t19),
+                );
+                let crank_2_x = q[6];
+                let t23 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t11;
+                let t24 = t5 * t23;
+                let crank_2_y = q[7];
+                let t25 = lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t8;
+                let t26 = t6 * t25;
+                let t27 = lit(-0.17364817766693033).mul_add(lit(0.9999999999999999).mul_add(t24, -t26), t18)
+                    - lit(0.4);
+                let t28 = t24 - t26;
+                let t29 = lit(0.984807753012208).mul_add(t28, t21) - lit(0.7);
+                let j_0_across_1_0 = (-t5).mul_add(
+                    (-cos_plate_angle).mul_add(t27, sin_plate_angle * t29),
+                    t6 * -cos_plate_angle.mul_add(t29, sin_plate_angle * t27),
+                );
+                let j_0_determinant =
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
+                let t30 = j_0_determinant * j_0_determinant
+                    / (j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1)
+                        * j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0));
+                memory.areas[0] = t30.sqrt();
                 memory.followed[0].value = plate_angle;
                 let plate_omega = v[11];
                 memory.followed[0].rate = plate_omega;
                 memory.followed[0].bend = lit(0.0);
-                let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
-                let crank_0_x = q[0];
-                let plate_x = q[9];
-                let t2 = lit(0.3).mul_add(sin_plate_angle, plate_x);
-                let t3 = lit(0.4) * cos_plate_angle;
-                let t4 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t3 - t2;
-                let t5 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                let crank_0_y = q[1];
-                let plate_y = q[10];
-                let t6 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t7 = lit(0.4) * sin_plate_angle;
-                let t8 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t7 - t6;
-                let t9 = t5.mul_add(t8, t1 * t4);
-                memory.followed[1].value = lit(2.5) * t9;
-                let t10 = plate_omega * sin_plate_angle;
-                let t11 = plate_omega * cos_plate_angle;
+                memory.followed[1].value = lit(2.5) * t13;
+                let t31 = plate_omega * sin_plate_angle;
+                let t32 = plate_omega * cos_plate_angle;
                 let crank_0_vx = v[0];
                 let crank_0_omega = v[2];
                 let plate_vx = v[9];
-                let t12 = lit(0.3).mul_add(t11, plate_vx);
-                let t13 = lit(0.1) * crank_0_omega;
-                let t14 = lit(0.4) * t10;
+                let t33 = lit(0.3).mul_add(t32, plate_vx);
+                let t34 = lit(0.1) * crank_0_omega;
+                let t35 = lit(0.4) * t31;
                 let crank_0_vy = v[1];
                 let plate_vy = v[10];
-                let t15 = lit(0.3).mul_add(t10, plate_vy);
-                let t16 = lit(0.4) * t11;
-                let t17 = (-t1).mul_add(
-                    (-t13).mul_add(sin_crank_0_angle, crank_0_vx) - t14 - t12,
-                    lit(0.573576436351046).mul_add(t11, lit(0.8191520442889918) * t10) * t4,
+                let t36 = lit(0.3).mul_add(t31, plate_vy);
+                let t37 = lit(0.4) * t32;
+                let t38 = (-t3).mul_add(
+                    (-t34).mul_add(sin_crank_0_angle, crank_0_vx) - t35 - t33,
+                    lit(0.573576436351046).mul_add(t32, lit(0.8191520442889918) * t31) * t9,
                 );
-                let t18 = (-t5).mul_add(
-                    t13.mul_add(cos_crank_0_angle, crank_0_vy) + t16 - t15,
-                    lit(-0.8191520442889918).mul_add(t11, lit(0.573576436351046) * t10).mul_add(t8, t17),
+                let t39 = (-t1).mul_add(
+                    t34.mul_add(cos_crank_0_angle, crank_0_vy) + t37 - t36,
+                    lit(-0.8191520442889918).mul_add(t32, lit(0.573576436351046) * t31).mul_add(t12, t38),
                 );
-                memory.followed[1].rate = lit(-2.5) * t18;
+                memory.followed[1].rate = lit(-2.5) * t39;
                 memory.followed[1].bend = lit(0.0);
-                let t19 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
-                let crank_1_x = q[3];
-                let t20 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t3 - t2;
-                let t21 = t19 * t20;
-                let t22 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
-                let crank_1_y = q[4];
-                let t23 = lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t7 - t6;
-                let t24 = t22 * t23;
-                let t25 = t21 - t24;
-                memory.followed[2].value = lit(-2.5) * t25;
+                memory.followed[2].value = lit(-2.5) * t20;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
-                let t26 = lit(0.1) * crank_1_omega;
+                let t40 = lit(0.1) * crank_1_omega;
                 let crank_1_vy = v[4];
-                let t27 = (-t19).mul_add(
-                    (-t26).mul_add(sin_crank_1_angle, crank_1_vx + t14) - t12,
-                    lit(-0.6427876096865393).mul_add(t11, lit(0.766044443118978) * t10) * t20,
+                let t41 = (-t2).mul_add(
+                    (-t40).mul_add(sin_crank_1_angle, crank_1_vx + t35) - t33,
+                    lit(-0.6427876096865393).mul_add(t32, lit(0.766044443118978) * t31) * t14,
                 );
-                let t28 = t22.mul_add(
-                    t26.mul_add(cos_crank_1_angle, crank_1_vy - t16) - t15,
-                    (-lit(0.766044443118978).mul_add(t11, lit(0.6427876096865393) * t10)).mul_add(t23, t27),
+                let t42 = t4.mul_add(
+                    t40.mul_add(cos_crank_1_angle, crank_1_vy - t37) - t36,
+                    (-lit(0.766044443118978).mul_add(t32, lit(0.6427876096865393) * t31)).mul_add(t16, t41),
                 );
-                memory.followed[2].rate = lit(2.5) * t28;
+                memory.followed[2].rate = lit(2.5) * t42;
                 memory.followed[2].bend = lit(0.0);
-                let t29 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
-                let crank_2_x = q[6];
-                let t30 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t7;
-                let t31 = t29 * t30;
-                let t32 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
-                let crank_2_y = q[7];
-                let t33 = lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t3;
-                let t34 = t32 * t33;
-                let t35 = t31 - t34;
-                memory.followed[3].value = lit(-2.5) * t35;
+                memory.followed[3].value = lit(-2.5) * t28;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
-                let t36 = lit(0.1) * crank_2_omega;
+                let t43 = lit(0.1) * crank_2_omega;
                 let crank_2_vy = v[7];
-                let t37 = (-t29).mul_add(
-                    (-t36).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t16),
-                    t30 * lit(-0.984807753012208).mul_add(t11, lit(0.17364817766693033) * t10),
+                let t44 = (-t5).mul_add(
+                    (-t43).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t37),
+                    t23 * lit(-0.984807753012208).mul_add(t32, lit(0.17364817766693033) * t31),
                 );
-                let t38 = t32.mul_add(
-                    t36.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t14),
-                    (-t33).mul_add(lit(0.17364817766693033).mul_add(t11, lit(0.984807753012208) * t10), t37),
+                let t45 = t6.mul_add(
+                    t43.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t35),
+                    (-t25).mul_add(lit(0.17364817766693033).mul_add(t32, lit(0.984807753012208) * t31), t44),
                 );
-                memory.followed[3].rate = lit(2.5) * t38;
+                memory.followed[3].rate = lit(2.5) * t45;
                 memory.followed[3].bend = lit(0.0);
-                let j_0_across_0_1 = t1.mul_add(t22, t5 * t19);
-                let j_0_across_1_1 = t1.mul_add(t32, t5 * t29);
-                let t39 = lit(0.8191520442889918) * t9;
-                let t40 = lit(-0.766044443118978).mul_add(lit(0.9999999999999999).mul_add(t21, -t24), t39)
-                    - lit(0.8);
-                let t41 = lit(0.573576436351046) * t9;
-                let t42 = lit(0.6427876096865393).mul_add(t25, t41);
-                let j_0_across_0_0 = (-t19).mul_add(
-                    (-cos_plate_angle).mul_add(t40, sin_plate_angle * t42),
-                    t22 * -cos_plate_angle.mul_add(t42, sin_plate_angle * t40),
-                );
-                let t43 = lit(-0.17364817766693033).mul_add(lit(0.9999999999999999).mul_add(t31, -t34), t39)
-                    - lit(0.4);
-                let t44 = lit(0.984807753012208).mul_add(t35, t41) - lit(0.7);
-                let j_0_across_1_0 = (-t29).mul_add(
-                    (-cos_plate_angle).mul_add(t43, sin_plate_angle * t44),
-                    t32 * -cos_plate_angle.mul_add(t44, sin_plate_angle * t43),
-                );
-                let j_0_determinant =
-                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
-                let t45 = j_0_determinant * j_0_determinant
-                    / (j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1)
-                        * j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0));
-                t45
+                t30
             }
         }
     }

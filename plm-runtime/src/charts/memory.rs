@@ -92,6 +92,17 @@ pub trait Remembered<S>: Copy {
     /// Puts every number of `one` to that in its place.
     fn put(&mut self, one: &Self, put: impl Fn(&mut S, S));
 
+    /// Makes the boxes of the coordinates narrower by a factor.
+    #[inline]
+    fn narrow(&mut self, by: S)
+    where
+        S: Scalar,
+    {
+        for at in self.coordinates_mut() {
+            at.reach = by * at.reach;
+        }
+    }
+
     /// `f` from the first number to the last, beginning with `start`.
     #[inline]
     fn fold<A>(&self, start: A, f: impl Fn(A, S) -> A) -> A

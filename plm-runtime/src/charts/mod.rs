@@ -52,6 +52,9 @@ const TIGHT: f64 = 0.1 * FLAT;
 /// keeps 0.6 of its value if g'' is small, so that a box at the end of the way is not tight where the first was twice as wide.
 const BOXES: f64 = 2.0;
 
+/// In a new chart the second look is so many boxes ahead of the first.
+const AHEAD: f64 = 1e-3;
+
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
     System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Memory, Self::Q>>, S: Real>
@@ -293,10 +296,26 @@ fn change<M: Charted>(
 ) {
     held.of_loops = OfLoops::InChart { chart, memory: system.remember_pose(chart, t, q, v).0 };
     system.project(chart, t, q, v, x);
-    let (memory, measure) = system.remember(t, held, x);
-    if !is_open(measure) && memory.is_finite() {
+    let (mut memory, measure) = system.remember(t, held, x);
+    if is_open(measure) || !memory.is_finite() {
+        return;
+    }
+    held.of_loops = OfLoops::InChart { chart, memory };
+    if !M::FOLLOWED.is_empty() {
+        let after = system.remember(t, held, &ahead(system, &memory, x)).0;
+        memory.narrow(Looks::<M> { t, chart, before: &memory, after: &after }.narrowed());
         held.of_loops = OfLoops::InChart { chart, memory };
     }
+}
+
+/// A state a little ahead.
+fn ahead<M: Charted>(system: &M, memory: &M::Memory, x: &M::X) -> M::X {
+    let mut ahead = *x;
+    for (k, at) in memory.coordinates().iter().enumerate() {
+        let by = M::S::lit(AHEAD) * at.reach.min(system.typical().at(k));
+        ahead.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
+    }
+    ahead
 }
 
 fn square<S: Scalar>(value: f64) -> S {

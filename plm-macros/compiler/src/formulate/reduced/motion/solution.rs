@@ -5,7 +5,7 @@ use plm_cas::{Expr, Vec2};
 /// What a dyad's solution leaves for velocities and for the choice of charts.
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
-    /// `D`, m^2, m or 1; of a group without mirror images 1, or 0 where it is not closed.
+    /// `D`, m^2, m or 1; of a group without mirror images its measure.
     pub(crate) determinant: Expr,
     /// `D^2`; negative where the loop cannot be closed.
     pub(crate) square: Expr,
@@ -20,9 +20,8 @@ pub(crate) struct Solution {
 impl Solution {
     /// Of a group without mirror images that a sign could tell apart: the square of its measure, and whether it is closed.
     pub(crate) fn of_measure(measure: Expr, closed: Expr) -> Solution {
-        let determinant = closed.select(Expr::ONE, Expr::ZERO);
         let square = closed.select(measure, Expr::from(-1));
-        Solution { determinant, square, ..Solution::certain() }
+        Solution { determinant: square.sqrt(), square, ..Solution::certain() }
     }
 
     /// A loop that has nothing to decide.
