@@ -10,6 +10,9 @@ pub trait Entry<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output 
     fn real(s: S) -> Self;
     /// A measure of the absolute value that is cheap and right to a factor of sqrt(2).
     fn size(self) -> S;
+    /// `s self`.
+    #[must_use]
+    fn times(self, s: S) -> Self;
     /// 1 / self.
     #[must_use]
     fn reciprocal(self) -> Self;
@@ -26,6 +29,10 @@ impl<S: Real> Entry<S> for S {
     #[inline]
     fn size(self) -> S {
         self.abs()
+    }
+    #[inline]
+    fn times(self, s: S) -> Self {
+        s * self
     }
     #[inline]
     fn reciprocal(self) -> Self {
@@ -78,6 +85,10 @@ impl<S: Real> Entry<S> for Complex<S> {
     #[inline]
     fn size(self) -> S {
         self.re.abs() + self.im.abs()
+    }
+    #[inline]
+    fn times(self, s: S) -> Self {
+        Self { re: s * self.re, im: s * self.im }
     }
     #[inline]
     fn reciprocal(self) -> Self {

@@ -20,11 +20,23 @@ impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivativ
         Mixed::Sparse(A::zeros())
     }
 
-    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>> {
-        Some(match self {
-            Mixed::Sparse(sparse) => Mixed::Sparse(sparse.resolvent(lambda, nq)?),
-            Mixed::Full(full) => Mixed::Full(full.resolvent(lambda, nq)?),
-        })
+    fn room<T: Entry<S>>(&self) -> Self::Resolvent<T> {
+        match self {
+            Mixed::Sparse(sparse) => Mixed::Sparse(sparse.room()),
+            Mixed::Full(full) => Mixed::Full(full.room()),
+        }
+    }
+
+    fn decompose<T: Entry<S>>(&self, lambda: T, nq: usize, into: &mut Self::Resolvent<T>) -> bool {
+        match (self, &*into) {
+            (Mixed::Sparse(_), Mixed::Sparse(_)) | (Mixed::Full(_), Mixed::Full(_)) => {}
+            _ => *into = self.room(),
+        }
+        match (self, into) {
+            (Mixed::Sparse(sparse), Mixed::Sparse(into)) => sparse.decompose(lambda, nq, into),
+            (Mixed::Full(full), Mixed::Full(into)) => full.decompose(lambda, nq, into),
+            _ => false,
+        }
     }
 
     fn resolve<T: Entry<S>>(

@@ -122,25 +122,31 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
         Self { coefficients: [S::ZERO; C], pattern: PhantomData }
     }
 
+    fn room<T: Entry<S>>(&self) -> Eliminated<T, E> {
+        let zero = T::real(S::ZERO);
+        Eliminated { entries: [zero; E], inverse: zero }
+    }
+
     /// With the unknowns v for q' = v, lambda q - v = r_q, and s for the first-order states, an equation
     /// `c_q q + c_v v + c_a v' + c_s s + c_r s' + c z = 0` of the derivatives says
     /// `(c_q / lambda + c_v + lambda c_a) v + (c_s + lambda c_r) s + c z = -c_q r_q / lambda + c_a r_v + c_r r_s`.
-    fn resolvent<T: Entry<S>>(&self, lambda: T, _nq: usize) -> Option<Eliminated<T, E>> {
+    fn decompose<T: Entry<S>>(&self, lambda: T, _nq: usize, into: &mut Eliminated<T, E>) -> bool {
         let inverse = lambda.reciprocal();
-        let mut entries = [T::real(S::ZERO); E];
+        into.inverse = inverse;
+        let entries = &mut into.entries;
+        *entries = [T::real(S::ZERO); E];
         for term in P::PATTERN.terms {
-            let coefficient = T::real(self.coefficients.at(term.coefficient as usize));
+            let coefficient = self.coefficients.at(term.coefficient as usize);
             let value = match term.part {
-                Part::Value | Part::Velocity => coefficient,
-                Part::Rate | Part::Acceleration => coefficient * lambda,
-                Part::Position => coefficient * inverse,
+                Part::Value | Part::Velocity => T::real(coefficient),
+                Part::Rate | Part::Acceleration => lambda.times(coefficient),
+                Part::Position => inverse.times(coefficient),
             };
             if let Some(entry) = entries.get_mut(term.entry as usize) {
                 *entry = *entry + value;
             }
         }
-        eliminate::<S, T, E, U>(&P::PATTERN, &mut entries)?;
-        Some(Eliminated { entries, inverse })
+        eliminate::<S, T, E, U>(&P::PATTERN, entries).is_some()
     }
 
     fn resolve<T: Entry<S>>(
@@ -152,21 +158,30 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
     ) {
         let Pattern { coordinates, states, terms, .. } = P::PATTERN;
         let (n, zero) = (coordinates as usize, T::real(S::ZERO));
+        // What columns are multiplied by stands in many terms.
+        let (mut r_q, mut by_position, mut by_rate) = ([zero; U], [zero; U], [zero; U]);
+        for (i, (r_q, known)) in r_q.iter_mut().zip(&mut by_position).enumerate().take(n) {
+            *r_q = r(i);
+            *known = zero - *r_q * resolvent.inverse;
+        }
+        for (i, known) in by_rate.iter_mut().enumerate().take(n + states as usize) {
+            *known = r(nq + i);
+        }
         let mut b = [zero; U];
         for term in terms {
-            let column = term.column as usize;
-            let known = match term.part {
+            let knowns = match term.part {
                 Part::Value | Part::Velocity => continue,
-                Part::Position => zero - r(column) * resolvent.inverse,
-                Part::Acceleration | Part::Rate => r(nq + column),
+                Part::Position => &by_position,
+                Part::Acceleration | Part::Rate => &by_rate,
             };
+            let coefficient = self.coefficients.at(term.coefficient as usize);
             if let Some(b) = b.get_mut(term.row as usize) {
-                *b = *b + T::real(self.coefficients.at(term.coefficient as usize)) * known;
+                *b = *b + at::<S, T>(knowns, term.column).times(coefficient);
             }
         }
         substitute(&P::PATTERN, &resolvent.entries, &mut b);
-        for (i, v) in b.iter().enumerate().take(n) {
-            each(i, (r(i) + *v) * resolvent.inverse);
+        for (i, (r_q, v)) in r_q.iter().zip(&b).enumerate().take(n) {
+            each(i, (*r_q + *v) * resolvent.inverse);
         }
         for (i, k) in b.iter().enumerate().take(n + states as usize) {
             each(nq + i, *k);

@@ -17,18 +17,39 @@ const SLOWEST: f64 = 0.4;
 /// The decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
 #[derive(Clone, Copy)]
 pub(super) struct Factors<M: Linear> {
+    /// Length of the steps that they are for.
     pub(super) h: M::S,
+    /// Were they found, for the derivatives as they are?
+    known: bool,
     real: Resolvent<M, M::S>,
     complex: Resolvent<M, Complex<M::S>>,
 }
 
 impl<M: Linear> Factors<M> {
-    /// For steps of `h`; none if a matrix is singular.
-    pub(super) fn new(course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> Option<Self> {
+    /// Room for both.
+    pub(super) fn room(by_x: &M::Derivatives) -> Self {
+        Self { h: M::S::ZERO, known: false, real: by_x.room(), complex: by_x.room() }
+    }
+
+    /// Are they those of steps of `h`?
+    pub(super) fn are_of(&self, h: M::S) -> bool {
+        self.known && self.h == h
+    }
+
+    /// The derivatives are others.
+    pub(super) fn forget(&mut self) {
+        self.known = false;
+    }
+
+    /// For steps of `h`; false if a matrix is singular.
+    pub(super) fn decompose(&mut self, course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> bool {
         course.stats.factorisations += 1;
         let over_h = |value: f64| M::S::lit(value) / h;
         let pair = Complex { re: over_h(ALPHA), im: over_h(BETA) };
-        Some(Self { h, real: by_x.resolvent(over_h(GAMMA), M::NQ)?, complex: by_x.resolvent(pair, M::NQ)? })
+        self.h = h;
+        self.known = by_x.decompose(over_h(GAMMA), M::NQ, &mut self.real)
+            && by_x.decompose(pair, M::NQ, &mut self.complex);
+        self.known
     }
 
     /// (gamma/h I - J)^-1 r.

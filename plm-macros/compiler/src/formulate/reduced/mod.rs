@@ -31,6 +31,7 @@ use self::motion::memory::Memory;
 use self::motion::solution::measure;
 use self::tree::augmented::augmented;
 use super::function::{Function, Place, Section, stored};
+use super::colours::Reads;
 use super::linearised::{Linearised, by_time, orders_step};
 use super::switches;
 use crate::derive::Equations;
@@ -301,7 +302,7 @@ impl Layout<'_> {
         }
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
         let found = linearised::laid_out(motion, dense, &self.equations.x, &x_dot);
-        let sparse = !loops && found.is_cheaper(rate.tape().count().total());
+        let sparse = !loops && found.is_cheaper(self.reads(motion, rate).operations(rate));
         Linearised::wanted(self.model, found, sparse)
     }
 
@@ -313,7 +314,14 @@ impl Layout<'_> {
         }
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
         let found = jacobian::jacobian(motion, dense, &self.equations.x, &x_dot);
-        found.is_cheaper(rate.tape().count().total()).then_some(found)
+        let by_dual_numbers = self.reads(motion, rate).operations(rate);
+        found.is_cheaper(rate.tape().count().total(), by_dual_numbers).then_some(found)
+    }
+
+    /// What a rate reads of the state.
+    fn reads(&self, motion: &Motion, rate: &Function) -> Reads {
+        let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
+        Reads::of(rate, [&y, &y_dot, &self.equations.x])
     }
 
     /// The ways to `M a = Q` along the coordinates.
