@@ -1,6 +1,6 @@
 //! The linear systems of implicit methods: (lambda I - J) k = r.
 
-use super::complex::Entry;
+use super::complex::{Both, Complex, Entry};
 use super::lu::Lu;
 use crate::scalar::Real;
 use crate::vector::Vector;
@@ -44,6 +44,23 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
         r: impl FnMut(usize) -> T,
         each: impl FnMut(usize, T),
     );
+    /// Solves for a real and for a complex lambda, each with a right-hand side of its own.
+    fn resolve_both(
+        &self,
+        (real, complex): (&Self::Resolvent<S>, &Self::Resolvent<Complex<S>>),
+        nq: usize,
+        mut r: impl FnMut(usize) -> Both<S>,
+        mut each: impl FnMut(usize, Both<S>),
+    ) {
+        let mut first = X::fill(S::ZERO);
+        self.resolve(real, nq, |i| r(i).real, |i, k| first.set(i, k));
+        self.resolve(
+            complex,
+            nq,
+            |i| r(i).complex,
+            |i, complex| each(i, Both { real: first.at(i), complex }),
+        );
+    }
     /// The matrix J, where it is held as such.
     fn full(&mut self) -> Option<&mut X::Matrix>;
 }

@@ -150,7 +150,11 @@ mod tests {
             for column in 0..reads.length {
                 let colour = of_columns[column];
                 if holds(set, column) {
-                    assert_eq!(colour.and_then(|colour| columns[colour][row]), Some(column), "{row}, {column}");
+                    assert_eq!(
+                        colour.and_then(|colour| columns[colour][row]),
+                        Some(column),
+                        "{row}, {column}"
+                    );
                 }
             }
             let found = columns.iter().filter(|of_colour| of_colour[row].is_some()).count();

@@ -82,7 +82,8 @@ struct Trial<X> {
 const ORDER: u32 = 4;
 /// Drift is settled above this fraction of the tolerance.
 const SETTLED_ABOVE: f64 = 0.1;
-/// Derivatives are kept while corrections shrink faster than by this ratio.
+/// Derivatives are kept while corrections shrink faster than by this ratio. With a larger one there are fewer of them, and what
+/// iterations leave shows in the order of the method.
 const FAST: f64 = 1e-3;
 /// A proposal that is longer by less than this factor is left, so that the decomposition can be kept.
 const WORTH_IT: f64 = 1.2;
