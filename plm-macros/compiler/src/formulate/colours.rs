@@ -74,9 +74,11 @@ impl Reads {
     /// The colours.
     pub(crate) fn colours(&self) -> Colours {
         let lower = self.rows.get(self.freedom..).unwrap_or(&[]);
-        let near = |column: usize| match self.rows.is_empty() {
-            true => u128::MAX,
-            false => lower.iter().filter(|&&row| holds(row, column)).fold(0, |near, row| near | row),
+        let near = |column: usize| {
+            if self.rows.is_empty() {
+                return u128::MAX;
+            }
+            lower.iter().filter(|&&row| holds(row, column)).fold(0, |near, row| near | row)
         };
         let near: Vec<u128> = (0..self.length).map(near).collect_vec();
         let mut order = (0..self.length).filter(|&column| near[column] != 0).collect_vec();
@@ -100,8 +102,9 @@ impl Reads {
     /// Which of some columns each row holds; none above.
     fn columns_of(&self, members: &[usize]) -> Vec<Option<usize>> {
         let of_row = |row: usize| {
-            let set = self.rows.get(row).copied().filter(|_| row >= self.freedom)?;
-            members.iter().copied().find(|&column| holds(set, column))
+            let set = self.rows.get(row).copied().unwrap_or_default();
+            let held = |&column: &usize| self.rows.is_empty() || holds(set, column);
+            members.iter().copied().find(held).filter(|_| row >= self.freedom)
         };
         (0..self.length).map(of_row).collect_vec()
     }
@@ -116,7 +119,7 @@ impl Colours {
 
 /// Does a set hold a column?
 fn holds(set: u128, column: usize) -> bool {
-    set >> column & 1 == 1
+    (set >> column) & 1 == 1
 }
 
 /// What each instruction of a tape reads of `state`.
@@ -173,8 +176,7 @@ mod tests {
     #[test]
     fn neither_the_upper_rows_nor_columns_of_zeros_take_a_direction() {
         // Two bodies on springs of their own, and a third one that falls.
-        let two = [0b001_000, 0b010_000, 0b100_000, 0b001_001, 0b010_010, 0];
-        let two = reads(3, &two.map(|row: u128| row));
+        let two = reads(3, &[0b001_000, 0b010_000, 0b100_000, 0b001_001, 0b010_010, 0]);
         assert_eq!(is_right(&two), 2);
         assert_eq!(two.colours().of_columns[2], None);
         assert_eq!(two.colours().of_columns[5], None);
@@ -182,13 +184,14 @@ mod tests {
 
     #[test]
     fn bands_have_as_many_colours_as_they_are_wide() {
-        let rows: Vec<u128> = (0..20).map(|row: u32| (0b111_u128 << row >> 1) & ((1 << 20) - 1)).collect();
+        let rows: Vec<u128> = (0..20).map(|row: u32| ((0b111_u128 << row) >> 1) & ((1 << 20) - 1)).collect();
         assert_eq!(is_right(&reads(0, &rows)), 3);
     }
 
     #[test]
     fn what_is_not_known_is_full() {
-        let Colours { count, .. } = Reads { freedom: 0, length: 130, rows: Vec::new() }.colours();
+        let Colours { count, columns, .. } = Reads { freedom: 40, length: 130, rows: Vec::new() }.colours();
         assert_eq!(count, 130);
+        assert!(columns.iter().all(|rows| rows.iter().filter(|column| column.is_some()).count() == 90));
     }
 }
