@@ -30,7 +30,6 @@ use self::motion::Motion;
 use self::motion::memory::Memory;
 use self::motion::solution::measure;
 use self::tree::augmented::augmented;
-use super::colours::Reads;
 use super::function::{Function, Place, Section, stored};
 use super::linearised::{Linearised, by_time, orders_step};
 use super::switches;
@@ -316,12 +315,6 @@ impl Layout<'_> {
         let found = jacobian::jacobian(motion, dense, &self.equations.x, &x_dot);
         let by_dual_numbers = self.reads(motion, rate).operations(rate);
         found.is_cheaper(rate.tape().count().total(), by_dual_numbers).then_some(found)
-    }
-
-    /// What a rate reads of the state.
-    fn reads(&self, motion: &Motion, rate: &Function) -> Reads {
-        let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
-        Reads::of(rate, [&y, &y_dot, &self.equations.x])
     }
 
     /// The ways to `M a = Q` along the coordinates.
