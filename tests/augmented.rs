@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 use plm::runtime::held::Loops as _;
-use plm::runtime::linalg::{Complex, Dense, Derivatives};
+use plm::runtime::linalg::{Both, Complex, Dense, Derivatives};
 use plm::runtime::{Linear, System, Vector};
 use plm::{Dop853, Mechanism, Moment, RadauIia5, Ros34Pw2};
 
@@ -125,6 +125,26 @@ chain!(chain32, 32);
 #[path = "snapshots/arm_on_jack.rs"]
 mod arm_on_jack;
 
+/// Are a real and a complex system solved side by side as each by itself, to the bit?
+fn both<X: Dense<f64>, D: Derivatives<f64, X>>(
+    derivatives: &D,
+    (r, lambda): (impl Fn(usize) -> Complex<f64>, Complex<f64>),
+    nq: usize,
+) -> bool {
+    let [real, complex] = [25.0, 1.0].map(|factor| Complex { re: factor * lambda.re, im: lambda.im });
+    let (real, complex) =
+        (derivatives.resolvent(real.re, nq).unwrap(), derivatives.resolvent(complex, nq).unwrap());
+    let (mut alone, mut beside) = ([vec![], vec![]], [vec![], vec![]]);
+    derivatives.resolve(&real, nq, |i| r(i).im, |_, k| alone[0].push(Complex { re: k, im: 0.0 }));
+    derivatives.resolve(&complex, nq, &r, |_, k| alone[1].push(k));
+    let of_both = |i| Both { real: r(i).im, complex: r(i) };
+    derivatives.resolve_both((&real, &complex), nq, of_both, |_, k| {
+        beside[0].push(Complex { re: k.real, im: 0.0 });
+        beside[1].push(k.complex);
+    });
+    alone == beside && alone.iter().all(|found| found.len() == X::LEN)
+}
+
 /// The largest difference of (lambda I - J)^-1 r between the full matrix and the augmented system, over the largest k. On a
 /// tree there is no full matrix beside the system.
 fn difference<M>(mechanism: M, time: f64, lambda: Complex<f64>, is_tree: bool) -> f64
@@ -151,6 +171,9 @@ where
     let resolvent = sparse.resolvent(lambda, M::NQ).unwrap();
     sparse.resolve(&resolvent, M::NQ, r, |i, k| found[1].push((i, k)));
     assert_eq!(found[0].len(), M::X::LEN);
+    for side_by_side in [both(&full, (r, lambda), M::NQ), both(&sparse, (r, lambda), M::NQ)] {
+        assert!(side_by_side, "two systems solved side by side are as each by itself");
+    }
     let size = found[0].iter().fold(0.0_f64, |size, (_, k)| size.max(k.re.hypot(k.im)));
     let gaps = found[0].iter().zip(&found[1]).map(|((i, a), (j, b))| {
         assert_eq!(i, j);

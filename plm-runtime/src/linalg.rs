@@ -12,7 +12,7 @@ mod mixed;
 mod resolvent;
 mod sparse;
 
-pub use complex::{Complex, Entry};
+pub use complex::{Both, Complex, Entry};
 pub use lu::Lu;
 pub use mixed::Mixed;
 pub use resolvent::{Dense, Derivatives, Resolvent};

@@ -82,32 +82,101 @@ pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {
         by_x: &mut <Self::X as Dense<Self::S>>::Matrix,
         by_t: Option<&mut Self::X>,
     ) -> Health<Self::S> {
-        let (lifted, held) = self.lift::<DIRECTIONS>(u);
-        let (size, mut time_column) = (Self::X::LEN, *x);
-        let columns = size + usize::from(by_t.is_some());
-        let (mut worst, mut probe) = (Health::perfect(), Self::S::ZERO);
-        for first in (0..columns).step_by(DIRECTIONS) {
-            // A column before the first wraps to a direction that does not exist.
-            let variable = |value, column: usize| Dual::variable(value, column.wrapping_sub(first));
-            let point = Vector::from_fn(|i| variable(x.at(i), i));
-            let mut rate = point;
-            let health = lifted.rate(variable(t, size), &held, &point, &mut rate);
-            worst = worst.worst(Health(health.0.value));
-            for i in 0..size {
-                for (k, tangent) in rate.at(i).tangents.into_iter().enumerate() {
-                    probe = tangent.mul_add(Self::S::ZERO, probe);
-                    match first + k {
-                        column if column < size => Self::X::set_entry(by_x, i, column, tangent),
-                        column if column == size => time_column.set(i, tangent),
-                        _ => {}
-                    }
+        let own = |column: usize| column;
+        let layout = Layout { count: Self::X::LEN, of_column: own, column: |direction: usize, _| direction };
+        in_passes::<Self, DIRECTIONS>(self, (t, u, x), &layout, by_x, by_t)
+    }
+}
+
+/// Columns that share no row, each time those of one colour: one direction differentiates them together (A. R. Curtis, M. J. D.
+/// Powell, J. K. Reid, On the estimation of sparse Jacobian matrices, J. Inst. Maths Applics 13, 1974). In a row of N numbers
+/// that a colour does not reach, and above those that say q' = v, there is nothing to be written.
+#[derive(Clone, Copy, Debug)]
+pub struct Colours<const N: usize, const COUNT: usize> {
+    /// The colour of each column; `COUNT` for one that no row reads.
+    pub of_columns: [usize; N],
+    /// The column that each row has in each colour; `N` for none.
+    pub columns: [[usize; N]; COUNT],
+    /// Does the rate read the time?
+    pub knows_time: bool,
+}
+
+/// [`Linear::jacobian`] in one direction for each colour, `K` at once: the same bits as column by column, but that what is zero
+/// by its place is a positive zero.
+pub fn by_directions<M: Linear, const K: usize, const N: usize, const COUNT: usize>(
+    system: &M,
+    at: (M::S, &M::U, &M::X),
+    colours: &Colours<N, COUNT>,
+    by_x: &mut <M::X as Dense<M::S>>::Matrix,
+    by_t: Option<&mut M::X>,
+) -> Health<M::S> {
+    let Colours { of_columns, columns, knows_time } = colours;
+    let layout = Layout {
+        count: COUNT,
+        of_column: |column: usize| of_columns.get(column).copied().unwrap_or(COUNT),
+        column: |direction: usize, row: usize| {
+            columns.get(direction).and_then(|columns| columns.get(row)).copied().unwrap_or(N)
+        },
+    };
+    match by_t {
+        Some(by_t) if !knows_time => {
+            *by_t = M::X::fill(M::S::ZERO);
+            in_passes::<M, K>(system, at, &layout, by_x, None)
+        }
+        by_t => in_passes::<M, K>(system, at, &layout, by_x, by_t),
+    }
+}
+
+/// Which direction a column belongs to, and which column a row has in a direction; what is beyond the end is none.
+struct Layout<F, G> {
+    count: usize,
+    of_column: F,
+    column: G,
+}
+
+/// The derivatives by the state, and by the time in a direction behind the others, in passes of `K` directions.
+fn in_passes<M: Linear + ?Sized, const K: usize>(
+    system: &M,
+    (t, u, x): (M::S, &M::U, &M::X),
+    layout: &Layout<impl Fn(usize) -> usize, impl Fn(usize, usize) -> usize>,
+    by_x: &mut <M::X as Dense<M::S>>::Matrix,
+    by_t: Option<&mut M::X>,
+) -> Health<M::S> {
+    let (lifted, held) = system.lift::<K>(u);
+    let (size, time, mut time_column) = (M::X::LEN, layout.count, *x);
+    let directions = layout.count + usize::from(by_t.is_some());
+    let (mut worst, mut probe) = (Health::perfect(), M::S::ZERO);
+    *by_x = M::X::zeros();
+    for i in 0..M::NQ {
+        M::X::set_entry(by_x, i, M::NQ + i, M::S::lit(1.0)); // q' = v
+    }
+    // Once at least, for the health.
+    for first in (0..directions.max(1)).step_by(K) {
+        // What lies before or beyond this pass, or has no direction, becomes one that does not exist.
+        let variable = |value, direction: usize| Dual::variable(value, direction.wrapping_sub(first));
+        let of_state = |i| match (layout.of_column)(i) {
+            direction if direction < layout.count => variable(x.at(i), direction),
+            _ => Dual::constant(x.at(i)),
+        };
+        let point = Vector::from_fn(of_state);
+        let mut rate = point;
+        let t = if directions > time { variable(t, time) } else { Dual::constant(t) };
+        let health = lifted.rate(t, &held, &point, &mut rate);
+        worst = worst.worst(Health(health.0.value));
+        for i in 0..size {
+            for (k, tangent) in rate.at(i).tangents.into_iter().enumerate() {
+                probe = tangent.mul_add(M::S::ZERO, probe);
+                if first + k == time {
+                    time_column.set(i, tangent);
+                } else if i >= M::NQ && first + k < time {
+                    M::X::set_entry(by_x, i, (layout.column)(first + k, i), tangent);
                 }
             }
         }
-        if let Some(by_t) = by_t {
-            *by_t = time_column;
-        }
-        // Zero times what is not finite is not a number.
-        Health(worst.0 + probe)
     }
+    if let Some(by_t) = by_t {
+        *by_t = time_column;
+    }
+    // Zero times what is not finite is not a number.
+    Health(worst.0 + probe)
 }

@@ -1299,6 +1299,22 @@ mod plm_four_bar_ {
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
             }
+
+            fn jacobian(
+                &self,
+                t: S,
+                u: &Self::U,
+                x: &[S; 2],
+                by_x: &mut [[S; 2]; 2],
+                by_t: Option<&mut [S; 2]>,
+            ) -> rt::Health<S> {
+                let colours = rt::linear::Colours::<2, 2> {
+                    of_columns: [0, 1],
+                    columns: [[2, 0], [2, 1]],
+                    knows_time: false,
+                };
+                rt::linear::by_directions::<Self, 2, 2, 2>(self, (t, u, x), &colours, by_x, by_t)
+            }
         }
 
         impl<S: Real> rt::Ports for FourBar<S> {

@@ -1017,6 +1017,27 @@ mod plm_slider_crank_ {
             fn constraints(&self, t: S, x: &[S; 18], row: &mut impl FnMut(S)) {
                 absolute::residuals::<S, Self, NQ, NC, 18>(self, t, x, row);
             }
+
+            fn jacobian(
+                &self,
+                t: S,
+                u: &Self::U,
+                x: &[S; 18],
+                by_x: &mut [[S; 18]; 18],
+                by_t: Option<&mut [S; 18]>,
+            ) -> rt::Health<S> {
+                let colours = rt::linear::Colours::<18, 4> {
+                    of_columns: [4, 4, 0, 4, 4, 1, 4, 4, 4, 4, 4, 2, 4, 4, 3, 4, 4, 4],
+                    columns: [
+                        [18, 18, 18, 18, 18, 18, 18, 18, 18, 2, 2, 2, 2, 2, 2, 2, 2, 18],
+                        [18, 18, 18, 18, 18, 18, 18, 18, 18, 5, 5, 5, 5, 5, 5, 5, 5, 18],
+                        [18, 18, 18, 18, 18, 18, 18, 18, 18, 11, 11, 11, 11, 11, 11, 11, 11, 18],
+                        [18, 18, 18, 18, 18, 18, 18, 18, 18, 14, 14, 14, 14, 14, 14, 14, 14, 18],
+                    ],
+                    knows_time: false,
+                };
+                rt::linear::by_directions::<Self, 4, 18, 4>(self, (t, u, x), &colours, by_x, by_t)
+            }
         }
 
         impl<S: Real> rt::Ports for SliderCrank<S> {

@@ -8,7 +8,7 @@ use crate::scalar::Real;
 #[derive(Clone, Copy, Debug)]
 pub struct Lu<T, const N: usize> {
     /// L below the diagonal, U above, the reciprocals of the pivots on it.
-    rows: [[T; N]; N],
+    pub(super) rows: [[T; N]; N],
     /// The row that step k brought to place k.
     pivots: [usize; N],
     order: usize,
@@ -16,16 +16,34 @@ pub struct Lu<T, const N: usize> {
 
 impl<T, const N: usize> Lu<T, N> {
     /// Of the first `order` rows and columns; none if a column has no pivot: zeros only, or what is not a number.
-    pub fn new<S: Real>(mut rows: [[T; N]; N], order: usize) -> Option<Self>
+    pub fn new<S: Real>(rows: [[T; N]; N], order: usize) -> Option<Self>
     where
         T: Entry<S>,
     {
+        let mut lu = Self { rows, ..Self::room() };
+        lu.decompose(order).then_some(lu)
+    }
+
+    /// Room for a decomposition.
+    pub(super) fn room<S: Real>() -> Self
+    where
+        T: Entry<S>,
+    {
+        Self { rows: [[T::real(S::ZERO); N]; N], pivots: [0; N], order: 0 }
+    }
+
+    /// Decomposes the matrix that stands in the rows, in its place; false as [`new`](Self::new) gives none.
+    pub(super) fn decompose<S: Real>(&mut self, order: usize) -> bool
+    where
+        T: Entry<S>,
+    {
+        let Self { rows, pivots, order: kept } = self;
         let order = order.min(N);
-        let mut pivots = [0; N];
+        *kept = order;
         for k in 0..order {
-            let pivot = largest_below(&rows, k, order)?;
+            let Some(pivot) = largest_below(rows, k, order) else { return false };
             pivots[k] = pivot;
-            swap(&mut rows, k, pivot);
+            swap(rows, k, pivot);
             let mut row = rows[k];
             row[k] = row[k].reciprocal();
             rows[k] = row;
@@ -37,7 +55,7 @@ impl<T, const N: usize> Lu<T, N> {
                 }
             }
         }
-        Some(Self { rows, pivots, order })
+        true
     }
 
     /// Solves A y = b in place; what stands beyond the order is not looked at.

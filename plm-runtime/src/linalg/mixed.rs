@@ -1,6 +1,6 @@
 //! Derivatives that are sparse where elimination is healthy, and a full matrix where it is not.
 
-use super::complex::Entry;
+use super::complex::{Both, Complex, Entry};
 use super::resolvent::{Dense, Derivatives};
 use crate::scalar::Real;
 
@@ -20,11 +20,23 @@ impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivativ
         Mixed::Sparse(A::zeros())
     }
 
-    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>> {
-        Some(match self {
-            Mixed::Sparse(sparse) => Mixed::Sparse(sparse.resolvent(lambda, nq)?),
-            Mixed::Full(full) => Mixed::Full(full.resolvent(lambda, nq)?),
-        })
+    fn room<T: Entry<S>>(&self) -> Self::Resolvent<T> {
+        match self {
+            Mixed::Sparse(sparse) => Mixed::Sparse(sparse.room()),
+            Mixed::Full(full) => Mixed::Full(full.room()),
+        }
+    }
+
+    fn decompose<T: Entry<S>>(&self, lambda: T, nq: usize, into: &mut Self::Resolvent<T>) -> bool {
+        match (self, &*into) {
+            (Mixed::Sparse(_), Mixed::Sparse(_)) | (Mixed::Full(_), Mixed::Full(_)) => {}
+            _ => *into = self.room(),
+        }
+        match (self, into) {
+            (Mixed::Sparse(sparse), Mixed::Sparse(into)) => sparse.decompose(lambda, nq, into),
+            (Mixed::Full(full), Mixed::Full(into)) => full.decompose(lambda, nq, into),
+            _ => false,
+        }
     }
 
     fn resolve<T: Entry<S>>(
@@ -38,6 +50,25 @@ impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivativ
             (Mixed::Sparse(sparse), Mixed::Sparse(resolvent)) => sparse.resolve(resolvent, nq, r, each),
             (Mixed::Full(full), Mixed::Full(resolvent)) => full.resolve(resolvent, nq, r, each),
             // A resolvent of the other form belongs to other derivatives.
+            _ => {}
+        }
+    }
+
+    fn resolve_both(
+        &self,
+        (real, complex): (&Self::Resolvent<S>, &Self::Resolvent<Complex<S>>),
+        nq: usize,
+        r: impl FnMut(usize) -> Both<S>,
+        each: impl FnMut(usize, Both<S>),
+    ) {
+        match (self, real, complex) {
+            (Mixed::Sparse(sparse), Mixed::Sparse(real), Mixed::Sparse(complex)) => {
+                sparse.resolve_both((real, complex), nq, r, each);
+            }
+            (Mixed::Full(full), Mixed::Full(real), Mixed::Full(complex)) => {
+                full.resolve_both((real, complex), nq, r, each);
+            }
+            // As above.
             _ => {}
         }
     }

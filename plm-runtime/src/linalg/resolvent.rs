@@ -1,6 +1,6 @@
 //! The linear systems of implicit methods: (lambda I - J) k = r.
 
-use super::complex::Entry;
+use super::complex::{Both, Complex, Entry};
 use super::lu::Lu;
 use crate::scalar::Real;
 use crate::vector::Vector;
@@ -25,8 +25,17 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
 
     /// All zeros.
     fn zeros() -> Self;
-    /// Decomposes lambda I - J, where the first `nq` rows of J say q' = v; none if it is singular.
-    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>>;
+    /// Room for a decomposed matrix.
+    fn room<T: Entry<S>>(&self) -> Self::Resolvent<T>;
+    /// Decomposes lambda I - J where it is to stay, where the first `nq` rows of J say q' = v; false if it is singular.
+    #[must_use]
+    fn decompose<T: Entry<S>>(&self, lambda: T, nq: usize, into: &mut Self::Resolvent<T>) -> bool;
+    /// The same by value; none if it is singular.
+    #[inline]
+    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>> {
+        let mut resolvent = self.room();
+        self.decompose(lambda, nq, &mut resolvent).then_some(resolvent)
+    }
     /// Solves (lambda I - J) k = r with the matrix that was decomposed; gives `each` every index and its k.
     fn resolve<T: Entry<S>>(
         &self,
@@ -35,6 +44,23 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
         r: impl FnMut(usize) -> T,
         each: impl FnMut(usize, T),
     );
+    /// Solves for a real and for a complex lambda, each with a right-hand side of its own.
+    fn resolve_both(
+        &self,
+        (real, complex): (&Self::Resolvent<S>, &Self::Resolvent<Complex<S>>),
+        nq: usize,
+        mut r: impl FnMut(usize) -> Both<S>,
+        mut each: impl FnMut(usize, Both<S>),
+    ) {
+        let mut first = X::fill(S::ZERO);
+        self.resolve(real, nq, |i| r(i).real, |i, k| first.set(i, k));
+        self.resolve(
+            complex,
+            nq,
+            |i| r(i).complex,
+            |i, complex| each(i, Both { real: first.at(i), complex }),
+        );
+    }
     /// The matrix J, where it is held as such.
     fn full(&mut self) -> Option<&mut X::Matrix>;
 }
@@ -80,9 +106,14 @@ impl<S: Real, const N: usize> Derivatives<S, [S; N]> for [[S; N]; N] {
         [[S::ZERO; N]; N]
     }
 
-    fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Resolvent<T, N>> {
+    fn room<T: Entry<S>>(&self) -> Resolvent<T, N> {
+        Resolvent { inverse: T::real(S::ZERO), lu: Lu::room() }
+    }
+
+    fn decompose<T: Entry<S>>(&self, lambda: T, nq: usize, into: &mut Resolvent<T, N>) -> bool {
         let inverse = lambda.reciprocal();
-        let mut rows = [[T::real(S::ZERO); N]; N];
+        into.inverse = inverse;
+        let rows = &mut into.lu.rows;
         for (i, (row, rates)) in rows.iter_mut().zip(self.iter().skip(nq)).enumerate() {
             for (entry, by_w) in row.iter_mut().zip(rates.iter().skip(nq)) {
                 *entry = T::real(-*by_w);
@@ -94,7 +125,7 @@ impl<S: Real, const N: usize> Derivatives<S, [S; N]> for [[S; N]; N] {
                 *diagonal = *diagonal + lambda;
             }
         }
-        Some(Resolvent { inverse, lu: Lu::new(rows, N - nq.min(N))? })
+        into.lu.decompose(N - nq.min(N))
     }
 
     fn resolve<T: Entry<S>>(

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::complex::Entry;
+use super::complex::{Both, Complex, Entry};
 use super::resolvent::{Dense, Derivatives};
 use crate::scalar::Real;
 use crate::vector::Vector;
@@ -122,55 +122,58 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
         Self { coefficients: [S::ZERO; C], pattern: PhantomData }
     }
 
+    fn room<T: Entry<S>>(&self) -> Eliminated<T, E> {
+        let zero = T::real(S::ZERO);
+        Eliminated { entries: [zero; E], inverse: zero }
+    }
+
     /// With the unknowns v for q' = v, lambda q - v = r_q, and s for the first-order states, an equation
     /// `c_q q + c_v v + c_a v' + c_s s + c_r s' + c z = 0` of the derivatives says
     /// `(c_q / lambda + c_v + lambda c_a) v + (c_s + lambda c_r) s + c z = -c_q r_q / lambda + c_a r_v + c_r r_s`.
-    fn resolvent<T: Entry<S>>(&self, lambda: T, _nq: usize) -> Option<Eliminated<T, E>> {
+    fn decompose<T: Entry<S>>(&self, lambda: T, _nq: usize, into: &mut Eliminated<T, E>) -> bool {
         let inverse = lambda.reciprocal();
-        let mut entries = [T::real(S::ZERO); E];
+        into.inverse = inverse;
+        let entries = &mut into.entries;
+        *entries = [T::real(S::ZERO); E];
         for term in P::PATTERN.terms {
-            let coefficient = T::real(self.coefficients.at(term.coefficient as usize));
+            let coefficient = self.coefficients.at(term.coefficient as usize);
             let value = match term.part {
-                Part::Value | Part::Velocity => coefficient,
-                Part::Rate | Part::Acceleration => coefficient * lambda,
-                Part::Position => coefficient * inverse,
+                Part::Value | Part::Velocity => T::real(coefficient),
+                Part::Rate | Part::Acceleration => lambda.times(coefficient),
+                Part::Position => inverse.times(coefficient),
             };
             if let Some(entry) = entries.get_mut(term.entry as usize) {
                 *entry = *entry + value;
             }
         }
-        eliminate::<S, T, E, U>(&P::PATTERN, &mut entries)?;
-        Some(Eliminated { entries, inverse })
+        eliminate::<S, T, E, U>(&P::PATTERN, entries).is_some()
     }
 
     fn resolve<T: Entry<S>>(
         &self,
         resolvent: &Eliminated<T, E>,
         nq: usize,
-        mut r: impl FnMut(usize) -> T,
-        mut each: impl FnMut(usize, T),
+        r: impl FnMut(usize) -> T,
+        each: impl FnMut(usize, T),
     ) {
-        let Pattern { coordinates, states, terms, .. } = P::PATTERN;
-        let (n, zero) = (coordinates as usize, T::real(S::ZERO));
-        let mut b = [zero; U];
-        for term in terms {
-            let column = term.column as usize;
-            let known = match term.part {
-                Part::Value | Part::Velocity => continue,
-                Part::Position => zero - r(column) * resolvent.inverse,
-                Part::Acceleration | Part::Rate => r(nq + column),
-            };
-            if let Some(b) = b.get_mut(term.row as usize) {
-                *b = *b + T::real(self.coefficients.at(term.coefficient as usize)) * known;
-            }
-        }
-        substitute(&P::PATTERN, &resolvent.entries, &mut b);
-        for (i, v) in b.iter().enumerate().take(n) {
-            each(i, (r(i) + *v) * resolvent.inverse);
-        }
-        for (i, k) in b.iter().enumerate().take(n + states as usize) {
-            each(nq + i, *k);
-        }
+        let entry = |place| at::<S, T>(&resolvent.entries, place);
+        solve::<S, T, U>((&P::PATTERN, &self.coefficients), (entry, resolvent.inverse), nq, r, each);
+    }
+
+    /// In one walk along the pattern, which costs more than the arithmetic.
+    fn resolve_both(
+        &self,
+        (real, complex): (&Eliminated<S, E>, &Eliminated<Complex<S>, E>),
+        nq: usize,
+        r: impl FnMut(usize) -> Both<S>,
+        each: impl FnMut(usize, Both<S>),
+    ) {
+        let entry = |place| Both {
+            real: at::<S, S>(&real.entries, place),
+            complex: at::<S, Complex<S>>(&complex.entries, place),
+        };
+        let inverse = Both { real: real.inverse, complex: complex.inverse };
+        solve::<S, Both<S>, U>((&P::PATTERN, &self.coefficients), (entry, inverse), nq, r, each);
     }
 
     fn full(&mut self) -> Option<&mut X::Matrix> {
@@ -222,23 +225,69 @@ fn eliminate<S: Real, T: Entry<S>, const E: usize, const U: usize>(
     Some(())
 }
 
+/// Solves an eliminated system of these entries, where `inverse` is 1 / lambda.
+#[inline]
+fn solve<S: Real, T: Entry<S>, const U: usize>(
+    (pattern, coefficients): (&Pattern, &[S]),
+    (entry, inverse): (impl Fn(u32) -> T, T),
+    nq: usize,
+    mut r: impl FnMut(usize) -> T,
+    mut each: impl FnMut(usize, T),
+) {
+    let (n, zero) = (pattern.coordinates as usize, T::real(S::ZERO));
+    let rates = n + pattern.states as usize;
+    // What columns are multiplied by stands in many terms.
+    let (mut r_q, mut by_position, mut by_rate) = ([zero; U], [zero; U], [zero; U]);
+    for (i, (r_q, known)) in r_q.iter_mut().zip(&mut by_position).enumerate().take(n) {
+        *r_q = r(i);
+        *known = zero - *r_q * inverse;
+    }
+    for (i, known) in by_rate.iter_mut().enumerate().take(rates) {
+        *known = r(nq + i);
+    }
+    let mut b = [zero; U];
+    for term in pattern.terms {
+        let knowns = match term.part {
+            Part::Value | Part::Velocity => continue,
+            Part::Position => &by_position,
+            Part::Acceleration | Part::Rate => &by_rate,
+        };
+        let coefficient = coefficients.get(term.coefficient as usize).copied().unwrap_or(S::ZERO);
+        if let Some(b) = b.get_mut(term.row as usize) {
+            *b = *b + at::<S, T>(knowns, term.column).times(coefficient);
+        }
+    }
+    substitute(pattern, entry, &mut b);
+    for (i, (r_q, v)) in r_q.iter().zip(&b).enumerate().take(n) {
+        each(i, (*r_q + *v) * inverse);
+    }
+    for (i, k) in b.iter().enumerate().take(rates) {
+        each(nq + i, *k);
+    }
+}
+
 /// Solves L U y = b in place.
-fn substitute<S: Real, T: Entry<S>, const U: usize>(pattern: &Pattern, entries: &[T], b: &mut [T; U]) {
+#[inline]
+fn substitute<S: Real, T: Entry<S>, const U: usize>(
+    pattern: &Pattern,
+    entry: impl Fn(u32) -> T,
+    b: &mut [T; U],
+) {
     for pivot in pattern.pivots {
         let known = at::<S, T>(b, pivot.row);
         for below in part(pattern.below, pivot.below) {
             if let Some(b) = b.get_mut(below.row as usize) {
-                *b = b.less_product(at::<S, T>(entries, below.entry), known);
+                *b = b.less_product(entry(below.entry), known);
             }
         }
     }
     for pivot in pattern.pivots.iter().rev() {
         let mut rest = at::<S, T>(b, pivot.row);
         for [column, place] in part(pattern.right, pivot.right) {
-            rest = rest.less_product(at::<S, T>(entries, *place), at::<S, T>(b, *column));
+            rest = rest.less_product(entry(*place), at::<S, T>(b, *column));
         }
         if let Some(b) = b.get_mut(pivot.row as usize) {
-            *b = rest * at::<S, T>(entries, pivot.entry);
+            *b = rest * entry(pivot.entry);
         }
     }
 }

@@ -7,6 +7,9 @@ use crate::vector::Vector;
 /// Powers of the highest degree that a dense output has, 8, and below.
 pub(super) const POWERS: usize = 9;
 
+/// Dense output of this degree and below is enclosed by itself, in a third of the operations.
+const LOW: usize = 4;
+
 /// The state over a step, as polynomials of the fraction of it that has passed.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<S, X> {
@@ -20,6 +23,7 @@ pub struct Path<S, X> {
 
 impl<S: Real, X: Vector<S>> Path<S, X> {
     /// Of functions that give each component's coefficients.
+    #[inline]
     pub(crate) fn new(start: S, h: S, mut component: impl FnMut(usize) -> [S; POWERS]) -> Self {
         let mut coefficients = [X::fill(S::ZERO); POWERS];
         for i in 0..X::LEN {
@@ -104,29 +108,39 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
             value: Interval::between(from, to),
             slope: Interval::point(self.h),
         };
-        (time, move |i| enclose(self.shifted(i, middle), radius))
-    }
-
-    /// The coefficients of a component about another fraction of the step, by repeated synthetic division (D. E. Knuth,
-    /// The Art of Computer Programming 2, 4.6.4, "shifting").
-    fn shifted(&self, i: usize, middle: S) -> [S; POWERS] {
-        let mut c = self.coefficients.map(|power| power.at(i));
-        for first in 0..POWERS - 1 {
-            for k in (first..POWERS - 1).rev() {
-                c[k] = c[k + 1].mul_add(middle, c[k]);
+        (time, move |i| {
+            // By reference: the map of an array copies it, for every component.
+            let c = self.coefficients.each_ref().map(|power| power.at(i));
+            if c.iter().skip(LOW + 1).all(|c| *c == S::ZERO) {
+                enclose::<S, LOW>(c, (middle, radius))
+            } else {
+                enclose::<S, { POWERS - 1 }>(c, (middle, radius))
             }
-        }
-        c
+        })
     }
 }
 
-/// Ranges of a polynomial and of its derivative up to `radius` from zero, term by term.
-fn enclose<S: Real>(c: [S; POWERS], radius: S) -> Tube<S> {
+/// The coefficients of a polynomial of this degree about another fraction of the step, by repeated synthetic division (D. E.
+/// Knuth, The Art of Computer Programming 2, 4.6.4, "shifting").
+#[inline]
+fn shifted<S: Real, const DEGREE: usize>(mut c: [S; POWERS], middle: S) -> [S; POWERS] {
+    for first in 0..DEGREE {
+        for k in (first..DEGREE).rev() {
+            c[k] = c[k + 1].mul_add(middle, c[k]);
+        }
+    }
+    c
+}
+
+/// Ranges of a polynomial of this degree and of its derivative up to `radius` from `middle`, term by term.
+#[inline]
+fn enclose<S: Real, const DEGREE: usize>(c: [S; POWERS], (middle, radius): (S, S)) -> Tube<S> {
+    let c = shifted::<S, DEGREE>(c, middle);
     let (mut value, mut slope) = (Terms::NONE, Terms::NONE);
     let mut power = radius;
-    for k in 1..POWERS {
+    for k in 1..=DEGREE {
         value.reach(c[k] * power, k % 2 == 0);
-        if k + 1 < POWERS {
+        if k < DEGREE {
             slope.reach(S::lit((k + 1) as f64) * c[k + 1] * power, k % 2 == 0);
         }
         power = power * radius;
@@ -261,7 +275,7 @@ mod tests {
             for (odd, radius) in [(f64::NAN, 0.5), (f64::INFINITY, 0.5)] {
                 let mut c = [1.0; POWERS];
                 c[k] = odd;
-                let Interval { low, high } = enclose(c, radius).value;
+                let Interval { low, high } = enclose::<_, { POWERS - 1 }>(c, (0.0, radius)).value;
                 assert!(
                     low == f64::NEG_INFINITY || high == f64::INFINITY,
                     "{k}: {odd} gives {low} to {high}"
@@ -276,7 +290,7 @@ mod tests {
         for k in 1..POWERS {
             let mut c = [0.0; POWERS];
             c[k] = -3.0;
-            let (tube, radius) = (enclose(c, 0.5), 0.5_f64);
+            let (tube, radius) = (enclose::<_, { POWERS - 1 }>(c, (0.0, 0.5)), 0.5_f64);
             let (size, steepest) = (3.0 * radius.powi(k as i32), 3.0 * k as f64 * radius.powi(k as i32 - 1));
             let value = [-size, if k % 2 == 0 { 0.0 } else { size }];
             let slope = match k {

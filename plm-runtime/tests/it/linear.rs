@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex as C, DMatrix, DVector};
 use plm_runtime::linalg::{Complex, Dense, Derivatives, Lu};
+use plm_runtime::linear::{Colours, by_directions};
 use plm_runtime::{Linear, Mechanism, Real, System};
 
 use crate::mechanisms::{double_pendulum, four_bar};
@@ -195,4 +196,63 @@ fn constraints_and_their_derivatives() {
     let mut slopes = Vec::new();
     lifted.constraints(t, &x, &mut |row| slopes.push(row.tangents[0]));
     assert!(slopes.iter().all(|slope| slope.abs() < 1e-7), "{slopes:?}");
+}
+
+/// Two numbers that know nothing of two others, one that reads both, and one that nothing reads.
+struct Apart<S>(S);
+
+impl<S: Real> System for Apart<S> {
+    type S = S;
+    type X = [S; 6];
+    type U = ();
+    type G = [S; 0];
+    const NQ: usize = 1;
+
+    fn rate(&self, t: S, (): &(), x: &[S; 6], dx: &mut [S; 6]) -> plm_runtime::Health<S> {
+        let [a, b, c, d, e, _] = *x;
+        *dx = [b, self.0 * a.sin_cos().0 - b * b, c * d, d.exp() - t, b * e, c * e];
+        plm_runtime::Health::perfect()
+    }
+}
+
+impl<S: Real> Linear for Apart<S> {
+    type Lifted<const K: usize> = Apart<plm_runtime::Dual<S, K>>;
+    type Derivatives = [[S; 6]; 6];
+
+    fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
+        (Apart(plm_runtime::Dual::constant(self.0)), ())
+    }
+}
+
+#[test]
+fn columns_that_share_no_row_share_a_direction() {
+    const NONE: usize = 6;
+    let colours = Colours::<6, 3> {
+        of_columns: [0, 1, 0, 1, 2, 3],
+        columns: [[NONE, 0, 2, NONE, NONE, 2], [NONE, 1, 3, 3, 1, NONE], [NONE, NONE, NONE, NONE, 4, 4]],
+        knows_time: true,
+    };
+    let (system, x) = (Apart(1.3), [0.3, -0.7, 1.1, 0.4, -2.0, 5.0]);
+    let (mut alone, mut alone_by_t) = ([[0.0; 6]; 6], [0.0; 6]);
+    assert!(system.jacobian(0.2, &(), &x, &mut alone, Some(&mut alone_by_t)).is_good());
+    assert_eq!((alone[1][1], alone[3][3]), (1.4, 0.4_f64.exp()));
+    assert_eq!(alone_by_t, [0.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
+    // In passes of one, two and four directions.
+    let at = (0.2, &(), &x);
+    for passes in 0..3 {
+        let (mut by_x, mut by_t) = ([[7.0; 6]; 6], [7.0; 6]);
+        let out = (&mut by_x, Some(&mut by_t));
+        let health = match passes {
+            0 => by_directions::<_, 1, 6, 3>(&system, at, &colours, out.0, out.1),
+            1 => by_directions::<_, 2, 6, 3>(&system, at, &colours, out.0, out.1),
+            _ => by_directions::<_, 4, 6, 3>(&system, at, &colours, out.0, out.1),
+        };
+        assert!(health.is_good());
+        assert_eq!((by_x, by_t), (alone, alone_by_t), "{passes}");
+    }
+    // What is known not to move by the time is not differentiated.
+    let (mut by_x, mut by_t) = ([[7.0; 6]; 6], [7.0; 6]);
+    let colours = Colours { knows_time: false, ..colours };
+    assert!(by_directions::<_, 4, 6, 3>(&system, at, &colours, &mut by_x, Some(&mut by_t)).is_good());
+    assert_eq!((by_x, by_t), (alone, [0.0; 6]));
 }

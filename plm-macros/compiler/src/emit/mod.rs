@@ -275,7 +275,7 @@ impl Emission<'_> {
     }
 
     /// Does the rate depend on the time?
-    fn rate_knows_time(&self) -> bool {
+    pub(in crate::emit) fn rate_knows_time(&self) -> bool {
         let rates: Vec<&Function> = match self.form {
             Form::Absolute => vec![&self.program.dynamics],
             Form::Tree(chart) => vec![&chart.rate],

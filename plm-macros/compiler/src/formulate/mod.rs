@@ -5,6 +5,7 @@
 //! so that they are also the independent check of joint coordinates.
 
 mod absolute;
+mod colours;
 mod function;
 mod ldl;
 mod linearised;
@@ -17,6 +18,7 @@ mod resolvent;
 mod switches;
 
 pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
+pub(crate) use colours::Reads;
 pub(crate) use function::{Function, Place};
 pub(crate) use linearised::{Augmented, Linearised, Part, Term};
 pub(crate) use program::{Program, reduce};

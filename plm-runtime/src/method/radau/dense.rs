@@ -55,7 +55,7 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
         let [c1, c2, _] = C.map(S::lit);
         let zero = S::ZERO;
         Path::new(self.end - self.h, self.h, |i| {
-            let [d1, d2, d3] = self.differences.map(|difference| difference.at(i));
+            let [d1, d2, d3] = self.differences.each_ref().map(|difference| difference.at(i));
             // change = s (d1 + (theta - c2) (d2 + (theta - c1) d3))
             let (low, high) = (d2 - c1 * d3, d3);
             let inner = [d1 - c2 * low, low - c2 * high, high];

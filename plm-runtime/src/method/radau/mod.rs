@@ -42,11 +42,13 @@ pub struct RadauIia5<M: Linear> {
     convergence: Convergence<M::S>,
     /// The rate at the current state, unless that has been changed.
     rate: Option<M::X>,
-    /// Derivatives of the rate, at the current state or before.
-    by_x: Option<M::Derivatives>,
+    /// Derivatives of the rate, at the current state or before, where they are known. They and the factors are large, and
+    /// written where they stand.
+    by_x: M::Derivatives,
+    by_x_known: bool,
     /// The derivatives are those at the current state.
     by_x_here: bool,
-    factors: Option<Factors<M>>,
+    factors: Factors<M>,
     dense: Option<Dense<M::S, M::X>>,
     /// Drift that the last projection could not remove, over the tolerance.
     residue: M::S,
@@ -80,7 +82,8 @@ struct Trial<X> {
 const ORDER: u32 = 4;
 /// Drift is settled above this fraction of the tolerance.
 const SETTLED_ABOVE: f64 = 0.1;
-/// Derivatives are kept while corrections shrink faster than by this ratio.
+/// Derivatives are kept while corrections shrink faster than by this ratio. With a larger one there are fewer of them, and what
+/// iterations leave shows in the order of the method.
 const FAST: f64 = 1e-3;
 /// A proposal that is longer by less than this factor is left, so that the decomposition can be kept.
 const WORTH_IT: f64 = 1.2;
@@ -94,6 +97,7 @@ impl<M: Linear> Default for RadauIia5<M> {
 impl<M: Linear> RadauIia5<M> {
     /// With the relative tolerance `rtol` (not below what the scalar can resolve).
     pub fn new(rtol: M::S) -> Self {
+        let by_x = M::Derivatives::zeros();
         Self {
             rtol,
             longest_step: M::S::INFINITY,
@@ -103,9 +107,10 @@ impl<M: Linear> RadauIia5<M> {
             steady: Steady::new(),
             convergence: Convergence::new(),
             rate: None,
-            by_x: None,
+            by_x,
+            by_x_known: false,
             by_x_here: false,
-            factors: None,
+            factors: Factors::room(&by_x),
             dense: None,
             residue: M::S::ZERO,
             steps_left: 0,
@@ -156,19 +161,15 @@ impl<M: Linear> RadauIia5<M> {
         weights: &M::X,
     ) -> Result<Result<Trial<M::X>, f64>, Fault> {
         let wanted = (weights, self.newton_tolerance());
-        let by_x = match &mut self.by_x {
-            Some(by_x) => by_x,
-            none => {
-                let mut by_x = M::Derivatives::zeros();
-                course.differentiate(&mut by_x, None)?;
-                (self.by_x_here, self.factors) = (true, None);
-                none.insert(by_x)
-            }
-        };
-        if self.factors.as_ref().is_none_or(|factors| factors.h != h) {
-            self.factors = Factors::new(course, by_x, h);
+        let Self { by_x, factors, .. } = self;
+        if !self.by_x_known {
+            course.differentiate(by_x, None)?;
+            (self.by_x_known, self.by_x_here) = (true, true);
+            factors.forget();
         }
-        let Some(factors) = &self.factors else { return Ok(Err(0.5)) };
+        if !factors.are_of(h) && !factors.decompose(course, by_x, h) {
+            return Ok(Err(0.5));
+        }
         let mut z = [M::X::fill(M::S::ZERO); 3];
         if let Some(dense) = &self.dense {
             let ratio = h / dense.h();
@@ -191,7 +192,7 @@ impl<M: Linear> RadauIia5<M> {
         rate: &M::X,
         weights: &M::X,
     ) -> M::S {
-        let (Some(by_x), Some(factors)) = (&self.by_x, &self.factors) else { return M::S::INFINITY };
+        let (by_x, factors) = (&self.by_x, &self.factors);
         let over_h = ERROR.map(|weight| M::S::lit(weight) / factors.h);
         let [z1, z2, z3] = &trial.z;
         let mut sum = M::X::fill(M::S::ZERO);
@@ -233,7 +234,7 @@ impl<M: Linear> RadauIia5<M> {
         self.rate = None;
         self.by_x_here = false;
         if self.convergence.theta > M::S::lit(FAST) {
-            self.by_x = None;
+            self.by_x_known = false;
         }
         course.stats.steps += 1;
         *course.longest_step = course.longest_step.max(h);
@@ -245,7 +246,7 @@ impl<M: Linear> RadauIia5<M> {
     /// longer one is not worth a decomposition.
     fn propose(&mut self, proposal: M::S, h: M::S, factor: M::S) {
         let next = h * factor;
-        let keep = self.by_x.is_some() && (M::S::lit(1.0)..M::S::lit(WORTH_IT)).contains(&factor);
+        let keep = self.by_x_known && (M::S::lit(1.0)..M::S::lit(WORTH_IT)).contains(&factor);
         self.proposal = Some(if h < proposal {
             next.max(proposal)
         } else if keep {
@@ -258,7 +259,7 @@ impl<M: Linear> RadauIia5<M> {
     /// Forgets derivatives that are not those at the current state.
     fn renew(&mut self) {
         if !self.by_x_here {
-            self.by_x = None;
+            self.by_x_known = false;
         }
     }
 }
@@ -324,7 +325,8 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     }
 
     fn restart(&mut self) {
-        (self.rate, self.by_x, self.factors, self.dense) = (None, None, None, None);
+        (self.rate, self.by_x_known, self.dense) = (None, false, None);
+        self.factors.forget();
         self.residue = M::S::ZERO;
     }
 

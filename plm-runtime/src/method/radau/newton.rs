@@ -1,7 +1,7 @@
 //! The stages of a step by simplified Newton iteration.
 
 use super::tableau::{ALPHA, BETA, C, GAMMA, T, T_INVERSE};
-use crate::linalg::{Complex, Derivatives as _};
+use crate::linalg::{Both, Complex, Derivatives as _};
 use crate::linear::Linear;
 use crate::method::Course;
 use crate::method::jacobian::Resolvent;
@@ -17,18 +17,39 @@ const SLOWEST: f64 = 0.4;
 /// The decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
 #[derive(Clone, Copy)]
 pub(super) struct Factors<M: Linear> {
+    /// Length of the steps that they are for.
     pub(super) h: M::S,
+    /// Were they found, for the derivatives as they are?
+    known: bool,
     real: Resolvent<M, M::S>,
     complex: Resolvent<M, Complex<M::S>>,
 }
 
 impl<M: Linear> Factors<M> {
-    /// For steps of `h`; none if a matrix is singular.
-    pub(super) fn new(course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> Option<Self> {
+    /// Room for both.
+    pub(super) fn room(by_x: &M::Derivatives) -> Self {
+        Self { h: M::S::ZERO, known: false, real: by_x.room(), complex: by_x.room() }
+    }
+
+    /// Are they those of steps of `h`?
+    pub(super) fn are_of(&self, h: M::S) -> bool {
+        self.known && self.h == h
+    }
+
+    /// The derivatives are others.
+    pub(super) fn forget(&mut self) {
+        self.known = false;
+    }
+
+    /// For steps of `h`; false if a matrix is singular.
+    pub(super) fn decompose(&mut self, course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> bool {
         course.stats.factorisations += 1;
         let over_h = |value: f64| M::S::lit(value) / h;
         let pair = Complex { re: over_h(ALPHA), im: over_h(BETA) };
-        Some(Self { h, real: by_x.resolvent(over_h(GAMMA), M::NQ)?, complex: by_x.resolvent(pair, M::NQ)? })
+        self.h = h;
+        self.known = by_x.decompose(over_h(GAMMA), M::NQ, &mut self.real)
+            && by_x.decompose(pair, M::NQ, &mut self.complex);
+        self.known
     }
 
     /// (gamma/h I - J)^-1 r.
@@ -41,16 +62,21 @@ impl<M: Linear> Factors<M> {
     /// The Newton correction of the transformed stages `w`, where their rates are `g`.
     fn correction(&self, by_x: &M::Derivatives, w: &[M::X; 3], g: &[M::X; 3]) -> [M::X; 3] {
         let [gamma, alpha, beta] = [GAMMA, ALPHA, BETA].map(|value| M::S::lit(value) / self.h);
-        let pair = |i: usize| Complex {
-            re: g[1].at(i) - (alpha * w[1].at(i) - beta * w[2].at(i)),
-            im: g[2].at(i) - (alpha * w[2].at(i) + beta * w[1].at(i)),
+        let [w1, w2, w3] = w;
+        let [g1, g2, g3] = g;
+        let r = |i: usize| Both {
+            real: g1.at(i) - gamma * w1.at(i),
+            complex: Complex {
+                re: g2.at(i) - (alpha * w2.at(i) - beta * w3.at(i)),
+                im: g3.at(i) - (alpha * w3.at(i) + beta * w2.at(i)),
+            },
         };
         let mut dw = *w;
-        dw[0] = self.solve(by_x, &g[0].map2(&w[0], |g, w| g - gamma * w));
-        let [_, re, im] = &mut dw;
-        by_x.resolve(&self.complex, M::NQ, pair, |i, k| {
-            re.set(i, k.re);
-            im.set(i, k.im);
+        let [real, re, im] = &mut dw;
+        by_x.resolve_both((&self.real, &self.complex), M::NQ, r, |i, k| {
+            real.set(i, k.real);
+            re.set(i, k.complex.re);
+            im.set(i, k.complex.im);
         });
         dw
     }
@@ -170,9 +196,12 @@ fn mean_square<S: Real, X: Vector<S>>(v: &[X; 3], weight: &X) -> S {
 
 /// A matrix of the tableau times the stages.
 fn transform<S: Scalar, X: Vector<S>>(matrix: &[[f64; 3]; 3], v: &[X; 3]) -> [X; 3] {
-    let [v1, v2, v3] = v;
-    matrix.map(|row| {
-        let [a, b, c] = row.map(S::lit);
-        X::from_fn(|i| a * v1.at(i) + b * v2.at(i) + c * v3.at(i))
-    })
+    let ([v1, v2, v3], matrix, mut out) = (v, matrix.map(|row| row.map(S::lit)), *v);
+    for i in 0..X::LEN {
+        let at = [v1.at(i), v2.at(i), v3.at(i)];
+        for (out, [a, b, c]) in out.iter_mut().zip(matrix) {
+            out.set(i, a * at[0] + b * at[1] + c * at[2]);
+        }
+    }
+    out
 }

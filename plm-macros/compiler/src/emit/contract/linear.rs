@@ -9,7 +9,8 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, compact, number};
 use super::charted::call;
-use crate::formulate::{Augmented, Chart, Linearised, Part, Reduced, Term};
+use super::directions::directions;
+use crate::formulate::{Augmented, Chart, Linearised, Part, Term};
 
 /// `Linear`.
 pub(crate) fn linear(emission: &Emission) -> TokenStream {
@@ -18,7 +19,7 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
         Some(augmented) => of_augmented(emission, augmented),
         None => (quote!([[S; #length]; #length]), TokenStream::new()),
     };
-    let jacobian = emission.loops().and_then(|reduced| of_charts(emission, reduced));
+    let jacobian = of_charts(emission).or_else(|| directions(emission));
     let constraints = (!emission.is_reduced()).then(|| {
         quote! {
             fn constraints(&self, t: S, x: &[S; #length], row: &mut impl FnMut(S)) {
@@ -44,10 +45,8 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
 }
 
 /// The full matrix in the chart that is held, where every chart has it entry by entry.
-fn of_charts(emission: &Emission, reduced: &Reduced) -> Option<TokenStream> {
-    if !reduced.has_jacobian() {
-        return None;
-    }
+fn of_charts(emission: &Emission) -> Option<TokenStream> {
+    emission.loops().filter(|reduced| reduced.has_jacobian())?;
     let length = &emission.sizes.length;
     let entries = call(emission, "jacobian", &quote!(t, u, m, x, &dx, by_x), &quote!({}));
     Some(quote! {
@@ -98,7 +97,7 @@ impl Emission<'_> {
     }
 
     /// The equations that implicit methods solve in place of df/dx.
-    fn sparse(&self) -> Option<&Augmented> {
+    pub(super) fn sparse(&self) -> Option<&Augmented> {
         let system = self.systems().into_iter().find(|system| system.linearised.sparse)?;
         Some(&system.linearised.augmented)
     }

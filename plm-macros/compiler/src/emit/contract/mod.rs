@@ -3,6 +3,7 @@
 pub(super) mod absolute;
 pub(super) mod charted;
 pub(super) mod described;
+mod directions;
 pub(super) mod limits;
 pub(super) mod linear;
 pub(super) mod moment;

@@ -27,6 +27,7 @@ use plm_cas::{Expr, algebra};
 
 use self::motion::motion;
 use self::normal::min_norm;
+use super::colours::Reads;
 use super::function::{Function, stored};
 use super::linearised::{Linearised, orders_step};
 use super::order::minimum_degree;
@@ -159,7 +160,8 @@ impl Absolute {
             return;
         }
         let Some(augmented) = linearised::linearised(model, equations) else { return };
-        let sparse = large && augmented.is_cheaper(self.dynamics.tape().count().total());
+        let reads = Reads::of(&self.dynamics, [&equations.q, &equations.v, &equations.x]);
+        let sparse = large && augmented.is_cheaper(reads.operations(&self.dynamics));
         self.linearised = Linearised::wanted(model, augmented, sparse);
     }
 }

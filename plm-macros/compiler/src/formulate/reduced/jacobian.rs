@@ -18,15 +18,12 @@ pub(crate) struct Jacobian {
     pub(crate) entries: Function,
     /// Symbols of the second derivatives of the coordinates.
     pub(crate) accelerations: Vec<Expr>,
-    /// Numbers of the state.
-    length: usize,
 }
 
 impl Jacobian {
-    /// Does it take fewer operations than derivatives in dual numbers, where `rate` is the number of operations of the rate? A
-    /// direction costs about what the rate does.
-    pub(crate) fn is_cheaper(&self, rate: usize) -> bool {
-        rate + self.entries.tape().count().total() < rate * self.length * 7 / 10
+    /// Does it take fewer operations than derivatives in dual numbers, beside the rate with so many?
+    pub(crate) fn is_cheaper(&self, rate: usize, by_dual_numbers: usize) -> bool {
+        rate + self.entries.tape().count().total() < by_dual_numbers
     }
 }
 
@@ -62,5 +59,5 @@ pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr
         results.extend(slopes.map(|(j, slope)| (Place::Entry("by_x", 2 * n + k, j), slope)));
     }
     let entries = Function::of_results(results).optimise();
-    Jacobian { entries, accelerations, length: state.len() }
+    Jacobian { entries, accelerations }
 }

@@ -7,6 +7,7 @@ use crate::derive::Equations;
 use crate::formulate::reduced::joints::coordinates::Coordinates;
 use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::motion::memory::Memory;
+use crate::formulate::{Function, Reads};
 use crate::model::Model;
 
 /// What all charts share.
@@ -29,4 +30,12 @@ pub(crate) fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
     let sums: Vec<Expr> = terms.iter().flatten().map(|sum| algebra::sum(sum)).collect_vec();
     let sums = algebra::substitute(&sums, &motion.substitution);
     sums.chunks_exact(3).map(|sum| [sum[0], sum[1], sum[2]]).collect_vec()
+}
+
+impl Layout<'_> {
+    /// What a rate reads of the state.
+    pub(super) fn reads(&self, motion: &Motion, rate: &Function) -> Reads {
+        let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
+        Reads::of(rate, [&y, &y_dot, &self.equations.x])
+    }
 }

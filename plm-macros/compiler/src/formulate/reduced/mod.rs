@@ -306,7 +306,7 @@ impl Layout<'_> {
         }
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
         let found = linearised::laid_out(motion, dense, &self.equations.x, &x_dot);
-        let sparse = !loops && found.is_cheaper(rate.tape().count().total());
+        let sparse = !loops && found.is_cheaper(self.reads(motion, rate).operations(rate));
         Linearised::wanted(self.model, found, sparse)
     }
 
@@ -318,7 +318,8 @@ impl Layout<'_> {
         }
         let x_dot = algebra::substitute(&self.equations.x_dot, &motion.substitution);
         let found = jacobian::jacobian(motion, dense, &self.equations.x, &x_dot);
-        found.is_cheaper(rate.tape().count().total()).then_some(found)
+        let by_dual_numbers = self.reads(motion, rate).operations(rate);
+        found.is_cheaper(rate.tape().count().total(), by_dual_numbers).then_some(found)
     }
 
     /// The ways to `M a = Q` along the coordinates.
