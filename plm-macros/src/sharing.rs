@@ -4,11 +4,12 @@
 //! the definitions, and `mechanism! { use valves; pub Press { … } }` calls it with what follows the `use`; it calls
 //! `mechanism!` again with the definitions in front, as `parts { … }`.
 
-use proc_macro2::{TokenStream, TokenTree};
+use plm_compiler::syntax::rust;
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
-use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Ident, Path, Result, Token, Visibility, braced, token};
+use syn::parse::{ParseStream, Parser, Result};
+use syn::{Token, braced, token};
 
 syn::custom_keyword!(parts);
 
@@ -26,7 +27,7 @@ fn call(input: ParseStream) -> Result<TokenStream> {
         rest.extend([input.parse::<TokenTree>()?, input.parse()?]);
     }
     input.parse::<Token![use]>()?;
-    let path = input.call(Path::parse_mod_style)?;
+    let path = input.call(rust::path)?;
     input.parse::<Token![;]>()?;
     rest.extend(input.parse::<TokenStream>()?);
     Ok(quote!(#path! { #rest }))
@@ -34,8 +35,8 @@ fn call(input: ParseStream) -> Result<TokenStream> {
 
 /// `pub name { definitions }` as a `macro_rules!` by that name.
 pub(crate) fn shared(input: ParseStream) -> Result<TokenStream> {
-    let attributes = input.call(Attribute::parse_outer)?;
-    let visibility: Visibility = input.parse()?;
+    let attributes = input.call(rust::attributes)?;
+    let visibility = input.call(rust::visibility)?;
     if !input.peek(Ident::peek_any) || input.peek2(Ident::peek_any) {
         return Err(input.error("expected a name for the parts: `pub name { joint … part … }`"));
     }
@@ -51,20 +52,18 @@ pub(crate) fn shared(input: ParseStream) -> Result<TokenStream> {
     }
     let hidden = format_ident!("__plm_parts_{}", name.unraw());
     // A macro that leaves the crate must be exported from its root; one that stays must not.
-    let export = matches!(visibility, Visibility::Public(_)).then(|| quote!(#[macro_export]));
-    let visibility = match visibility {
-        Visibility::Inherited => quote!(pub(self)),
-        visible => quote!(#visible),
-    };
+    let is_public = visibility.clone().into_iter().count() == 1;
+    let export = is_public.then(|| quote!(#[macro_export]));
+    let visibility = if visibility.is_empty() { quote!(pub(self)) } else { visibility };
     // What is said of the parts (documentation, `cfg`) is said of the macro and of its name.
     Ok(quote! {
-        #(#attributes)*
+        #attributes
         #[doc(hidden)]
         #export
         macro_rules! #hidden {
             ($($rest:tt)*) => { ::plm::mechanism! { parts { #definitions } $($rest)* } };
         }
-        #(#attributes)*
+        #attributes
         #[doc(hidden)]
         #[allow(unused_imports)]
         #visibility use #hidden as #name;

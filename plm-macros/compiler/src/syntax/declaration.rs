@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 use syn::ext::IdentExt;
-use syn::{LitStr, Path, Token, Visibility, token};
+use syn::{LitStr, Token, token};
 
 use super::domain::Domain;
 use super::input::{Input, Reported, Result};
@@ -10,6 +10,7 @@ use super::item::{Context, Item};
 use super::keyword as kw;
 use super::name::Ident;
 use super::part::Definition;
+use super::rust;
 use crate::diag::Code;
 use crate::span::Span;
 
@@ -140,8 +141,8 @@ impl Mechanism {
 /// `pub`, `pub(crate)`, `pub(in path)`, or nothing.
 fn visibility(input: Input) -> Result<String> {
     let start = input.position();
-    match input.parse::<Visibility>() {
-        Ok(Visibility::Inherited) => Ok(String::new()),
+    match input.call(rust::visibility) {
+        Ok(visibility) if visibility.is_empty() => Ok(String::new()),
         Ok(_) => Ok(input.text_of(input.span_from(start))),
         Err(_) => Err(input.expected("a visibility")),
     }
@@ -152,7 +153,7 @@ fn crate_path(input: Input) -> Result<String> {
     input.advance();
     input.expect(Token![=], "`=`")?;
     let start = input.position();
-    if input.call(Path::parse_mod_style).is_err() {
+    if input.call(rust::path).is_err() {
         return Err(input.expected("the path of a crate"));
     }
     let path = input.text_of(input.span_from(start));

@@ -58,6 +58,7 @@ mod output;
 mod part;
 mod quantity;
 mod row;
+pub mod rust;
 mod unit;
 mod value;
 
