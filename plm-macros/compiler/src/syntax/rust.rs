@@ -9,6 +9,9 @@ use syn::parse::{ParseStream, Parser, Result};
 use syn::{Token, token};
 
 /// A path without arguments: `a::b`, `crate::c`, `::d`.
+///
+/// # Errors
+/// Where none stands.
 pub fn path(input: ParseStream) -> Result<TokenStream> {
     let mut path = TokenStream::new();
     loop {
@@ -30,6 +33,9 @@ fn segment(input: ParseStream) -> Result<Ident> {
 }
 
 /// `pub`, `pub(crate)`, `pub(in path)`; empty where none stands.
+///
+/// # Errors
+/// What stands behind `in` is no path.
 pub fn visibility(input: ParseStream) -> Result<TokenStream> {
     let mut visibility = TokenStream::new();
     // What `$visible:vis` of a macro leaves where it has found none.
@@ -58,6 +64,9 @@ fn restriction(input: ParseStream) -> Result<Option<Group>> {
 }
 
 /// All `#[…]` that stand here. rustc looks at what they hold.
+///
+/// # Errors
+/// Behind `#` stand no brackets.
 pub fn attributes(input: ParseStream) -> Result<TokenStream> {
     let mut attributes = TokenStream::new();
     while input.peek(Token![#]) {

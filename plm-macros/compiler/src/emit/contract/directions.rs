@@ -20,7 +20,7 @@ pub(super) fn directions(emission: &Emission) -> Option<TokenStream> {
     let passes = colours.count.div_ceil(MOST).max(1);
     let at_once = colours.count.div_ceil(passes).max(1);
     let knows_time = emission.rate_knows_time();
-    if !colours.save() && at_once == MOST {
+    if colours.of_columns.is_empty() || !colours.save() && at_once == MOST {
         return None;
     }
     let Sizes { length, .. } = &emission.sizes;
