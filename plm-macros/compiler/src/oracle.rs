@@ -1,6 +1,6 @@
 //! The interpreter of a compiled mechanism: what the emitted code must compute, bit for bit.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use std::cell::RefCell;
 
 use plm_cas::{Expr, Graph, algebra};
@@ -127,7 +127,7 @@ impl Oracle {
             let mut values = defaults(&self.model);
             values.retain(|(symbol, _)| *symbol != self.model.time && !self.equations.x.contains(symbol));
             values.push((self.model.time, time));
-            values.extend(symbols.iter().copied().zip(x.iter().copied()));
+            values.push_all(symbols.iter().copied().zip(x.iter().copied()));
             add_switches(&self.model, &mut values);
             let mut all = run(&algebra::tape(&function.roots()), &values);
             all.split_off(all.len() - function.results.len())

@@ -1,6 +1,6 @@
 //! A compiled mechanism at its start, in names and numbers: for drawings that need no rustc.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::Expr;
 
 use crate::model::{Body, FrameRef, Instance, Pair, Port};
@@ -70,7 +70,7 @@ impl Oracle {
             let poses = start.q.chunks_exact(3);
             Picture {
                 name: model.name.text.clone(),
-                gravity: model.gravity.components().map(number),
+                gravity: model.gravity.components().map_each(number),
                 bodies: model
                     .bodies
                     .iter()
@@ -89,12 +89,12 @@ fn body(body: &Body, pose: &[f64], number: &impl Fn(Expr) -> f64) -> PictureBody
         name: body.name.text.clone(),
         pose: [pose[0], pose[1], pose[2]],
         ports: body.ports.iter().map(|row| port(row, number)).collect_vec(),
-        contour: body.contour.iter().map(|point| point.components().map(number)).collect_vec(),
+        contour: body.contour.iter().map(|point| point.components().map_each(number)).collect_vec(),
     }
 }
 
 fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
-    PicturePort { name: port.name.text.clone(), place: [port.at.x, port.at.y, port.angle].map(number) }
+    PicturePort { name: port.name.text.clone(), place: [port.at.x, port.at.y, port.angle].map_each(number) }
 }
 
 fn part(instance: &Instance) -> PicturePart {

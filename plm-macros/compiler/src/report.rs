@@ -1,6 +1,6 @@
 //! What the compiler found and chose, in words and numbers.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Count, Expr, algebra};
 
 use crate::formulate::{Chart, Function, Program, Reduced};
@@ -145,7 +145,7 @@ impl Report {
         let turns: Vec<Expr> = equations.branches.iter().map(|branch| branch.turn).collect_vec();
         let turns = run(&algebra::tape(&turns), values);
         for (branch, turn) in equations.branches.iter().zip(turns).take(MOST_MOVES) {
-            let [first, second] = branch.bodies.map(|body| &model.bodies[body].name.text);
+            let [first, second] = branch.bodies.map_each(|body| &model.bodies[body].name.text);
             let turn = turn * DEGREES;
             let side = if turn >= 0.0 { "left" } else { "right" };
             let joint = &model.parts[branch.part].name.text;
@@ -179,7 +179,7 @@ impl Report {
             "{} bodies, {} parts: {} coordinates, {} constraint rows, F = 3 N - M = {}.",
             self.bodies, self.parts, self.coordinates, self.constraints, self.freedom
         )];
-        lines.extend(self.formulation.iter().cloned());
+        lines.push_all(self.formulation.iter().cloned());
         lines.push(format!("State: {} numbers, {} bytes in f64.", self.state, 8 * self.state));
         if self.constraints > 0 {
             let workspace = 8 * self.constraints * (self.coordinates + self.constraints);
@@ -187,7 +187,7 @@ impl Report {
                 .push(format!("A solution by rank, where one is needed: {workspace} bytes of stack in f64."));
         }
         lines.push(format!("One right-hand side: {}.", self.rate));
-        lines.extend(self.repetitions());
+        lines.push_all(self.repetitions());
         lines
     }
 

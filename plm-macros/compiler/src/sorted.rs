@@ -8,7 +8,7 @@ use std::borrow::Borrow;
 use std::cmp::Ordering;
 use std::ops::Index;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 
 /// Values by key, in the order of keys.
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ pub(crate) fn sort_by<T>(items: &mut Vec<T>, compare: impl Fn(&T, &T) -> Orderin
     let order = in_order(items.len(), &|a, b| compare(&items[a], &items[b]));
     let mut unsorted = std::mem::take(items).into_iter().map(Some).collect_vec();
     for k in order {
-        items.extend(unsorted[k].take());
+        items.push_all(unsorted[k].take());
     }
 }
 

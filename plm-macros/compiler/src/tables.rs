@@ -3,7 +3,7 @@
 //! They stand in one row, in the order of the declaration, so that most of them can be a table of constants; those that
 //! read parameters or the time are expressions. Rows of names say where the numbers of each thing begin.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, algebra};
 
 use crate::model::{Model, Port};
@@ -68,7 +68,7 @@ impl Figures {
     /// Adds numbers; where they begin.
     fn push(&mut self, exprs: impl IntoIterator<Item = Expr>) -> usize {
         let first = self.all.len();
-        self.all.extend(exprs.into_iter().map(|expr| {
+        self.all.push_all(exprs.into_iter().map(|expr| {
             let is_constant = algebra::symbols(&[expr]).is_empty();
             if is_constant { Figure::Constant(value(expr, &[])) } else { Figure::Varying(expr) }
         }));
@@ -85,7 +85,7 @@ fn at_its_side(model: &Model, place: [Expr; 3]) -> [Expr; 3] {
     let side = |difference: Expr| difference.less(Expr::ZERO).select(Expr::from(-1), Expr::ONE);
     let sides: Vec<(Expr, Expr)> =
         model.switches.iter().map(|held| (held.symbol, side(held.difference))).collect_vec();
-    place.map(|expr| algebra::substitute(&[expr], &sides)[0])
+    place.map_each(|expr| algebra::substitute(&[expr], &sides)[0])
 }
 
 /// Parameters with the values that they are declared with, SI; without those that have no default, and those whose default

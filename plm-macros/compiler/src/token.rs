@@ -3,7 +3,7 @@
 //! A [`Span`] is a range of these numbers. So places in the declaration, in parts and in texts outside rustc are told
 //! apart and ordered in one way: spans of proc-macro2 have no order, and inside rustc all tokens of a text share one.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedMap;
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -64,9 +64,9 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
                     Delimiter::None => None,
                 };
                 let token = |text: &str, span| Token { text: text.to_owned(), span };
-                tokens.extend(brackets.map(|(open, _)| token(open, group.span_open())));
+                tokens.push_all(brackets.map(|(open, _)| token(open, group.span_open())));
                 flatten(group.stream(), tokens);
-                tokens.extend(brackets.map(|(_, close)| token(close, group.span_close())));
+                tokens.push_all(brackets.map(|(_, close)| token(close, group.span_close())));
                 continue;
             }
             TokenTree::Ident(ident) => {

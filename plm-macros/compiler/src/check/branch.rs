@@ -1,5 +1,6 @@
 //! Mirror images that joints ask for and that cannot be had.
 
+use crate::collect::MapEach;
 use crate::derive::Equations;
 use crate::diag::{Code, Diagnostics};
 use crate::model::Model;
@@ -24,7 +25,7 @@ pub(super) fn not_found(scene: &Scene, found: &Assembly, diagnostics: &mut Diagn
     let Some(wrong) = asked.iter().find(|asked| !asked.is_met(&found.q)) else { return };
     let joint = &scene.model.parts[wrong.part];
     let Some((turn, span)) = joint.branch else { return };
-    let [first, second] = wrong.bodies.map(|body| &scene.model.bodies[body].name.text);
+    let [first, second] = wrong.bodies.map_each(|body| &scene.model.bodies[body].name.text);
     let (asked, found) = (turn.name(), turn.other().name());
     let message = format!(
         "at `{}`, `{second}` turns {found} from `{first}`; no pose was found where it turns {asked}",

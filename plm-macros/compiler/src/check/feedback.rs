@@ -1,6 +1,6 @@
 //! Forces and conditions that read accelerations or reactions in a way that no linear system solves.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, algebra};
 
 use crate::derive::causes;
@@ -54,7 +54,7 @@ fn cycles<'a>(model: &'a Model, unknowns: &'a [(Expr, String)]) -> Vec<(&'a Name
 /// Symbols of the unknowns of the equations of motion, and how to speak of them.
 fn unknowns(model: &Model) -> Vec<(Expr, String)> {
     let accelerations = model.bodies.iter().flat_map(|body| {
-        let names = ["ax", "ay", "alpha"].map(|of| format!("`{}.{of}`", body.name.text));
+        let names = ["ax", "ay", "alpha"].map_each(|of| format!("`{}.{of}`", body.name.text));
         body.a.into_iter().zip(names)
     });
     let reactions = model.rows.iter().map(|row| (row.lambda, format!("the reaction of `{}`", row.name)));

@@ -1,6 +1,6 @@
 //! The first evaluation: every constraint, force and rate must be a number at the assembled start.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Node, algebra};
 
 use crate::derive::{causes, feeds_back};
@@ -46,7 +46,7 @@ fn add_unknowns(scene: &Scene, values: &mut Vec<(Expr, f64)>) {
     });
     let (symbols, results): (Vec<Expr>, Vec<Expr>) = results.unzip();
     let found = numeric::values(&results, values);
-    values.extend(symbols.into_iter().zip(found));
+    values.push_all(symbols.into_iter().zip(found));
 }
 
 fn report(values: &[(Expr, f64)], name: &str, span: Span, expr: Expr, diagnostics: &mut Diagnostics) {

@@ -6,7 +6,7 @@
 //! vanishes identically (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM
 //! 27, 1980).
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Tape, algebra};
 
 use crate::diag::{Code, Diagnostics};
@@ -89,7 +89,7 @@ impl<'a> Joint<'a> {
     fn at(&self, fixed: &[(Expr, f64)], random: &mut Random) -> Found {
         let mut values = fixed.to_vec();
         let q = self.pose(fixed, random);
-        values.extend(q.iter().map(|&(column, value)| (self.scene.equations.q[column], value)));
+        values.push_all(q.iter().map(|&(column, value)| (self.scene.equations.q[column], value)));
         let mut results = run(&self.tape, &values);
         let mut entries = results.split_off(self.rows.len()).into_iter();
         let phi_q = self.rows.iter().map(|&row| {
@@ -118,7 +118,7 @@ impl<'a> Joint<'a> {
         let mut pose = [0.0; 3];
         if let Some(body) = held.body {
             pose = [length * random.unit(), length * random.unit(), 3.0 * random.unit()];
-            q.extend(pose.into_iter().enumerate().map(|(k, value)| (3 * body + k, value)));
+            q.push_all(pose.into_iter().enumerate().map(|(k, value)| (3 * body + k, value)));
         }
         let (at, angle) = self.port(held, fixed);
         let [x, y] = carried(pose, at, 1.0);
@@ -130,7 +130,7 @@ impl<'a> Joint<'a> {
         let theta = heading + sign * turn - own;
         let [x, y] = carried([x, y, theta], back, -1.0);
         if let Some(body) = free.body {
-            q.extend([x, y, theta].into_iter().enumerate().map(|(k, value)| (3 * body + k, value)));
+            q.push_all([x, y, theta].into_iter().enumerate().map(|(k, value)| (3 * body + k, value)));
         }
         q
     }
@@ -140,7 +140,7 @@ impl<'a> Joint<'a> {
             Some(body) => &self.scene.model.bodies[body].ports[frame.port],
             None => &self.scene.model.ground[frame.port],
         };
-        (at.components().map(|component| value(component, fixed)), value(*angle, fixed))
+        (at.components().map_each(|component| value(component, fixed)), value(*angle, fixed))
     }
 
     fn report_row(&self, row: usize, by: f64, diagnostics: &mut Diagnostics) {

@@ -1,6 +1,6 @@
 //! The declared start: locks, joints that do not close, branches, velocities, the first evaluation.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, algebra};
 
 use super::branch::not_found;
@@ -49,9 +49,9 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
 fn has_parameters(model: &Model) -> bool {
     let starts = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
     let mut roots: Vec<Expr> = starts.map(|start| start.value).collect_vec();
-    roots.extend(model.rows.iter().map(|row| row.phi));
-    roots.extend(model.bodies.iter().flat_map(|body| body.centre.components()));
-    roots.extend(model.switches.iter().filter(|switch| !switch.must_hold).map(|switch| switch.difference));
+    roots.push_all(model.rows.iter().map(|row| row.phi));
+    roots.push_all(model.bodies.iter().flat_map(|body| body.centre.components()));
+    roots.push_all(model.switches.iter().filter(|switch| !switch.must_hold).map(|switch| switch.difference));
     let held = algebra::symbols(&roots);
     model.params.iter().any(|param| held.contains(&param.symbol))
 }

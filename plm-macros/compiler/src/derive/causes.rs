@@ -2,6 +2,7 @@
 
 use plm_cas::Expr;
 
+use crate::collect::MapEach;
 use crate::model::{Model, Name};
 
 /// A force or a rate, and whose it is.
@@ -18,7 +19,7 @@ pub(crate) struct Cause<'a> {
 pub(crate) fn causes(model: &Model) -> impl Iterator<Item = Cause<'_>> {
     let loads = model.loads.iter().flat_map(|load| {
         let name = &model.parts[load.part].name;
-        load.force.map(|value| Cause { name, is_force: true, value })
+        load.force.map_each(|value| Cause { name, is_force: true, value })
     });
     let rates = model.states.iter();
     loads.chain(rates.map(|state| Cause { name: &state.name, is_force: false, value: state.rate }))

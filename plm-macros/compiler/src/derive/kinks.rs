@@ -7,7 +7,7 @@
 
 mod boundary;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Jump, Model};
@@ -84,7 +84,7 @@ pub(super) fn kinks(model: &Model) -> Vec<Kink> {
         let Node::Less(a, b) = condition.node() else { continue };
         let difference = a - b;
         if algebra::symbols(&[difference]).iter().any(|symbol| moving.contains(symbol)) {
-            found.extend(kink(model, condition, difference));
+            found.push_all(kink(model, condition, difference));
         }
     }
     found

@@ -5,7 +5,7 @@
 //! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
 //! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
@@ -36,7 +36,7 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
         sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
         for (symbol, jump) in jumps {
             let index = model.switches.iter().position(|switch| switch.symbol == symbol);
-            model.jumps.extend(index.map(|switch| Jump { switch, ..jump }));
+            model.jumps.push_all(index.map(|switch| Jump { switch, ..jump }));
         }
         substitute(model, &pairs);
     }
@@ -65,7 +65,7 @@ fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
     let released = pairs.iter().filter(|pair| in_rows.contains(&pair.1));
     model.released = released.map(|&(condition, held)| (held, condition)).collect_vec();
     for load in &mut model.loads {
-        load.force = load.force.map(|force| algebra::substitute(&[force], pairs)[0]);
+        load.force = load.force.map_each(|force| algebra::substitute(&[force], pairs)[0]);
     }
     for state in &mut model.states {
         state.rate = algebra::substitute(&[state.rate], pairs)[0];
@@ -130,7 +130,7 @@ fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>)
             }
         };
         if let Some(&symbol) = algebra::symbols(&[held]).first() {
-            jumps.extend(of_rows.into_iter().map(|jump| (symbol, jump)));
+            jumps.push_all(of_rows.into_iter().map(|jump| (symbol, jump)));
         }
     }
     jumps

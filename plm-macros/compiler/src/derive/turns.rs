@@ -5,7 +5,7 @@
 //! one count. An angle that a constraint reads in another way (a gear, a drive, a slide on the ground) has none: there whole turns
 //! are not nothing.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, Function, Node, Number, algebra};
@@ -21,14 +21,14 @@ pub(crate) fn count_turns(model: &mut Model) -> Vec<(Expr, Expr)> {
     for counted in &model.turns {
         let turned = whole_turn * counted.symbol;
         let angles = counted.bodies.iter().map(|&body| model.bodies[body].q[2]);
-        pairs.extend(angles.map(|angle| (angle, angle + turned)));
+        pairs.push_all(angles.map(|angle| (angle, angle + turned)));
     }
     let mut places: Vec<&mut Expr> = Vec::new();
-    places.extend(model.loads.iter_mut().flat_map(|load| &mut load.force));
-    places.extend(model.states.iter_mut().map(|state| &mut state.rate));
-    places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
-    places.extend(model.switches.iter_mut().map(|switch| &mut switch.difference));
-    places.extend(&mut model.kinks);
+    places.push_all(model.loads.iter_mut().flat_map(|load| &mut load.force));
+    places.push_all(model.states.iter_mut().map(|state| &mut state.rate));
+    places.push_all(model.outputs.iter_mut().flat_map(|output| &mut output.components));
+    places.push_all(model.switches.iter_mut().map(|switch| &mut switch.difference));
+    places.push_all(&mut model.kinks);
     let read: Vec<Expr> = places.iter().map(|place| **place).collect_vec();
     places.into_iter().zip(with_turns(&read, &pairs)).for_each(|(place, whole)| *place = whole);
     pairs
@@ -94,7 +94,7 @@ fn coefficients(expr: Expr, angles: &SortedSet<Expr>) -> Option<Vec<(Option<i64>
             _ if angles.contains(&term) => found.push((factor.as_int(), term)),
             Node::Defined(value) => open.push((factor, value)),
             Node::Sum { terms, .. } => {
-                open.extend(terms.iter().map(|&(coefficient, term)| (factor * coefficient, term)));
+                open.push_all(terms.iter().map(|&(coefficient, term)| (factor * coefficient, term)));
             }
             _ if algebra::symbols(&[term]).iter().any(|symbol| angles.contains(symbol)) => return None,
             _ => {}

@@ -4,6 +4,7 @@ use plm_cas::Expr;
 
 use super::Emission;
 use super::lower::Bindings;
+use crate::collect::PushAll;
 use crate::formulate::{Chart, Resolvent};
 
 /// What the arguments of a function are.
@@ -104,7 +105,7 @@ impl Emission<'_> {
         bind(&self.program.weights, "w", 0);
         bind(&self.program.r, "r", 0);
         let remembered = self.loops().into_iter().flat_map(|reduced| &reduced.memory);
-        bindings.extend(remembered.map(|(symbol, path)| (*symbol, format!("m.{path}"))));
+        bindings.push_all(remembered.map(|(symbol, path)| (*symbol, format!("m.{path}"))));
         Bindings::of(bindings)
     }
 }

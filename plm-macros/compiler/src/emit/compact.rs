@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::{Emission, number, quoted};
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use crate::sorted::SortedMap;
 
@@ -24,7 +24,8 @@ pub(super) fn names(emission: &Emission, names: &[String]) -> TokenStream {
     }
     let count = number(names.len());
     let lengths: Vec<u32> = names.iter().map(|name| name.len() as u32).collect_vec();
-    let [text, lengths] = [format!("{:?}", names.concat()), runs(&lengths)].map(|text| emission.text(text));
+    let [text, lengths] =
+        [format!("{:?}", names.concat()), runs(&lengths)].map_each(|text| emission.text(text));
     quote!(rt::compact::names::<#count>(#text, &[#lengths]))
 }
 

@@ -1,6 +1,6 @@
 //! Documentation of the emitted items: equations, shapes, units, counts.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Count, Expr, Number};
 use proc_macro2::TokenStream;
 
@@ -58,12 +58,12 @@ pub(super) fn module(emission: &Emission) -> TokenStream {
     let Emission { model, report, .. } = emission;
     let mut lines = Vec::new();
     if !model.docs.is_empty() {
-        lines.extend([trimmed(&model.docs), String::new()]);
+        lines.push_all([trimmed(&model.docs), String::new()]);
     }
     lines.extend(report.summary());
     if !model.rows.is_empty() {
         let head = ["", "| row | constraint | equation | unit |", "|----:|------------|----------|------|"];
-        lines.extend(head.map(str::to_owned));
+        lines.push_all(head.map_each(str::to_owned));
     }
     for (k, row) in model.rows.iter().enumerate().take(MOST_ROWS) {
         let equation = row.phi.to_string().replace('|', "\\|");

@@ -1,6 +1,6 @@
 //! Bodies and outputs of repetitions by their indices: `sim.bar(3)` beside `sim.bar_3()`.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::emit::template::quote;
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -30,7 +30,7 @@ pub(super) fn find(model: &Model, accessors: &mut Names) -> Vec<Family> {
     let outputs = model.outputs.iter().enumerate().filter(|(_, output)| output.declared);
     let outputs = outputs.map(|(k, output)| (k, output.name.text.as_str()));
     let mut families = gathered(bodies, true);
-    families.extend(gathered(outputs, false).into_iter().filter(|family| is_of_one_shape(model, family)));
+    families.push_all(gathered(outputs, false).into_iter().filter(|family| is_of_one_shape(model, family)));
     families.retain_mut(|family| {
         let name = accessors.free(&family.name);
         name.map(|name| family.name = name).is_some()

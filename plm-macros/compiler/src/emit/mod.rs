@@ -16,7 +16,7 @@ mod lower;
 mod print;
 mod template;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use plm_cas::algebra;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -125,7 +125,7 @@ fn module(emission: &Emission) -> TokenStream {
     let Emission { model, name, shown, .. } = emission;
     let module = names::token(&names::module_name(&model.name.text), name.span());
     let outer = format_ident!("plm_{module}_");
-    let [visibility, path] = [&model.visibility, &model.crate_path].map(|text| emission.text(text));
+    let [visibility, path] = [&model.visibility, &model.crate_path].map_each(|text| emission.text(text));
     let allowed = emission.text(docs::ALLOWED);
     let docs = docs::module(emission);
     let definition = item::mechanism::definition(emission);
@@ -293,7 +293,7 @@ impl Emission<'_> {
 /// The type of what is remembered of loops, of numbers `scalar`.
 fn memory(reduced: &Reduced, scalar: &TokenStream) -> TokenStream {
     let counts = [reduced.freedom(), reduced.turning.len(), reduced.areas, reduced.followed.len()];
-    let counts = counts.map(number);
+    let counts = counts.map_each(number);
     quote!(rt::charts::Memory<#scalar, #(#counts),*>)
 }
 

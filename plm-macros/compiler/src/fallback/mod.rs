@@ -6,7 +6,7 @@
 mod observe;
 mod shape;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::SortedSet;
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Graph};
@@ -132,7 +132,7 @@ impl<'a> Names<'a> {
                     if let Some(name) = self.name(prefix, &of.name) {
                         let ports = of.ports.iter().map(|port| &port.name.ident.text);
                         let ports = ports.map(|port| (format!("{}.{port}", name.text), Thing::Port));
-                        self.things.extend(ports);
+                        self.things.push_all(ports);
                         self.things.push((name.text.clone(), Thing::Body(of)));
                         self.found.bodies.push(body(name));
                     }
@@ -301,7 +301,8 @@ fn no_unit() -> DisplayUnit {
 
 /// A body of 1 kg that floats.
 fn body(name: Name) -> Body {
-    let symbols = |members: [&str; 3]| members.map(|member| Expr::symbol(format!("{}.{member}", name.text)));
+    let symbols =
+        |members: [&str; 3]| members.map_each(|member| Expr::symbol(format!("{}.{member}", name.text)));
     let (q, v, a) =
         (symbols(["x", "y", "angle"]), symbols(["vx", "vy", "omega"]), symbols(["ax", "ay", "alpha"]));
     let (zero, one, span) = (Expr::ZERO, Expr::ONE, name.span);

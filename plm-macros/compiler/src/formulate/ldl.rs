@@ -9,6 +9,7 @@
 //! Each entry becomes a named atom, so that nothing is ever expanded and the operations stay those of the numeric
 //! algorithm (I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 10).
 
+use crate::collect::MapEach;
 use crate::sorted::{SortedMap, SortedSet};
 
 use plm_cas::Expr;
@@ -52,7 +53,8 @@ pub(crate) fn factorise(n: usize, matrix: &Symmetric, most: Option<Expr>) -> Fac
             if let Some(most) = most {
                 growth = work.named(growth, format!("growth_{pivot}"));
                 let depends = most.less(growth);
-                let [kept, of_kept] = [reciprocal, growth].map(|value| depends.select(Expr::ZERO, value));
+                let [kept, of_kept] =
+                    [reciprocal, growth].map_each(|value| depends.select(Expr::ZERO, value));
                 reciprocal = work.named(kept, format!("kept_{pivot}"));
                 growth = of_kept;
             }

@@ -1,6 +1,6 @@
 //! What can be read from a state: the user's outputs, energies and power.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Vec2, algebra};
 
 use super::function::Function;
@@ -39,7 +39,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, signals: &[(Expr, 
     let [kinetic, gravity, power] = [kinetic_energy(equations), gravity_energy(model), load_power(model)];
     let power = algebra::substitute(&[power], signals)[0];
     let [kinetic_energy, gravity_energy, load_power] =
-        [kinetic, gravity, power].map(|value| Function::of_value(value).optimise());
+        [kinetic, gravity, power].map_each(|value| Function::of_value(value).optimise());
     Outputs { user, kinetic_energy, gravity_energy, branches, load_power }
 }
 

@@ -4,6 +4,7 @@ use super::absolute::Absolute;
 use super::function::Function;
 use super::outputs;
 use super::reduced::{self, Assembled, Known, Reduced};
+use crate::collect::MapEach;
 use crate::derive::{Equations, feeds_back};
 use crate::model::{Model, Output, Rung, Stabilisation};
 use crate::numeric::{Assembly, Scene, add_switches, assemble, freedom, varied};
@@ -89,7 +90,7 @@ pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced,
 /// iterations can take more.
 fn cheaper(reduced: Reduced, absolute: &Absolute) -> Result<Reduced, String> {
     let Some(chart) = reduced.first().filter(|_| reduced.iterates()) else { return Ok(reduced) };
-    let [iterated, absolute] = [&chart.rate, &absolute.dynamics].map(|form| form.tape().count().total());
+    let [iterated, absolute] = [&chart.rate, &absolute.dynamics].map_each(|form| form.tape().count().total());
     if iterated < absolute {
         return Ok(reduced);
     }

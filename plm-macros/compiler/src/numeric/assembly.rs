@@ -3,7 +3,7 @@
 //! Positions: `q <- q - pinv(phi_q) phi` in SI with unit weights from the user's start; a lock takes its column out.
 //! Velocities: one step of the same kind, `v <- v - pinv(phi_q) (phi_q v - nu)`, from the start velocities.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::Expr;
 
 use super::branch;
@@ -107,11 +107,11 @@ fn start_position(scene: &Scene) -> Start {
     let bodies = &scene.model.bodies;
     let mut q = Vec::with_capacity(3 * bodies.len());
     for body in bodies {
-        let [x, y, angle] = body.start.map(|start| value(start.value, &scene.values));
+        let [x, y, angle] = body.start.map_each(|start| value(start.value, &scene.values));
         let [dx, dy] = centre(body, &scene.values, angle);
-        q.extend([x + dx, y + dy, angle]);
+        q.push_all([x + dx, y + dy, angle]);
     }
-    let locked = bodies.iter().flat_map(|body| body.start.map(|start| start.locked));
+    let locked = bodies.iter().flat_map(|body| body.start.map_each(|start| start.locked));
     Start { values: q, locked: locked.collect_vec() }
 }
 
@@ -120,17 +120,17 @@ fn start_velocity(scene: &Scene, q: &[f64]) -> Start {
     let bodies = &scene.model.bodies;
     let mut v = Vec::with_capacity(q.len());
     for (body, pose) in bodies.iter().zip(q.chunks_exact(3)) {
-        let [vx, vy, omega] = body.start_velocity.map(|start| value(start.value, &scene.values));
+        let [vx, vy, omega] = body.start_velocity.map_each(|start| value(start.value, &scene.values));
         let [dx, dy] = centre(body, &scene.values, pose[2]);
-        v.extend([vx - omega * dy, vy + omega * dx, omega]);
+        v.push_all([vx - omega * dy, vy + omega * dx, omega]);
     }
-    let locked = bodies.iter().flat_map(|body| body.start_velocity.map(|start| start.locked));
+    let locked = bodies.iter().flat_map(|body| body.start_velocity.map_each(|start| start.locked));
     Start { values: v, locked: locked.collect_vec() }
 }
 
 /// G from O in absolute axes.
 fn centre(body: &Body, values: &[(Expr, f64)], angle: f64) -> [f64; 2] {
-    let [x, y] = body.centre.components().map(|component| value(component, values));
+    let [x, y] = body.centre.components().map_each(|component| value(component, values));
     let (sin, cos) = plm_math::f64::sin_cos(angle);
     [cos * x - sin * y, sin * x + cos * y]
 }

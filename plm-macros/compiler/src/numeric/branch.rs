@@ -1,6 +1,6 @@
 //! The mirror images that loops are asked for, the compiler's twin of the runtime's search.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_math::f64::{atan2, sin_cos};
 
 use super::assembly::Start;
@@ -28,7 +28,7 @@ pub(crate) fn asked(scene: &Scene) -> Vec<Asked> {
     let branches = scene.equations.branches.iter().filter_map(|branch| {
         let (turn, _) = scene.model.parts[branch.part].branch?;
         let number = |of| value(of, &scene.values);
-        let ends = branch.ends.map(|ends| ends.map(|end| end.components().map(number)));
+        let ends = branch.ends.map_each(|ends| ends.map_each(|end| end.components().map_each(number)));
         Some(Asked { part: branch.part, bodies: branch.bodies, ends, turn })
     });
     branches.collect_vec()

@@ -1,6 +1,6 @@
 //! The constraints as numeric functions of the pose, and Newton's iteration that closes them.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Tape, algebra};
 
 use super::pseudo_inverse;
@@ -67,7 +67,7 @@ impl<'a> Constraints<'a> {
     /// Rank of `phi_q` and, behind it, a row for each locked coordinate.
     pub(super) fn rank(&self, q: &[f64], locked: &[bool]) -> Rank {
         let mut rows = self.phi_q(q);
-        rows.extend(locked.iter().enumerate().filter(|(_, lock)| **lock).map(|(k, _)| vec![(k, 1.0)]));
+        rows.push_all(locked.iter().enumerate().filter(|(_, lock)| **lock).map(|(k, _)| vec![(k, 1.0)]));
         rank(&rows)
     }
 
@@ -98,8 +98,8 @@ impl<'a> Constraints<'a> {
         let mut values = self.scene.at(q);
         let weights = locked.iter().map(|&lock| if lock { 0.0 } else { 1.0 });
         let absolute = self.scene.absolute;
-        values.extend(absolute.weights.iter().copied().zip(weights));
-        values.extend(absolute.r.iter().copied().zip(r.iter().copied()));
+        values.push_all(absolute.weights.iter().copied().zip(weights));
+        values.push_all(absolute.r.iter().copied().zip(r.iter().copied()));
         let mut step = run(&self.min_norm, &values);
         match step.pop() {
             Some(health) if health > HEALTHY && step.iter().all(|dq| dq.is_finite()) => step,

@@ -3,6 +3,7 @@
 use plm_cas::Expr;
 
 use super::values::{defaults, value};
+use crate::collect::PushAll;
 use crate::derive::Equations;
 use crate::formulate::Absolute;
 use crate::model::Model;
@@ -38,14 +39,14 @@ impl<'a> Scene<'a> {
     /// Values of all symbols but velocities at a pose `q`, m and rad.
     pub(crate) fn at(&self, q: &[f64]) -> Vec<(Expr, f64)> {
         let mut values = self.values.clone();
-        values.extend(self.equations.q.iter().copied().zip(q.iter().copied()));
+        values.push_all(self.equations.q.iter().copied().zip(q.iter().copied()));
         values
     }
 
     /// Values of all symbols at a pose `q` with velocities `v`, m/s and rad/s.
     pub(crate) fn moving(&self, q: &[f64], v: &[f64]) -> Vec<(Expr, f64)> {
         let mut values = self.at(q);
-        values.extend(self.equations.v.iter().copied().zip(v.iter().copied()));
+        values.push_all(self.equations.v.iter().copied().zip(v.iter().copied()));
         values
     }
 }

@@ -1,6 +1,6 @@
 //! Values of symbols, and of expressions of them.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Tape, algebra};
 
 use super::random::Random;
@@ -37,7 +37,7 @@ pub(crate) fn defaults(model: &Model) -> Vec<(Expr, f64)> {
         (model.agreement, AGREEMENT),
         (model.precision, f64::EPSILON),
     ];
-    values.extend(model.turns.iter().map(|counted| (counted.symbol, 0.0)));
+    values.push_all(model.turns.iter().map(|counted| (counted.symbol, 0.0)));
     for param in &model.params {
         values.push((param.symbol, value(param.default, &values)));
     }

@@ -11,6 +11,7 @@ use super::keyword as kw;
 use super::name::Ident;
 use super::part::Definition;
 use super::rust;
+use crate::collect::PushAll;
 use crate::diag::Code;
 use crate::span::Span;
 
@@ -168,7 +169,7 @@ impl Input<'_> {
         while let Some(attribute) = self.attribute() {
             match attribute {
                 Ok(text) if text.is_empty() => docs.push(String::new()),
-                Ok(text) => docs.extend(text.lines().map(|line| line.trim().to_string())),
+                Ok(text) => docs.push_all(text.lines().map(|line| line.trim().to_string())),
                 Err(Reported) => {}
             }
         }

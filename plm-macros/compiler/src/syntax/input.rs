@@ -8,6 +8,7 @@ use syn::buffer::Cursor;
 use syn::parse::{ParseBuffer, ParseStream, Parser, Peek};
 use syn::{Token, token};
 
+use crate::collect::MapEach;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::span::Span;
 use crate::token::Source;
@@ -118,7 +119,7 @@ impl<'a> Input<'a> {
     /// The texts of the token here and of the two behind it, of brackets too; empty at the end of the source.
     pub(super) fn ahead(self) -> [&'a str; 3] {
         let at = self.position();
-        [at, at + 1, at + 2].map(|at| self.reading.source.token(at).unwrap_or_default())
+        [at, at + 1, at + 2].map_each(|at| self.reading.source.token(at).unwrap_or_default())
     }
 
     /// Does a number stand here?

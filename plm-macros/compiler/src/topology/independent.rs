@@ -1,7 +1,7 @@
 //! From which coordinates the closures are solved best.
 
 use super::blocks::{Block, Equation, System};
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::sorted::sort_by;
 
 /// Up to this many sets of independent coordinates are all tried.
@@ -110,7 +110,7 @@ impl Search<'_> {
         for gone in &set {
             let rest: Vec<usize> = set.iter().copied().filter(|place| place != gone).collect_vec();
             let others = self.open.iter().filter(|&place| !set.contains(place));
-            sets.extend(others.map(|&place| with(&rest, place)));
+            sets.push_all(others.map(|&place| with(&rest, place)));
         }
         sets
     }

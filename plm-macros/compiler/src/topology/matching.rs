@@ -1,6 +1,6 @@
 //! Which equation determines which unknown.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use std::collections::VecDeque;
 
 use super::blocks::System;
@@ -95,7 +95,7 @@ impl<'a> Matching<'a> {
             for &equation in &self.system.holders[unknown] {
                 if !under[equation] {
                     under[equation] = true;
-                    free.extend(self.owned(equation));
+                    free.push_all(self.owned(equation));
                 }
             }
         }

@@ -4,7 +4,7 @@
 //! (J. T. Schwartz, Fast probabilistic algorithms for verification of polynomial identities, J. ACM 27, 1980): symbols get
 //! random values, and one of them is then moved onto the boundary by Newton's iteration.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, algebra};
 
 use crate::model::{Model, Steady};
@@ -102,7 +102,7 @@ fn random(model: &Model, seed: u64) -> Vec<(Expr, f64)> {
         *number = if *symbol == model.time { next() } else { *number * (1.0 + 0.1 * next()) + 0.01 * next() };
     }
     let coordinates = model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v));
-    values.extend(coordinates.map(|symbol| (symbol, next())));
+    values.push_all(coordinates.map(|symbol| (symbol, next())));
     values
 }
 

@@ -1,6 +1,6 @@
 //! `Absolute`: the constraints, for assembly, projection and the fallback.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use plm_cas::Vec2;
 use proc_macro2::{Literal, TokenStream};
@@ -19,7 +19,8 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let rows = model.rows.iter().map(|row| row.name.clone()).collect_vec();
     let parts = model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect_vec();
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec();
-    let [rows, parts, coordinates] = [rows, parts, coordinates].map(|names| compact::names(emission, &names));
+    let [rows, parts, coordinates] =
+        [rows, parts, coordinates].map_each(|names| compact::names(emission, &names));
     let angular = angular(emission);
     let places = equations.phi_q.iter().enumerate();
     let places = places.flat_map(|(i, row)| row.iter().flat_map(move |(j, _)| [i as u32, *j as u32]));
@@ -145,7 +146,7 @@ fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
     let centres = model
         .bodies
         .iter()
-        .map(|body| body.centre.components().map(|component| inline(component, &bindings)));
+        .map(|body| body.centre.components().map_each(|component| inline(component, &bindings)));
     if emission.rolled {
         let nq = &emission.sizes.nq;
         let (tables, centre) = start::centre(&centres.collect_vec());
@@ -182,7 +183,7 @@ fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
         })
         .unzip();
     let count = number(fields.bodies.len());
-    [positions, velocities].map(|list| {
+    [positions, velocities].map_each(|list| {
         let (literals, list) = emission.values(list);
         let bodies = quote! {
             let bodies: [[Start<S>; 3]; #count] = [#list];
@@ -197,15 +198,15 @@ fn branch(emission: &Emission) -> Option<TokenStream> {
     let Emission { model, equations, .. } = emission;
     let bindings = emission.parameters();
     let end = |end: Vec2| {
-        let [x, y] = end.components().map(|component| inline(component, &bindings));
+        let [x, y] = end.components().map_each(|component| inline(component, &bindings));
         format!("[{x}, {y}]")
     };
     let asked =
         equations.branches.iter().filter_map(|branch| Some((branch, model.parts[branch.part].branch?)));
     let arms = asked.enumerate().map(|(k, (branch, (turn, _)))| {
-        let ends = branch.ends.map(|ends| format!("[{}]", ends.map(end).join(", "))).join(", ");
+        let ends = branch.ends.map_each(|ends| format!("[{}]", ends.map_each(end).join(", "))).join(", ");
         let ([first, second], part) = (branch.bodies, &model.parts[branch.part].name.text);
-        let names = quoted(branch.bodies.map(|body| &model.bodies[body].name.text));
+        let names = quoted(branch.bodies.map_each(|body| &model.bodies[body].name.text));
         let left = turn == Turn::Left;
         format!(
             "{k} => Some(absolute::Branch {{

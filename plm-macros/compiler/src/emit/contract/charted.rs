@@ -1,5 +1,6 @@
 //! `Charted`: the runtime's view of charts.
 
+use crate::collect::MapEach;
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -12,7 +13,7 @@ use crate::formulate::Reduced;
 pub(crate) fn charted(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, length, .. }, .. } = emission;
     let Some(reduced) = emission.loops() else { return TokenStream::new() };
-    let [charts, switches] = [reduced.charts.len(), emission.model.switches.len()].map(number);
+    let [charts, switches] = [reduced.charts.len(), emission.model.switches.len()].map_each(number);
     let memory = memory(reduced, &quote!(S));
     let turning = reduced.turning.iter().map(|&body| &emission.model.bodies[body].name.text);
     let turning = emission.text(quoted(turning));

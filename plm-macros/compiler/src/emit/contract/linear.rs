@@ -1,6 +1,6 @@
 //! `Linear`: the mechanism and what it holds as constants with derivatives; of a large tree, its linearised equations.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::emit::template::quote;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
@@ -141,7 +141,7 @@ fn of_augmented(emission: &Emission, augmented: &Augmented) -> (TokenStream, Tok
     let Sizes { length, .. } = &emission.sizes;
     let pattern = &augmented.pattern;
     let [coefficients, places, pivots] =
-        [augmented.coefficients.results.len(), pattern.places.len(), pattern.pivots.len()].map(number);
+        [augmented.coefficients.results.len(), pattern.places.len(), pattern.pivots.len()].map_each(number);
     let sparse = quote!(rt::linalg::Sparse<S, Augmented<S>, #coefficients, #places, #pivots>);
     let (kind, begin, end, c) = if emission.is_reduced() {
         (sparse, None, None, quote!(&mut by_x.coefficients))
@@ -269,7 +269,7 @@ impl Tables {
             for &lower in &pivot.below {
                 let entry = place(lower, row).unwrap_or_default();
                 below.extend_from_slice(&[lower as u32, entry, place(row, lower).unwrap_or(u32::MAX)]);
-                targets.extend(pivot.right.iter().filter_map(|&column| place(lower, column)));
+                targets.push_all(pivot.right.iter().filter_map(|&column| place(lower, column)));
             }
             for &column in &pivot.right {
                 right.extend_from_slice(&[column as u32, place(row, column).unwrap_or_default()]);

@@ -1,7 +1,7 @@
 //! Rates of two stages in a row, whose positions are known before: what depends on these alone is computed side by side, in
 //! vectors of two. Bits are those of two single rates.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::TokenStream;
@@ -116,7 +116,7 @@ fn rate_pair(emission: &Emission, parts: &Parts) -> TokenStream {
 fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
     let (shared, freedom) = (number(parts.shared), number(second_order / 2));
-    let [still, moving] = [&parts.still, &parts.moving].map(|part| emission.text(part.text.clone()));
+    let [still, moving] = [&parts.still, &parts.moving].map_each(|part| emission.text(part.text.clone()));
     let arguments = reads(emission, &parts.still);
     let declared = arguments.iter().map(|[declared, _]| declared);
     let [positions, x, _] = positions(emission);
@@ -169,8 +169,9 @@ fn positions(emission: &Emission) -> [TokenStream; 3] {
         return [declared, quote!(Two::beginning([first, second])), quote!(x[0], x[1])];
     }
     let places: Vec<_> = (0..second_order / 2).map(number).collect_vec();
-    let [first, second] = ["first", "second"]
-        .map(|stage| places.iter().map(|place| format_ident!("{stage}_{}", place.to_string())).collect_vec());
+    let [first, second] = ["first", "second"].map_each(|stage| {
+        places.iter().map(|place| format_ident!("{stage}_{}", place.to_string())).collect_vec()
+    });
     let declared = quote!(#(#first: S, #second: S),*);
     [declared, quote!([#(Two([#first, #second])),*]), quote!(#(x[0][#places], x[1][#places]),*)]
 }

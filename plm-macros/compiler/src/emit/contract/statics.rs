@@ -1,6 +1,6 @@
 //! `Statics`: a mechanism at rest; `StartValues`: names and values one by one, and as text.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
@@ -16,7 +16,7 @@ pub(crate) const MOST_LINES: usize = 200;
 /// `StartValues` and `Display` of the start values.
 pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     let Emission { model, fields, .. } = emission;
-    let names = |body: &Body| start::OF_BODY.map(|value| format!("{}.{value}", body.name.text));
+    let names = |body: &Body| start::OF_BODY.map_each(|value| format!("{}.{value}", body.name.text));
     let in_a_loop = emission.rolled.then(|| {
         let names = compact::names(emission, &model.bodies.iter().flat_map(names).collect_vec());
         quote! {

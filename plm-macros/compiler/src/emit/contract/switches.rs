@@ -1,6 +1,6 @@
 //! Methods of `System` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -13,10 +13,10 @@ use super::charted::in_held;
 /// What is looked at in every step, guards and kinks, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
-    let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map(number);
+    let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
     let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), g));
     let [here, within] = [(quote!(self), full), (quote!(mechanism), TokenStream::new())]
-        .map(|(of, free)| switching(emission, &of, &quote!({ #free })));
+        .map_each(|(of, free)| switching(emission, &of, &quote!({ #free })));
     // Without a chart the state stands in what is held, and does not move with `x`.
     let only = emission.loops().is_some().then(|| {
         quote! {
@@ -147,7 +147,7 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
 /// Rows that may jump; those that are known to are errors.
 pub(super) fn jump(emission: &Emission) -> TokenStream {
     let (jumps, Sizes { nq, length, .. }) = (&emission.model.jumps, &emission.sizes);
-    let [count, terms] = [jumps.len(), 5 * jumps.len()].map(number);
+    let [count, terms] = [jumps.len(), 5 * jumps.len()].map_each(number);
     let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.switch)));
     let pose = pose_at("u");
     let (jump_docs, jump) = body(

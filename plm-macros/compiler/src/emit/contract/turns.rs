@@ -1,6 +1,6 @@
 //! Whole turns that are counted: where their angles stand, and where they are brought back.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
@@ -50,7 +50,7 @@ fn in_short(emission: &Emission, bodies: &[Option<usize>]) -> Option<TokenStream
     let places = places.collect::<Option<Vec<usize>>>()?;
     let (first, step) = (*places.first()?, places.get(1)?.checked_sub(places[0])?);
     let is_even = places.iter().zip(0..).all(|(place, k)| *place == first + step * k);
-    let [first, step, count] = [first, step, places.len()].map(number);
+    let [first, step, count] = [first, step, places.len()].map_each(number);
     is_even.then(|| {
         quote!(const {
             &rt::compact::singles::<#count>(const { &rt::compact::places::<#count>(#first, #step) })

@@ -1,6 +1,6 @@
 //! Inputs, and what is held over a step beside them.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
@@ -40,7 +40,7 @@ pub(super) fn of_loops(emission: &Emission) -> TokenStream {
 /// `Held`.
 pub(crate) fn held(emission: &Emission) -> TokenStream {
     let of_loops = of_loops(emission);
-    let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map(number);
+    let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
     quote! {
         /// What is held over a step.
         type Held<S> = rt::Held<Input<S>, [S; #switches], [<S as Scalar>::Turns; #turns], #of_loops>;

@@ -1,6 +1,6 @@
 //! What can be read from a state: poses, the user's outputs, energies.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
@@ -20,7 +20,7 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
     let user = (0..emission.model.outputs.len()).map(|index| user_output(emission, &bindings, index));
     let [kinetic, gravity, power] =
         [&functions.kinetic_energy, &functions.gravity_energy, &functions.load_power]
-            .map(|function| body(emission, &bindings, function));
+            .map_each(|function| body(emission, &bindings, function));
     let families = families::accessors(emission);
     let branches = branches(emission, &bindings);
     let table = table(emission);
@@ -76,7 +76,7 @@ fn poses(emission: &Emission) -> TokenStream {
         let reduced = emission.is_reduced();
         let (q, v, i, j) =
             if reduced { ("q", "v", 3 * k, 3 * k) } else { ("self.x", "self.x", 3 * k, nq + 3 * k) };
-        let triple = |array: &str, k: usize| [k, k + 1, k + 2].map(|k| format!("{array}[{k}]"));
+        let triple = |array: &str, k: usize| [k, k + 1, k + 2].map_each(|k| format!("{array}[{k}]"));
         let ([x, y, mut angle], rates) = (triple(q, i), triple(v, j).join(", "));
         if let Some(count) = model.turns.iter().position(|counted| counted.bodies.contains(&k)) {
             angle = format!("rt::turns::whole({angle}, self.held.turns[{count}])");
@@ -115,7 +115,7 @@ fn arrays(text: &str, [first, second]: [&str; 2], from: &str) -> String {
             !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && behind.starts_with(['[', ';'])
         })
     };
-    match [first, second].map(|array| if reads(array) { array } else { "_" }) {
+    match [first, second].map_each(|array| if reads(array) { array } else { "_" }) {
         ["_", "_"] => String::new(),
         [first, second] => format!("let ({first}, {second}) = {from};\n"),
     }

@@ -1,6 +1,6 @@
 //! W. Kutta's step by itself: a straight line where the rate is short.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
 
@@ -73,7 +73,7 @@ fn straight(emission: &Emission) -> TokenStream {
     let in_first = is_loop.then(|| {
         quote!(let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else { return None };)
     });
-    let all = emission.list(STAGES.map(|[_, _, _, name]| of_stage(name)));
+    let all = emission.list(STAGES.map_each(|[_, _, _, name]| of_stage(name)));
     let direct = (!looks_each && !angles.is_empty()).then(|| quote!(&& S::are_direct([#all])));
     quote! {
         /// The same as a straight line; none where it is no such line.
@@ -99,7 +99,7 @@ fn formula(emission: &Emission, rate: impl Fn([&str; 4]) -> String) -> TokenStre
         emission.lines(names.iter().enumerate().map(entry))
     };
     let [second, third, fourth] =
-        [("half", "k1"), ("half", "k2"), ("h", "k3")].map(|(factor, k)| stage(factor, k));
+        [("half", "k1"), ("half", "k2"), ("h", "k3")].map_each(|(factor, k)| stage(factor, k));
     let end = names.iter().enumerate().map(|(i, x)| match names.get(n + i) {
         Some(v) if i < n => {
             let k = n + i;
@@ -108,7 +108,7 @@ fn formula(emission: &Emission, rate: impl Fn([&str; 4]) -> String) -> TokenStre
         _ => format!("sixth.mul_add(two.mul_add(k2[{i}] + k3[{i}], k1[{i}] + k4[{i}]), {x})"),
     });
     let end = emission.lines(end);
-    let [r1, r2, r3, r4] = STAGES.map(|stage| emission.text(rate(stage)));
+    let [r1, r2, r3, r4] = STAGES.map_each(|stage| emission.text(rate(stage)));
     quote! {
         let (half, two, sixth) = (S::lit(0.5) * h, S::lit(2.0), S::lit(1.0 / 6.0) * h);
         let [#(#names),*] = *x;

@@ -1,6 +1,6 @@
 //! Start values: as they are declared, at a moment, and as they are assembled.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use plm_cas::algebra;
 use proc_macro2::TokenStream;
@@ -149,7 +149,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     let centres = model
         .bodies
         .iter()
-        .map(|body| body.centre.components().map(|component| inline(component, &bindings)));
+        .map(|body| body.centre.components().map_each(|component| inline(component, &bindings)));
     let states = fields.states.iter().zip(2 * nq..);
     let (literals, starts) = if emission.rolled {
         let states = states.map(|(field, k)| format!("start.{field}.value = x[{k}];\n")).collect_vec();
@@ -172,8 +172,8 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
         (Some(quote!(let lit = S::lit;)), loop_over_all)
     } else {
         let bodies = centres.zip(&fields.bodies).enumerate().map(|(k, ([x, y], field))| {
-            let [q, v] =
-                [3 * k, nq + 3 * k].map(|first| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2));
+            let [q, v] = [3 * k, nq + 3 * k]
+                .map_each(|first| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2));
             format!("{field}: self.start.{field}.with_centre_at([{x}, {y}], {q}, {v})")
         });
         let states =
@@ -274,7 +274,7 @@ fn begin(emission: &Emission) -> TokenStream {
         Form::Tree(_) => quote!(self.project(t, &assembly.q, &assembly.v, &mut x);),
         Form::Absolute => quote!(absolute::join(&assembly.q, &assembly.v, &mut x);),
     };
-    let [count, turns] = [model.switches.len(), model.turns.len()].map(number);
+    let [count, turns] = [model.switches.len(), model.turns.len()].map_each(number);
     quote! {
         #repeats
         let mut held = rt::Held { input, switches: [S::lit(1.0); #count], turns: [0; #turns], of_loops: #of_loops };

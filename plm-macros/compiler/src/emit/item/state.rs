@@ -1,5 +1,6 @@
 //! The mechanism at one moment.
 
+use crate::collect::MapEach;
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
@@ -11,7 +12,7 @@ use super::input::of_loops;
 pub(crate) fn state(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let of_loops = of_loops(emission);
-    let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map(number);
+    let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
     quote! {
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The tables by which a mechanism describes itself: names, units, who joins whom. Numbers that the rows point at stand in
 //! one row by themselves.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
@@ -31,7 +31,7 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
     let states =
         model.states.iter().map(|state| quantity(&state.name, &[], &state.unit, declared(state.start)));
     let [parameters, inputs, states] = [parameters.collect_vec(), inputs.collect_vec(), states.collect_vec()]
-        .map(|rows| emission.lines(rows));
+        .map_each(|rows| emission.lines(rows));
     let (bodies, ground) = (bodies(emission, figures), ground(emission, figures));
     let (parts, outputs) = (parts(emission, figures), emission.lines(outputs(emission)));
     let reads = emission.lines(reads(model).iter().map(|row| reads_row(row.as_ref())));
@@ -125,8 +125,8 @@ fn parts(emission: &Emission, figures: &Figures) -> TokenStream {
             frames.extend_from_slice(&[argument, body, frame.port as u32]);
         }
     }
-    let [count, of_frames] = [names.len(), frames.len() / 3].map(number);
-    let [rows, frames] = [rows, frames].map(|numbers| compact::numbers(emission, &numbers));
+    let [count, of_frames] = [names.len(), frames.len() / 3].map_each(number);
+    let [rows, frames] = [rows, frames].map_each(|numbers| compact::numbers(emission, &numbers));
     let (names, kinds) = (compact::names(emission, &names), emission.list(kinds));
     let arguments = emission.list(arguments);
     quote! {

@@ -1,6 +1,6 @@
 //! Sines and cosines, of several angles at once where they fill a vector.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Op, Ref, Tape};
 
 use super::Lowering;
@@ -47,7 +47,7 @@ impl Lowering<'_> {
             let Some(angle) = self.tape.ops[index].op.operands().next() else { continue };
             let angle = self.angle(angle.index());
             let (sine, cosine) = self.local_pair(&angle);
-            makes.extend([sine.reads[0], cosine.reads[0]]);
+            makes.push_all([sine.reads[0], cosine.reads[0]]);
             for (list, piece) in texts.iter_mut().zip([&sine, &cosine, &angle]) {
                 list.push(piece.text.clone());
             }
@@ -55,7 +55,7 @@ impl Lowering<'_> {
             self.early.insert(index, sine);
             self.early.insert(index + 1, cosine);
         }
-        let [sines, cosines, angles] = texts.map(|list| list.join(", "));
+        let [sines, cosines, angles] = texts.map_each(|list| list.join(", "));
         let pattern = format!("([{sines}], [{cosines}])");
         let value = format!("{}::{by}([{angles}])", self.scalar);
         self.lines.statements.push(Statement::Let { makes, pattern, value, reads });

@@ -1,6 +1,6 @@
 //! Accelerations and multipliers at a state, forces that read them included.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, algebra};
 
 use super::feedback;
@@ -50,7 +50,7 @@ pub(super) fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]
         sections.push(Section::new("What forces read of the unknowns", solved.trace));
     }
     let mut readers = equations.x_dot.clone();
-    readers.extend(equations.signals.iter().map(|signal| signal.symbol));
+    readers.push_all(equations.signals.iter().map(|signal| signal.symbol));
     let held = algebra::symbols(&readers);
     let read = solution.unknowns(equations).filter(|(symbol, _)| held.contains(symbol)).collect_vec();
     Motion { acceleration: solution.acceleration, lambda: solution.lambda, read, health, sections }

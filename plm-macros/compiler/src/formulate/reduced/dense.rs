@@ -1,6 +1,6 @@
 //! Accelerations from the dense mass matrix.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::function::Section;
@@ -40,7 +40,7 @@ pub(crate) fn accelerations(motion: &Motion, dense: &Dense) -> (Vec<Expr>, Vec<S
             let force = Vec2::new(first, second);
             let minors = [force.cross(columns[1]), columns[0].cross(force)];
             let reciprocal = (1 / columns[0].cross(columns[1])).named("reciprocal");
-            minors.map(|minor| minor * reciprocal).to_vec()
+            minors.map_each(|minor| minor * reciprocal).to_vec()
         }
         _ => {
             let factor = factorise(force.len(), &mass, None);

@@ -3,7 +3,7 @@
 //! `M a - Q = 0` along the motion, so `M da = -(d(M a - Q)/dy) dy - ...` with the accelerations as they are: derivatives of
 //! sums, none of a solution, and one factorisation for all columns.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, algebra};
 
 use super::inertia::Dense;
@@ -30,7 +30,7 @@ impl Jacobian {
 /// Lays it out; `x` are the first-order states and `x_dot` their rates.
 pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr]) -> Jacobian {
     let n = motion.independent.len();
-    let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
+    let [y, y_dot] = [&motion.value, &motion.rate].map_each(|of| motion.of_independent(of));
     let state = [y, y_dot, x.to_vec()].concat();
     let accelerations: Vec<Expr> = (0..n).map(|_| Expr::symbol("acceleration")).collect_vec();
     let mut dense = dense.clone();
@@ -52,11 +52,11 @@ pub(crate) fn jacobian(motion: &Motion, dense: &Dense, x: &[Expr], x_dot: &[Expr
         let names: Vec<String> = (0..n).map(|i| format!("by_{i}_{j}")).collect_vec();
         let (solution, _) = factor.solve(column, &names);
         let entries = solution.into_iter().enumerate();
-        results.extend(entries.map(|(i, entry)| (Place::Entry("by_x", n + i, j), entry)));
+        results.push_all(entries.map(|(i, entry)| (Place::Entry("by_x", n + i, j), entry)));
     }
     for (k, &rate) in x_dot.iter().enumerate() {
         let slopes = algebra::gradient(rate, &state).into_iter();
-        results.extend(slopes.map(|(j, slope)| (Place::Entry("by_x", 2 * n + k, j), slope)));
+        results.push_all(slopes.map(|(j, slope)| (Place::Entry("by_x", 2 * n + k, j), slope)));
     }
     let entries = Function::of_results(results).optimise();
     Jacobian { entries, accelerations }

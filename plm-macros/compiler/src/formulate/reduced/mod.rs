@@ -15,7 +15,7 @@ mod linearised;
 mod motion;
 mod tree;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, algebra};
 
 use self::charts::Scheme;
@@ -382,9 +382,9 @@ fn pose(model: &Model, motion: &Motion) -> Function {
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for body in 0..model.bodies.len() {
         let heading = coordinates.headings[body];
-        q.extend(motion.position[body].components());
+        q.push_all(motion.position[body].components());
         q.push(motion.angle(heading));
-        v.extend(motion.velocity[body].components());
+        v.push_all(motion.velocity[body].components());
         v.push(motion.omega[heading.class]);
     }
     let mut results = stored("q", q.iter());

@@ -4,7 +4,7 @@
 //! the limit of no compliance (J. Garcia de Jalon, E. Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
 //! chapter 5: penalty formulations). So `reaction(row)` keeps its meaning.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::sorted::SortedMap;
 
 use plm_cas::{Expr, algebra};
@@ -67,7 +67,7 @@ impl<'a> Resolver<'a> {
             stands_for.push((symbol, lambda));
         }
         for load in loads {
-            load.force = load.force.map(|force| algebra::substitute(&[force], &stands_for)[0]);
+            load.force = load.force.map_each(|force| algebra::substitute(&[force], &stands_for)[0]);
         }
         for state in states {
             state.rate = algebra::substitute(&[state.rate], &stands_for)[0];

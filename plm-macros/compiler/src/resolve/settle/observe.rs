@@ -4,7 +4,7 @@
 //! part: `Q - phi_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
 //! the ground keeps the balance: constraints hold when everything is moved together, ground included.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::{SortedMap, SortedSet};
 
 use plm_cas::Expr;
@@ -85,7 +85,7 @@ impl<'a> Resolver<'a> {
             let nodes = nodes.map(Value::Node);
             let bodies = (0..self.draft.bodies.len()).map(Some).chain([None]).map(Value::Body);
             let parts = (0..self.names.instances.len()).map(Value::Instance);
-            targets.extend(bodies.chain(nodes).chain(parts).map(|target| (target, expr.span)));
+            targets.push_all(bodies.chain(nodes).chain(parts).map(|target| (target, expr.span)));
             return Ok(());
         }
         let value = self.eval(scope, expr)?;
@@ -202,13 +202,13 @@ impl<'a> Resolver<'a> {
             let moment = arm.cross(action.force);
             terms[0].push(action.force.x);
             terms[1].push(action.force.y);
-            terms[2].extend([action.torque, moment]);
+            terms[2].push_all([action.torque, moment]);
         }
         for &row in &actions.rows[part] {
             let reaction = self.reaction_on(frame.body, about, row, &actions.coordinates)?;
             terms.iter_mut().zip(reaction).for_each(|(sum, term)| sum.push(term));
         }
-        let [x, y, torque] = terms.map(|sum| algebra::sum(&sum));
+        let [x, y, torque] = terms.map_each(|sum| algebra::sum(&sum));
         Ok((Vec2::new(x, y), torque))
     }
 
@@ -228,7 +228,7 @@ impl<'a> Resolver<'a> {
             held.iter().filter_map(|symbol| coordinates.get(symbol)).map(|(i, _)| *i).collect();
         for i in touched.into_iter().filter(|i| body.is_none_or(|body| body == *i)) {
             let q = self.draft.bodies[i].q;
-            let [x, y, theta] = q.map(|symbol| phi.diff(symbol));
+            let [x, y, theta] = q.map_each(|symbol| phi.diff(symbol));
             // From the point to G.
             let arm = match body {
                 Some(_) => -about,
@@ -237,9 +237,9 @@ impl<'a> Resolver<'a> {
             let moment = arm.cross(Vec2::new(x, y));
             terms[0].push(x);
             terms[1].push(y);
-            terms[2].extend([theta, moment]);
+            terms[2].push_all([theta, moment]);
         }
         let factor = if body.is_some() { -lambda } else { lambda };
-        Ok(terms.map(|sum| factor * algebra::sum(&sum)))
+        Ok(terms.map_each(|sum| factor * algebra::sum(&sum)))
     }
 }

@@ -1,7 +1,7 @@
 //! Rates of states and sums at nodes are known last. Until then symbols stand in for them; here each symbol is replaced by its
 //! value.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, algebra};
@@ -35,10 +35,10 @@ impl Resolver<'_> {
         }
         let mut stand_ins = self.stand_ins(states);
         let mut places: Vec<&mut Expr> = Vec::new();
-        places.extend(states.iter_mut().map(|state| &mut state.rate));
-        places.extend(loads.iter_mut().flat_map(|load| &mut load.force));
-        places.extend(outputs.iter_mut().flat_map(|output| &mut output.components));
-        places.extend(switches.iter_mut().map(|switch| &mut switch.difference));
+        places.push_all(states.iter_mut().map(|state| &mut state.rate));
+        places.push_all(loads.iter_mut().flat_map(|load| &mut load.force));
+        places.push_all(outputs.iter_mut().flat_map(|output| &mut output.components));
+        places.push_all(switches.iter_mut().map(|switch| &mut switch.difference));
         let roots: Vec<Expr> = places.iter().map(|place| **place).collect_vec();
         self.add_rates_of_sums(&roots, &mut stand_ins);
         if stand_ins.is_empty() || !self.free_of_each_other(&mut stand_ins) {
@@ -72,11 +72,11 @@ impl Resolver<'_> {
     fn add_rates_of_sums(&mut self, roots: &[Expr], stand_ins: &mut Vec<StandIn>) {
         let mut open: Vec<(usize, usize)> = Vec::new();
         for (node, state) in self.draft.nodes.iter().enumerate() {
-            open.extend((0..state.through.len()).map(|k| (node, k)));
+            open.push_all((0..state.through.len()).map(|k| (node, k)));
         }
         loop {
             let mut read: Vec<Expr> = roots.to_vec();
-            read.extend(stand_ins.iter().map(|of| of.value));
+            read.push_all(stand_ins.iter().map(|of| of.value));
             let read: SortedSet<Expr> = algebra::symbols(&read).into_iter().collect();
             let is_read =
                 |&(node, k): &(usize, usize)| read.contains(&self.draft.nodes[node].through[k].rate);
@@ -86,7 +86,7 @@ impl Resolver<'_> {
             }
             open = later;
             for (node, k) in now {
-                stand_ins.extend(self.rate_of_sum(node, k));
+                stand_ins.push_all(self.rate_of_sum(node, k));
             }
         }
     }

@@ -3,6 +3,7 @@
 use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
+use crate::collect::MapEach;
 use crate::diag::{Code, help_similar};
 use crate::model::{Name, Start};
 use crate::resolve::Resolver;
@@ -84,7 +85,8 @@ impl<'a> Resolver<'a> {
         }
         let Ok(key) = self.key(scope, &ast.name) else { return };
         let name = format!("{}{key}", self.names.prefix(scope));
-        let symbols = |members: [&str; 3]| members.map(|member| Expr::symbol(format!("{name}.{member}")));
+        let symbols =
+            |members: [&str; 3]| members.map_each(|member| Expr::symbol(format!("{name}.{member}")));
         let q = symbols(["x", "y", "angle"]);
         let v = symbols(["vx", "vy", "omega"]);
         let a = symbols(["ax", "ay", "alpha"]);
@@ -209,7 +211,7 @@ impl<'a> Resolver<'a> {
         let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         for (k, start) in ast.starts.iter().enumerate() {
             let (text, span) = (start.coordinate.text.as_str(), start.coordinate.span);
-            let names = COORDINATES.map(|(name, _)| name);
+            let names = COORDINATES.map_each(|(name, _)| name);
             if !names.contains(&text) {
                 let diagnostic =
                     self.error(scope, Code::UnknownItem, span, format!("`{text}` cannot start anywhere"));
@@ -235,7 +237,7 @@ impl<'a> Resolver<'a> {
         let drawn = [x, y, placement.drawing_angle, zero, zero, zero];
         let default = if placement.drawing { drawn } else { [zero; 6] };
         let span = self.draft.bodies[body].name.span;
-        let mut starts = default.map(|value| Start { value, locked: false, given: false, span });
+        let mut starts = default.map_each(|value| Start { value, locked: false, given: false, span });
         let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
         let mut result = Ok(());
         for start in &ast.starts {

@@ -1,5 +1,6 @@
 //! The mirror image of a loop that the use of a revolute asks for.
 
+use crate::collect::MapEach;
 use crate::diag::Code;
 use crate::model::Turn;
 use crate::resolve::Resolver;
@@ -21,7 +22,7 @@ impl Resolver<'_> {
             return;
         }
         let part = self.names.instances[id].part;
-        let names = Turn::NAMES.map(|(name, _)| name);
+        let names = Turn::NAMES.map_each(|(name, _)| name);
         let ExprKind::Name(name) = &field.value.kind else {
             let message = format!("expected one of {}", names.join(", "));
             self.error(outer, Code::UnknownOption, field.value.span, message);

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use plm_cas::Expr;
 
+use crate::collect::PushAll;
 use crate::diag::Code;
 use crate::model::Name;
 use crate::resolve::Resolver;
@@ -54,7 +55,9 @@ impl<'a> Resolver<'a> {
                 ItemKind::Node(node) => self.declare_node(scope, node),
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs, &item.docs),
                 ItemKind::Picture(names) => self.declare_picture(scope, names),
-                ItemKind::Observe(list) => self.draft.observed.extend(list.iter().map(|expr| (scope, expr))),
+                ItemKind::Observe(list) => {
+                    self.draft.observed.push_all(list.iter().map(|expr| (scope, expr)))
+                }
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.
                 ItemKind::Pair(_) | ItemKind::Definition(_) | ItemKind::Domain(_) => {}

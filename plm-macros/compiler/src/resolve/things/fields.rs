@@ -1,7 +1,7 @@
 //! What the use of a part sets: parameters, inputs, choices, starts of states and requirements, also of the parts that it
 //! contains.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::names::{Names, ScopeId};
@@ -78,7 +78,7 @@ impl<'a> Resolver<'a> {
         let mut known: Vec<&str> =
             definition.items.iter().filter_map(|item| field_name(&item.kind)).collect_vec();
         if definition.is_joint {
-            known.extend(WORDS);
+            known.push_all(WORDS);
         }
         if tells_branches(definition) {
             known.push(BRANCH);

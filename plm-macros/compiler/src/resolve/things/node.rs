@@ -3,7 +3,7 @@
 //! A storage gives a node its across quantity (a pressure, a position); what acts on the node adds to its through
 //! quantities (flows, forces), which the storage reads. Until everything that acts is known, a symbol stands for the sum.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::Expr;
 
 use crate::diag::{Code, help_similar};
@@ -79,7 +79,7 @@ impl<'a> Resolver<'a> {
             }
         }
         let mut names = vec!["frame", "body"];
-        names.extend(self.library.domains());
+        names.push_all(self.library.domains());
         let message = format!("unknown kind of port `{}`", kind.text);
         let diagnostic = self.error(scope, Code::WrongKind, kind.span, message);
         help_similar(diagnostic, &kind.text, "kind", "kinds", &names);

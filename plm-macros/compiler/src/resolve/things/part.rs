@@ -1,6 +1,6 @@
 //! Parts in use.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use std::borrow::Cow;
 
 use crate::diag::{Code, Use};
@@ -138,7 +138,7 @@ impl<'a> Resolver<'a> {
         })?;
         let known = Pair::named(&pair.text);
         if known.is_none() {
-            self.unknown_option(0, &pair.text, pair.span, &Pair::ALL.map(Pair::name));
+            self.unknown_option(0, &pair.text, pair.span, &Pair::ALL.map_each(Pair::name));
         }
         known.map(|known| (known, pair.span))
     }

@@ -1,6 +1,6 @@
 //! What pictures show of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
@@ -133,7 +133,7 @@ impl<'a> Resolver<'a> {
             }
         };
         match outline::read(content) {
-            Ok(points) => Ok(points.into_iter().map(|at| Vec2::from(at.map(Expr::from))).collect_vec()),
+            Ok(points) => Ok(points.into_iter().map(|at| Vec2::from(at.map_each(Expr::from))).collect_vec()),
             Err(outline::Problem { line, column, what }) => {
                 let message = format!("`{name}`, line {line}, column {column}: {what}");
                 Err(self.bad_file(scope, span, message))

@@ -1,5 +1,6 @@
 //! What is said once of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
 
+use crate::collect::MapEach;
 use crate::sorted::SortedMap;
 
 use plm_cas::algebra::Vec2;
@@ -67,7 +68,7 @@ impl<'a> Resolver<'a> {
         } else if let Some(known) = Rung::named(&rung.text) {
             self.draft.settings.rung = Some((known, rung.span));
         } else {
-            self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map(|(name, _)| name));
+            self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map_each(|(name, _)| name));
         }
     }
 
@@ -78,7 +79,7 @@ impl<'a> Resolver<'a> {
         } else if let Some(known) = Repetitions::named(&repetitions.text) {
             self.draft.settings.repetitions = Some((known, repetitions.span));
         } else {
-            let known = Repetitions::NAMES.map(|(name, _)| name);
+            let known = Repetitions::NAMES.map_each(|(name, _)| name);
             self.unknown_option(scope, &repetitions.text, repetitions.span, &known);
         }
     }
@@ -87,7 +88,7 @@ impl<'a> Resolver<'a> {
     pub(crate) fn declare_steps(&mut self, scope: ScopeId, methods: &'a [Ident]) {
         for method in methods {
             let Some(step) = Step::named(&method.text) else {
-                let known = Step::NAMES.map(|(name, _)| name);
+                let known = Step::NAMES.map_each(|(name, _)| name);
                 self.unknown_option(scope, &method.text, method.span, &known);
                 continue;
             };

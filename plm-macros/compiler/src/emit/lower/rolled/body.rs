@@ -1,6 +1,6 @@
 //! A loop: its pattern as a tape of its own.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedMap;
 use plm_cas::{Expr, Instr, Op, Ref, Tape};
 
@@ -139,7 +139,7 @@ impl Writer<'_> {
                 own.push((index, pattern.push(op, expr)));
             }
             if let Some(((_, value), absorbed)) = own.split_last() {
-                pattern.absorbed.extend(absorbed.iter().map(|(_, at)| *at));
+                pattern.absorbed.push_all(absorbed.iter().map(|(_, at)| *at));
                 pattern.values[offset] = Some(*value);
             }
             if item.stores.is_some() {

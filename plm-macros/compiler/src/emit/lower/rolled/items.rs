@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::formulate::{Function, Place};
 use crate::sorted::SortedMap;
 use plm_cas::{Op, Tape};
@@ -270,7 +270,7 @@ impl<'a> Items<'a> {
         match self.element(&place) {
             Some(element) => self.push_source(element, &mut key),
             // A place by itself is like no other.
-            None => key.extend([0, self.all.len()]),
+            None => key.push_all([0, self.all.len()]),
         }
         self.finish(key, first, (&[], Some(result)));
     }

@@ -8,7 +8,7 @@ mod items;
 mod plan;
 mod regions;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::formulate::{Function, Place};
 use crate::sorted::SortedMap;
 use plm_cas::Op;
@@ -30,7 +30,7 @@ pub(super) fn lower(function: &Function, bindings: &Bindings, around: &Around) -
     let uses = uses(&tape, &results, &SortedMap::new());
     let mut named = named(&tape, &uses);
     let mut lowering = Lowering::new(&tape, &results, bindings, around);
-    let sines = [SINES, COSINES].map(|which| lowering.names.unique(["sines", "cosines"][which]));
+    let sines = [SINES, COSINES].map_each(|which| lowering.names.unique(["sines", "cosines"][which]));
     let items = Items::of((function, &tape), bindings, (&uses, &named), [&sines[0], &sines[1]]);
     let plan = Plan::of(&items);
     if plan.loops.is_empty() {
@@ -65,7 +65,7 @@ impl Writer<'_> {
     fn declare(&mut self, sines: [String; 2]) {
         let count = self.items.sines.len();
         if count > 0 {
-            self.lowering.lines.arrays.extend(sines.map(|name| (name, count)));
+            self.lowering.lines.arrays.push_all(sines.map_each(|name| (name, count)));
             self.sines();
         }
         for (&of, &(low, high)) in &self.plan.kept {
@@ -105,7 +105,7 @@ impl Writer<'_> {
             for (k, ((array, place), _)) in sines.iter().enumerate().take(begin + count).skip(begin + in_loop)
             {
                 let angle = self.element(*array, &place.to_string());
-                let [sine, cosine] = [SINES, COSINES].map(|array| self.element(array, &k.to_string()));
+                let [sine, cosine] = [SINES, COSINES].map_each(|array| self.element(array, &k.to_string()));
                 self.block(format!("({sine}, {cosine}) = {angle}.sin_cos();"), Vec::new());
             }
             begin += count;
@@ -125,7 +125,7 @@ impl Writer<'_> {
         let angles = angles.collect_vec().join(", ");
         let stored = (0..LANES).map(|lane| {
             let place = affine(i, (begin + lane).cast_signed(), LANES.cast_signed());
-            let [sine, cosine] = [SINES, COSINES].map(|array| self.element(array, &place));
+            let [sine, cosine] = [SINES, COSINES].map_each(|array| self.element(array, &place));
             format!("    {sine} = s[{lane}];\n    {cosine} = c[{lane}];\n")
         });
         let stored: String = stored.collect();

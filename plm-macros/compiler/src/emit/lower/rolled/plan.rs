@@ -1,6 +1,6 @@
 //! What becomes a loop, and where its operands are found.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::formulate::Place;
 use crate::sorted::{SortedMap, SortedSet};
 
@@ -75,7 +75,7 @@ impl Plan {
             let mut roles = Vec::with_capacity(width);
             for slot in first..last {
                 let column = (0..region.count).map(|k| items.sources[slot + k * width]).collect_vec();
-                roles.extend(self.role(items, &region, &column));
+                roles.push_all(self.role(items, &region, &column));
             }
             if roles.len() == width {
                 self.inside[region.start..region.end()].fill(Some(self.loops.len()));

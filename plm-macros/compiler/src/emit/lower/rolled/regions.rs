@@ -3,7 +3,7 @@
 //! Items repeat with a period if those a period apart have the same shape, and if each of their operands moves on by the same
 //! step from one repetition to the next: by a period, by nothing, along an array. Which constant it is may change.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::SortedMap;
 
 use super::items::{Items, Source};
@@ -39,7 +39,7 @@ pub(super) fn regions(items: &Items) -> Vec<Region> {
     while start < items.all.len() {
         let region = longest(items, &next, start);
         start = region.map_or(start + 1, |region| region.end());
-        regions.extend(region);
+        regions.push_all(region);
     }
     regions
 }
@@ -91,7 +91,7 @@ fn is_alike(items: &Items, at: usize, period: usize) -> bool {
 /// Do the operands of an item and of those one and two periods later move by equal steps?
 fn is_even(items: &Items, at: usize, period: usize) -> bool {
     let [first, second, third] =
-        [at, at + period, at + 2 * period].map(|at| &items.sources[items.all[at].sources.clone()]);
+        [at, at + period, at + 2 * period].map_each(|at| &items.sources[items.all[at].sources.clone()]);
     first.iter().zip(second).zip(third).all(|((&first, &second), &third)| {
         matches!((step(first, second), step(second, third)), (Some(one), Some(other)) if one == other)
     })

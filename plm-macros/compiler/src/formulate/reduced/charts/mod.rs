@@ -5,7 +5,7 @@ pub(crate) mod kinematics;
 pub(crate) mod redundant;
 pub(crate) mod remember;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::formulate::reduced::groups::Group;
 use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -133,8 +133,8 @@ pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
     let loops = coordinates.closures.iter().map(|closure| {
         let mut unknowns = Vec::new();
         for (class, slide, _) in closure.terms() {
-            unknowns.extend(coordinates.angle_of_class[class]);
-            unknowns.extend(slide);
+            unknowns.push_all(coordinates.angle_of_class[class]);
+            unknowns.push_all(slide);
         }
         unknowns.sort_unstable();
         unknowns.dedup();

@@ -3,7 +3,7 @@
 //! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
 //! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Vec2, algebra};
 
 use crate::derive::Equations;
@@ -124,14 +124,14 @@ fn closes(
     let others: Vec<(Expr, f64)> = others.copied().collect_vec();
     let all_close = AWAY.iter().all(|away| {
         let mut at = others.clone();
-        at.extend(memory.symbols().into_iter().zip(remembered.iter().copied()));
+        at.push_all(memory.symbols().into_iter().zip(remembered.iter().copied()));
         for (&unknown, &from) in scheme.independent.iter().zip(&start) {
             let is_angle = matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
             at.push((motion.value[unknown], from + if is_angle { *away } else { away * length }));
         }
         let q = values_of(&pose, &at);
         let mut there = others.clone();
-        there.extend(equations.q.iter().copied().zip(q));
+        there.push_all(equations.q.iter().copied().zip(q));
         values_of(&equations.phi, &there).iter().all(|gap| gap.abs() <= CLOSED * length)
     });
     all_close.then(|| remembered.last().copied().unwrap_or(0.0))

@@ -1,6 +1,6 @@
 //! What is remembered of a state, and how near its loops are to a pose where a chart ends.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Number, algebra};
 
 use crate::formulate::function::{Function, Place};
@@ -65,7 +65,7 @@ impl Layout<'_> {
         }
         bounds.retain(|&bound| !bound.is_zero());
         if !bounds.is_empty() {
-            bounds.extend(own);
+            bounds.push_all(own);
         }
         let Some(fastest) = bounds.into_iter().reduce(Expr::max) else {
             return Expr::from(Number::from_f64(ANYWHERE));
@@ -101,7 +101,7 @@ impl Layout<'_> {
         for unknown in self.memory.followed() {
             followed[unknown] = [motion.value[unknown], motion.rate[unknown]];
             if !matches!(self.coordinates.unknowns[unknown], Unknown::Angle { .. }) {
-                followed[unknown] = followed[unknown].map(|value| value / motion.length);
+                followed[unknown] = followed[unknown].map_each(|value| value / motion.length);
             }
         }
         // The direction of the angle itself, not the axis that it was found from: rounding would add up from look to look.

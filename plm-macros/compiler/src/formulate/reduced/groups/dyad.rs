@@ -15,6 +15,7 @@
 
 use plm_cas::{Expr, Rotation, Vec2};
 
+use crate::collect::MapEach;
 use crate::formulate::reduced::groups::link::{Link, Own};
 use crate::formulate::reduced::groups::loops::{self, Found};
 use crate::formulate::reduced::joints::chain::Chain;
@@ -50,7 +51,7 @@ impl Dyad {
     /// The dyad of a block, if it has a closed form.
     pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknowns: [usize; 2]) -> Option<Dyad> {
         let chain = &coordinates.closures[closure];
-        let [first, second] = unknowns.map(|unknown| coordinates.unknowns[unknown]);
+        let [first, second] = unknowns.map_each(|unknown| coordinates.unknowns[unknown]);
         let (unknowns, kind) = match (first, second) {
             (Unknown::Angle { class: a, .. }, Unknown::Angle { class: b, .. }) => {
                 (unknowns, Kind::Angles([a, b]))
@@ -140,7 +141,7 @@ impl Dyad {
         let [first, second] = solution.columns;
         let cramer = |sum: Vec2| {
             let minors = [second.cross(sum), sum.cross(first)];
-            minors.map(|minor| minor * reciprocal).to_vec()
+            minors.map_each(|minor| minor * reciprocal).to_vec()
         };
         let found = Found { closure: self.closure, unknowns: &self.unknowns, solution, solve: &cramer };
         loops::differentiate(motion, &found);
@@ -184,8 +185,8 @@ impl Solving<'_, '_> {
     /// RRR.
     fn circles(&mut self, [a, b]: [usize; 2], link: Option<&Link>) -> (Solution, Option<Own>) {
         let [first, second] = self.dyad.unknowns;
-        let arms = [a, b].map(|class| self.motion.arm(self.chain, class, &[]));
-        let [pp, rr] = arms.map(Vec2::squared);
+        let arms = [a, b].map_each(|class| self.motion.arm(self.chain, class, &[]));
+        let [pp, rr] = arms.map_each(Vec2::squared);
         let mm = self.named("distance", self.m.squared());
         let n = self.named("along", (rr - (mm + pp)) / 2);
         let (square, determinant) = self.root(pp * mm - n.squared());

@@ -6,7 +6,7 @@
 //! left is a system of half the size, of at most four unknowns, whose inverse is written down by minors (Laplace's
 //! expansion, two rows at a time). It is singular where the whole is, and nowhere else.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::sorted::sort_by_key;
 use plm_cas::algebra::dot;
 use plm_cas::{Expr, Vec2};
@@ -242,7 +242,7 @@ fn minor(rows: &[Vec<Expr>], of: &[usize], columns: &[usize], name: &str) -> Exp
             // Minors of the two rows that are neighbours of each other in pairs are shared by all four.
             let (single, pair) =
                 if first == 0 && second == 1 { (third, [first, second]) } else { (first, [second, third]) };
-            let terms = [(j, [k, l]), (k, [j, l]), (l, [j, k])].map(|(own, others)| {
+            let terms = [(j, [k, l]), (k, [j, l]), (l, [j, k])].map_each(|(own, others)| {
                 let rest = minor(rows, &pair, &others, name);
                 rows[single][own] * rest
             });

@@ -1,6 +1,6 @@
 //! One unknown that a row gives as a function of others.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -41,7 +41,7 @@ impl Given {
         let by_time = rest.diff(motion.time);
 
         let mut pairs = known(motion, &others);
-        pairs.extend(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
+        pairs.push_all(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
         let mut roots = vec![rest, by_time, curvature];
         roots.extend(&slopes);
         let roots = algebra::substitute(&roots, &pairs);
@@ -74,7 +74,7 @@ fn known(motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
     for &(unknown, symbol) in others {
         if let Unknown::Angle { class, .. } = motion.coordinates.unknowns[unknown] {
             let axis = motion.turned(class, Vec2::X);
-            pairs.extend([(symbol.cos(), axis.x), (symbol.sin(), axis.y)]);
+            pairs.push_all([(symbol.cos(), axis.x), (symbol.sin(), axis.y)]);
         }
         pairs.push((symbol, motion.value[unknown]));
     }

@@ -5,7 +5,7 @@
 //! `u'' = K y'' + b`, the velocity and acceleration coefficients of the mechanism (E. J. Haug, Computer Aided Kinematics
 //! and Dynamics of Mechanical Systems, 1989, section 3.6).
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
@@ -89,7 +89,7 @@ impl<'a> Flow<'a> {
             .collect_vec();
         let mut known: Vec<(usize, Vec2)> = Vec::new();
         for &(class, arm) in &arms {
-            known.extend(coordinates.angle_of_class[class].map(|angle| (angle, arm.left())));
+            known.push_all(coordinates.angle_of_class[class].map(|angle| (angle, arm.left())));
         }
         for (class, slide, vector) in closure.terms() {
             if let Some(slide) = slide {

@@ -6,7 +6,7 @@
 //! only: a first solution `e` off is `e^2`, then with the same decomposition `e^3`, then `e^6` (J. F. Traub, Iterative
 //! Methods for the Solution of Equations, 1964). Whether that was enough is told by the gap that is left.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::groups::elimination::{Column, Elimination, Plan};
@@ -117,7 +117,7 @@ impl Newton {
             };
             let Some(rotation) = memory.rotation(unknown) else { continue };
             // tan(x / 2) = x / 2 (1 + x^2 / 12 + ...).
-            let [twelfth, half] = [12, 2].map(|n| Expr::from(n).recip());
+            let [twelfth, half] = [12, 2].map_each(|n| Expr::from(n).recip());
             let bend = moved.squared() * twelfth;
             let tangent = algebra::product(&[half, moved, 1 + bend]);
             motion.rotation[class] = turned_on(rotation, tangent, &name);

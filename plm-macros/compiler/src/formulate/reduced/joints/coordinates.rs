@@ -5,7 +5,7 @@
 //! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class. What is left of a
 //! loop of joints is that its vectors sum to zero.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::joints::chain::Chain;
@@ -250,7 +250,7 @@ impl Coordinates {
     /// Of values by unknown, those of x and y of G of a body that hangs on nothing; 0 where they are no unknowns.
     pub(crate) fn centre(&self, body: usize, values: &[Expr]) -> Vec2 {
         let of = |axis| self.unknowns.iter().position(|&unknown| unknown == Unknown::Centre { body, axis });
-        Vec2::from([0, 1].map(|axis| of(axis).map_or(Expr::ZERO, |unknown| values[unknown])))
+        Vec2::from([0, 1].map_each(|axis| of(axis).map_or(Expr::ZERO, |unknown| values[unknown])))
     }
 
     /// Heading of the body of a frame.

@@ -1,6 +1,6 @@
 //! Rows that give one unknown as a function of others: prescribed motions, gears, a mass on a rod.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
 use crate::formulate::reduced::joints::coordinates::Coordinates;
@@ -65,10 +65,10 @@ fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) 
         let angle = coordinates.angle_of_class[heading.class].map_or(Expr::ZERO, |unknown| symbols[unknown]);
         let own = Rotation::by(angle) * Rotation::by(heading.offset).axis();
         let theta = declared.q[2];
-        pairs.extend([(theta.cos(), own.x), (theta.sin(), own.y)]);
+        pairs.push_all([(theta.cos(), own.x), (theta.sin(), own.y)]);
         pairs.push((theta, angle + heading.offset));
         let position = position(coordinates, body, symbols);
-        pairs.extend([(declared.q[0], position.x), (declared.q[1], position.y)]);
+        pairs.push_all([(declared.q[0], position.x), (declared.q[1], position.y)]);
     }
     pairs
 }

@@ -1,6 +1,6 @@
 //! What a formulation with loops remembers from the last state that was looked at.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Rotation};
 
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -46,8 +46,10 @@ impl Memory {
         if dyads == 0 {
             return Memory { angles: none.clone(), followed: none, ..Memory::default() };
         }
-        let triple = |kinds: [&str; 3], k: usize| kinds.map(|kind| Expr::symbol(format!("last_{kind}_{k}")));
-        let boxes = (0..=freedom).map(|k| ["last", "reach"].map(|kind| Expr::symbol(format!("{kind}_{k}"))));
+        let triple =
+            |kinds: [&str; 3], k: usize| kinds.map_each(|kind| Expr::symbol(format!("last_{kind}_{k}")));
+        let boxes =
+            (0..=freedom).map(|k| ["last", "reach"].map_each(|kind| Expr::symbol(format!("{kind}_{k}"))));
         let boxes = boxes.collect_vec();
         let angles = coordinates.unknowns.iter().enumerate().map(|(k, unknown)| {
             matches!(unknown, Unknown::Angle { .. }).then(|| triple(["angle", "cosine", "sine"], k))
@@ -74,12 +76,12 @@ impl Memory {
         let freedom = self.boxes.len().saturating_sub(1);
         let times = self.boxes.iter().skip(freedom).map(|_| "time".to_owned());
         let boxes = (0..freedom).map(|k| format!("coordinates[{k}]")).chain(times);
-        let boxes = boxes.flat_map(|path| ["last", "reach"].map(|what| format!("{path}.{what}")));
+        let boxes = boxes.flat_map(|path| ["last", "reach"].map_each(|what| format!("{path}.{what}")));
         let angles = (0..self.angles.iter().flatten().count())
-            .flat_map(|k| ["angle", "cos", "sin"].map(|what| format!("turns[{k}].{what}")));
+            .flat_map(|k| ["angle", "cos", "sin"].map_each(|what| format!("turns[{k}].{what}")));
         let areas = (0..self.areas.len()).map(|k| format!("areas[{k}]"));
-        let followed =
-            (0..self.followed().count()).flat_map(|k| FOLLOWED.map(|what| format!("followed[{k}].{what}")));
+        let followed = (0..self.followed().count())
+            .flat_map(|k| FOLLOWED.map_each(|what| format!("followed[{k}].{what}")));
         boxes.chain(angles).chain(areas).chain(followed).collect_vec()
     }
 
@@ -98,7 +100,7 @@ impl Memory {
         let mut values: Vec<Expr> = of.boxes.iter().flatten().copied().collect_vec();
         for (unknown, angle) in self.angles.iter().enumerate() {
             if angle.is_some() {
-                values.extend((of.angle)(unknown));
+                values.push_all((of.angle)(unknown));
             }
         }
         // A chart with fewer dyads than another leaves the last places alone.
@@ -106,7 +108,7 @@ impl Memory {
             values.push(of.areas.get(k).copied().unwrap_or(Expr::ONE));
         }
         for unknown in self.followed() {
-            values.extend((of.followed)(unknown));
+            values.push_all((of.followed)(unknown));
             values.push(Expr::ZERO);
         }
         values

@@ -4,7 +4,7 @@ pub(crate) mod bases;
 pub(crate) mod memory;
 pub(crate) mod solution;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
@@ -281,9 +281,9 @@ impl<'a> Motion<'a> {
             let axis = self.turned(heading.class, Rotation::by(heading.offset).axis());
             let [x, y, theta] = declared.q;
             let [vx, vy, spin] = declared.v;
-            pairs.extend([(theta.cos(), axis.x), (theta.sin(), axis.y), (theta, angle), (spin, omega)]);
-            pairs.extend([x, y].into_iter().zip(self.position[body].components()));
-            pairs.extend([vx, vy].into_iter().zip(self.velocity[body].components()));
+            pairs.push_all([(theta.cos(), axis.x), (theta.sin(), axis.y), (theta, angle), (spin, omega)]);
+            pairs.push_all([x, y].into_iter().zip(self.position[body].components()));
+            pairs.push_all([vx, vy].into_iter().zip(self.velocity[body].components()));
         }
         pairs.retain(|(old, new)| old != new);
         self.substitution = pairs;

@@ -13,7 +13,7 @@
 //! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
 //! terms in a revolute; gravity is an acceleration of the ground against it.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Vec2};
 
 use crate::formulate::function::Section;
@@ -140,7 +140,7 @@ impl Elimination<'_> {
         }
         // With a name the lengths in it are multiplied once, not wherever the arm is used.
         let arm = self.motion.turned(parent, arm).named("arm");
-        self.trace.extend(arm.components());
+        self.trace.push_all(arm.components());
         let lever = arm.left();
         let mut link =
             Link { lever, bias: self.inward(parent, arm), turns_along: true, freedoms: Vec::new() };
@@ -281,7 +281,7 @@ impl Elimination<'_> {
         let point = parent.plane() + (alpha * link.lever + link.bias);
         let mut reached = Spatial::new(point, if link.turns_along { alpha } else { Expr::ZERO });
         for Eliminated { unknown, freedom, gain, rest, .. } in eliminated.iter().rev() {
-            reached = Spatial([0, 1, 2].map(|i| self.define(["a_x", "a_y", "alpha"][i], reached.0[i])));
+            reached = Spatial([0, 1, 2].map_each(|i| self.define(["a_x", "a_y", "alpha"][i], reached.0[i])));
             let value = -(gain.dot(reached) + *rest);
             let value = self.define(&format!("{}_acceleration", self.motion.names[*unknown]), value);
             accelerations[*unknown] = value;
@@ -297,7 +297,7 @@ impl Elimination<'_> {
             return inertia;
         }
         let plane = inertia.plane();
-        inertia.with_plane([0, 1, 2].map(|i| self.define(["i_xx", "i_xy", "i_yy"][i], plane[i])))
+        inertia.with_plane([0, 1, 2].map_each(|i| self.define(["i_xx", "i_xy", "i_yy"][i], plane[i])))
     }
 
     fn define(&mut self, name: &str, value: Expr) -> Expr {
@@ -308,7 +308,7 @@ impl Elimination<'_> {
 
     /// Components by the names of their axes.
     fn named(&mut self, vector: Spatial, name: impl Fn(&str) -> String) -> Spatial {
-        Spatial([0, 1, 2].map(|i| self.define(&name(["x", "y", "a"][i]), vector.0[i])))
+        Spatial([0, 1, 2].map_each(|i| self.define(&name(["x", "y", "a"][i]), vector.0[i])))
     }
 }
 

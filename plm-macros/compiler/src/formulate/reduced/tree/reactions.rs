@@ -4,7 +4,7 @@
 //! multipliers of what holds it, those further out being known (J. Y. S. Luh, M. W. Walker, R. P. C. Paul, J. Dyn. Syst.
 //! Meas. Control 102, 1980: the recursive Newton-Euler method). So every joint costs a system of at most three rows.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Vec2, algebra};
 
 use crate::derive::SparseRow;
@@ -56,7 +56,7 @@ impl Layout<'_> {
                 continue;
             }
             let name = &self.model.bodies[body].name.text;
-            let asked = [0, 1, 2].map(|axis| {
+            let asked = [0, 1, 2].map_each(|axis| {
                 let sum = algebra::sum(&left[3 * body + axis]);
                 sum.named(format!("{name}.left_{}", ["x", "y", "angle"][axis]))
             });
@@ -178,7 +178,7 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
             // What depends on the pose could vanish.
             determinant.as_number().filter(|number| !number.is_zero())?;
             let minors = [force.cross(direction(second)), direction(first).cross(force)];
-            [lambda[first], lambda[second]] = minors.map(|minor| minor / determinant);
+            [lambda[first], lambda[second]] = minors.map_each(|minor| minor / determinant);
         }
         _ => return None,
     }
@@ -201,7 +201,7 @@ fn second_derivatives(motion: &Motion, of_independent: &[Expr]) -> Vec<Expr> {
     let values = gains.map(|(gains, &bias)| {
         let mut terms = vec![square * bias];
         let moving = gains.iter().zip(of_independent).filter(|(gain, _)| !gain.is_zero());
-        terms.extend(moving.map(|(&gain, &value)| gain * value));
+        terms.push_all(moving.map(|(&gain, &value)| gain * value));
         algebra::sum(&terms)
     });
     values.collect_vec()

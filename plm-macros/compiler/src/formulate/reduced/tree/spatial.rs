@@ -1,6 +1,7 @@
 //! Planar spatial vectors: two components of a plane vector and one about the axis across the plane (R. Featherstone, Rigid
 //! Body Dynamics Algorithms, 2008, section 2.16: planar vectors).
 
+use crate::collect::MapEach;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use plm_cas::{Expr, Vec2, algebra};
@@ -31,7 +32,7 @@ impl Spatial {
     }
 
     pub(crate) fn dot(self, other: Spatial) -> Expr {
-        let products = [0, 1, 2].map(|i| self.0[i] * other.0[i]);
+        let products = [0, 1, 2].map_each(|i| self.0[i] * other.0[i]);
         algebra::sum(&products)
     }
 
@@ -47,7 +48,7 @@ impl Add for Spatial {
     type Output = Spatial;
 
     fn add(self, other: Spatial) -> Spatial {
-        Spatial([0, 1, 2].map(|i| self.0[i] + other.0[i]))
+        Spatial([0, 1, 2].map_each(|i| self.0[i] + other.0[i]))
     }
 }
 
@@ -55,7 +56,7 @@ impl Sub for Spatial {
     type Output = Spatial;
 
     fn sub(self, other: Spatial) -> Spatial {
-        Spatial([0, 1, 2].map(|i| self.0[i] - other.0[i]))
+        Spatial([0, 1, 2].map_each(|i| self.0[i] - other.0[i]))
     }
 }
 
@@ -63,7 +64,7 @@ impl Neg for Spatial {
     type Output = Spatial;
 
     fn neg(self) -> Spatial {
-        Spatial(self.0.map(|component| -component))
+        Spatial(self.0.map_each(|component| -component))
     }
 }
 
@@ -71,7 +72,7 @@ impl Mul<Spatial> for Expr {
     type Output = Spatial;
 
     fn mul(self, vector: Spatial) -> Spatial {
-        Spatial(vector.0.map(|component| self * component))
+        Spatial(vector.0.map_each(|component| self * component))
     }
 }
 
@@ -122,7 +123,7 @@ impl Add for Inertia {
     type Output = Inertia;
 
     fn add(self, other: Inertia) -> Inertia {
-        Inertia([0, 1, 2].map(|i| (Spatial(self.0[i]) + Spatial(other.0[i])).0))
+        Inertia([0, 1, 2].map_each(|i| (Spatial(self.0[i]) + Spatial(other.0[i])).0))
     }
 }
 
@@ -130,6 +131,6 @@ impl Mul<Spatial> for Inertia {
     type Output = Spatial;
 
     fn mul(self, motion: Spatial) -> Spatial {
-        Spatial(self.0.map(|row| Spatial(row).dot(motion)))
+        Spatial(self.0.map_each(|row| Spatial(row).dot(motion)))
     }
 }

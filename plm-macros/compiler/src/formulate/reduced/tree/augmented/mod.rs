@@ -17,7 +17,7 @@
 mod rows;
 mod unknowns;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Vec2, algebra};
 
 use self::rows::Way;
@@ -71,7 +71,7 @@ fn known(
     for (edge, way) in coordinates.order.iter().zip(ways) {
         let start = edge.parent.map_or(Vec2::ZERO, |parent| reached[parent]);
         reached[edge.body] = (start + way.acceleration).named("a");
-        outward.extend(reached[edge.body].components());
+        outward.push_all(reached[edge.body].components());
     }
     let mut passed = vec![Vec2::ZERO; model.bodies.len()];
     for edge in coordinates.order.iter().rev() {
@@ -79,8 +79,8 @@ fn known(
         let [fx, fy, _] = applied[body];
         let inertial = model.bodies[body].mass * (reached[body] - model.gravity);
         let force = (passed[body] + (inertial - Vec2::new(fx, fy))).named("force");
-        inward.extend(force.components());
-        pairs.extend(unknowns.forces[body].components().into_iter().zip(force.components()));
+        inward.push_all(force.components());
+        pairs.push_all(unknowns.forces[body].components().into_iter().zip(force.components()));
         if let Some(parent) = edge.parent {
             passed[parent] += force;
         }

@@ -1,6 +1,6 @@
 //! The equations, linearised term by term.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Vec2, algebra};
 
 use super::unknowns::{Kind, Unknowns};
@@ -64,7 +64,7 @@ impl Rows<'_> {
         let mut flow = vec![(self.model.time, Expr::ONE)];
         for &k in &touched {
             let (value, speed) = (self.motion.value[k], self.motion.rate[k]);
-            flow.extend([(value, speed), (speed, self.unknowns.accelerations[k])]);
+            flow.push_all([(value, speed), (speed, self.unknowns.accelerations[k])]);
         }
         let rate = |of: Vec2| of.map(|component| component.directional(&flow));
         let speed = rate(position);
