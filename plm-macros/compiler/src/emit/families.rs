@@ -1,7 +1,7 @@
 //! Bodies and outputs of repetitions by their indices: `sim.bar(3)` beside `sim.bar_3()`.
 
 use crate::collect::{CollectVec, PushAll};
-use crate::emit::template::quote;
+use crate::emit::template::{joined, quote};
 use proc_macro2::{Ident, Span, TokenStream};
 
 use super::item::{outputs::kind, state::whole_pose};
@@ -80,9 +80,9 @@ fn is_of_one_shape(model: &Model, family: &Family) -> bool {
 /// Their accessors.
 pub(super) fn accessors(emission: &Emission) -> TokenStream {
     let families = emission.fields.families.iter();
-    families
-        .map(|family| if family.are_bodies { bodies(emission, family) } else { outputs(emission, family) })
-        .collect()
+    let accessors = families
+        .map(|family| if family.are_bodies { bodies(emission, family) } else { outputs(emission, family) });
+    joined(accessors.collect_vec())
 }
 
 impl Family {

@@ -1,7 +1,7 @@
 //! The straight-line functions of a mechanism.
 
 use crate::collect::CollectVec;
-use crate::emit::template::quote;
+use crate::emit::template::{joined, quote};
 use plm_cas::Expr;
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::format_ident;
@@ -138,12 +138,12 @@ fn switching(
 /// The right-hand side in joint coordinates, and the way to those of all bodies and back.
 pub(super) fn motion(emission: &Emission) -> TokenStream {
     let name = &emission.name;
-    let functions: TokenStream = match emission.form {
+    let functions = match emission.form {
         Form::Absolute => return TokenStream::new(),
         Form::Tree(chart) => tree(emission, chart),
         Form::Loops(reduced) => {
             let charts = reduced.charts.iter().enumerate();
-            charts.map(|(index, chart)| in_chart(emission, reduced, (index, chart))).collect()
+            joined(charts.map(|(index, chart)| in_chart(emission, reduced, (index, chart))).collect_vec())
         }
     };
     quote!(impl<S: Scalar> #name<S> { #functions })

@@ -66,6 +66,15 @@ fn spaced(mark: &Punct, next: Option<&TokenTree>) -> Punct {
     Punct::new(mark, if is_joint { Spacing::Joint } else { Spacing::Alone })
 }
 
+/// Streams one behind the other. To `collect` them builds a chain of iterators over the tokens of all.
+pub(crate) fn joined(streams: Vec<TokenStream>) -> TokenStream {
+    let mut all = TokenStream::new();
+    for stream in streams {
+        all.extend(Some(stream));
+    }
+    all
+}
+
 /// Tokens as they stand, with `#name` and `#(…)*` replaced: the language of the crate quote.
 macro_rules! quote {
     ($($tokens:tt)*) => {{

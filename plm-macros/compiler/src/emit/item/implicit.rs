@@ -1,7 +1,7 @@
 //! The linearly implicit step: the equations linearised where it begins, eliminated entry by entry, solved four times.
 
 use crate::collect::CollectVec;
-use crate::emit::template::quote;
+use crate::emit::template::{joined, quote};
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::bindings::Origin;
@@ -22,11 +22,10 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
     }
     let entries = number(resolvents.iter().map(|resolvent| resolvent.e.len()).max().unwrap_or(0));
     let coefficients = emission.coefficients();
-    let algebra: TokenStream = resolvents
-        .iter()
-        .enumerate()
-        .map(|(k, resolvent)| linear_algebra(emission, (k, resolvent), (&coefficients, &entries)))
-        .collect();
+    let numbered = resolvents.iter().enumerate();
+    let algebra =
+        numbered.map(|(k, resolvent)| linear_algebra(emission, (k, resolvent), (&coefficients, &entries)));
+    let algebra = joined(algebra.collect_vec());
     let (rate, linearise) = at_state(emission, &quote!(&mut c));
     let (eliminate, solve) = calls(emission);
     let (by_t, slopes) = by_time(emission);
@@ -100,7 +99,7 @@ fn by_time(emission: &Emission) -> (TokenStream, TokenStream) {
             (slopes, Origin::Chart(chart)),
         )
     });
-    (quote!(let mut by_t = zero; #call;), functions.collect())
+    (quote!(let mut by_t = zero; #call;), joined(functions.collect_vec()))
 }
 
 /// Elimination and solution of the linear systems of a chart.

@@ -1,7 +1,7 @@
 //! What can be read from a state: poses, the user's outputs, energies.
 
 use crate::collect::{CollectVec, MapEach};
-use crate::emit::template::quote;
+use crate::emit::template::{joined, quote};
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
@@ -91,7 +91,7 @@ fn poses(emission: &Emission) -> TokenStream {
             }
         }
     };
-    let bodies: TokenStream = model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect();
+    let bodies = joined(model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect_vec());
     let whole = whole_pose(emission, &quote!(self));
     let nq = number(nq);
     let by_number = emission.rolled.then(|| {

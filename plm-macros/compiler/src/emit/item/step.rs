@@ -1,7 +1,7 @@
 //! Steps that the user ordered: a method of the state, and the formula as a function of the mechanism.
 
 use crate::collect::CollectVec;
-use crate::emit::template::quote;
+use crate::emit::template::{joined, quote};
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
@@ -12,7 +12,7 @@ use crate::model::Step;
 
 /// The ordered steps.
 pub(crate) fn steps(emission: &Emission) -> TokenStream {
-    emission.model.steps.iter().map(|&step| one(emission, step)).collect()
+    joined(emission.model.steps.iter().map(|&step| one(emission, step)).collect_vec())
 }
 
 /// What a step says of itself, and its formula.
