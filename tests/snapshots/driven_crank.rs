@@ -1142,18 +1142,6 @@ mod plm_driven_crank_ {
                 let constant = |[s]: [S; 1]| rt::Dual::constant(s);
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
             }
-
-            fn jacobian(
-                &self,
-                t: S,
-                u: &Self::U,
-                x: &[S; 0],
-                by_x: &mut [[S; 0]; 0],
-                by_t: Option<&mut [S; 0]>,
-            ) -> rt::Health<S> {
-                let colours = rt::linear::Colours::<0, 0> { of_columns: [], columns: [], knows_time: true };
-                rt::linear::by_directions::<Self, 1, 0, 0>(self, (t, u, x), &colours, by_x, by_t)
-            }
         }
 
         impl<S: Real> rt::Ports for DrivenCrank<S> {

@@ -13,6 +13,10 @@ pub(super) const FARTHEST: f64 = 1.0;
 const FARTHEST_FOLLOWED: f64 = 0.25;
 /// On a box the measure changes by this part.
 const PART: f64 = 0.1;
+/// A step on which it changes by less than this is short beside every turn; what is left then may be rounding.
+const NOTICED: f64 = 1e-4;
+/// Boxes are not narrowed more at a look.
+const NARROWEST_BOX: f64 = 0.01;
 /// Up to this distance an iteration that does not converge has no solution to find.
 const NEAR: f64 = 0.1;
 /// Below this square the measure does not narrow that any further.
@@ -88,15 +92,18 @@ impl<M: Charted> Looks<'_, M> {
             return one;
         }
         let coordinates = self.before.coordinates().iter().zip(self.after.coordinates());
-        let boxes = coordinates.fold(M::S::ZERO, |boxes, (before, after)| {
-            boxes + (after.last - before.last).abs() / after.reach
+        let times = (&self.before.time(), &self.after.time());
+        let boxes = coordinates.chain([times]).fold(M::S::ZERO, |boxes, (before, after)| {
+            boxes + ((after.last - before.last) / after.reach).abs()
         });
         let measures = self.before.areas().iter().zip(self.after.areas());
-        measures.fold(one, |narrowed, (before, after)| {
+        let narrowed = measures.fold(one, |narrowed, (before, after)| {
             let (changed, expected) = ((*after - *before).abs(), M::S::lit(PART) * boxes * after.abs());
+            let noticed = M::S::lit(NOTICED) * after.abs();
             // False for what is not a number.
-            if expected < changed { narrowed.min(expected / changed) } else { narrowed }
-        })
+            if expected.max(noticed) < changed { narrowed.min(expected / changed) } else { narrowed }
+        });
+        narrowed.max(M::S::lit(NARROWEST_BOX))
     }
 
     /// The fault of the loop that is nearest to not being closed.

@@ -53,7 +53,7 @@ const TIGHT: f64 = 0.1 * FLAT;
 const BOXES: f64 = 2.0;
 
 /// In a new chart the second look is so many boxes ahead of the first.
-const AHEAD: f64 = 1e-3;
+const AHEAD: f64 = 0.01;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:

@@ -25,6 +25,7 @@ use self::groups::Group;
 use self::inertia::Dense;
 use self::jacobian::Jacobian;
 use self::joints::coordinates::Coordinates;
+pub(crate) use self::joints::coordinates::is_tree;
 use self::layout::{Layout, loads};
 use self::motion::Motion;
 use self::motion::memory::Memory;
@@ -175,11 +176,6 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
         areas: memory.areas(),
         followed: memory.followed().map(owner).collect_vec(),
     })
-}
-
-/// Do its joints make a tree, with no other constraints?
-pub(crate) fn is_tree(model: &Model) -> bool {
-    Coordinates::new(model).is_ok_and(|coordinates| coordinates.is_tree())
 }
 
 /// The charts of a mechanism, with as many coordinates as it has freedoms.

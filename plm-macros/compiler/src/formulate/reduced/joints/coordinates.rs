@@ -380,3 +380,8 @@ fn joints(model: &Model) -> Result<Vec<Joint>, String> {
     }
     Ok(joints)
 }
+
+/// Do the joints of a mechanism make a tree, with no other constraints?
+pub(crate) fn is_tree(model: &Model) -> bool {
+    Coordinates::new(model).is_ok_and(|coordinates| coordinates.is_tree())
+}
