@@ -56,7 +56,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs, &item.docs),
                 ItemKind::Picture(names) => self.declare_picture(scope, names),
                 ItemKind::Observe(list) => {
-                    self.draft.observed.push_all(list.iter().map(|expr| (scope, expr)))
+                    self.draft.observed.push_all(list.iter().map(|expr| (scope, expr)));
                 }
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.
