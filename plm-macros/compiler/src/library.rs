@@ -70,7 +70,6 @@ pub(crate) fn of_manual(name: &str) -> Vec<&'static str> {
 }
 
 /// The definitions that a declaration can use: its own, and those of the library that it names.
-#[derive(Debug)]
 pub(crate) struct Library {
     definitions: SortedMap<String, Definition>,
     domains: SortedMap<String, Domain>,

@@ -2,6 +2,7 @@
 
 use crate::collect::{CollectVec, PushAll};
 use std::cell::RefCell;
+use std::fmt;
 
 use plm_cas::{Expr, Graph, algebra};
 
@@ -24,12 +25,18 @@ pub struct InChart {
 }
 
 /// A compiled mechanism that can be evaluated without rustc.
-#[derive(Debug)]
 pub struct Oracle {
     pub(crate) model: Model,
     pub(crate) graph: RefCell<Graph>,
     pub(crate) equations: Equations,
     pub(crate) program: Program,
+}
+
+/// Its parts are thousands of expressions, which nobody reads.
+impl fmt::Debug for Oracle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Oracle").finish_non_exhaustive()
+    }
 }
 
 impl Oracle {

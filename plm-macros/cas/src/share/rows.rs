@@ -9,7 +9,7 @@ use crate::number::{Number, gcd};
 pub(super) const UNIT: usize = 0;
 
 /// What the items of a row mean.
-#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+#[derive(Copy, Clone, PartialEq, Eq)]
 pub(super) enum Kind {
     /// `id` is a row, `coefficient` the index of a number.
     Sum,
@@ -34,7 +34,7 @@ pub(super) const fn base(literal: u32) -> usize {
     (literal / 2) as usize
 }
 
-#[derive(Copy, Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Item {
     pub(super) id: u32,
     pub(super) coefficient: u32,

@@ -5,7 +5,7 @@ use crate::node::{Expr, Node};
 use crate::number::Number;
 
 /// How a node is lowered.
-#[derive(Copy, Clone, PartialEq, Debug)]
+#[derive(Copy, Clone, PartialEq)]
 #[repr(u8)]
 pub(super) enum Treatment {
     /// Not below a root.

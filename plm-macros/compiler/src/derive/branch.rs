@@ -9,7 +9,7 @@ use crate::model::{FrameRef, Model, Pair, Part};
 ///
 /// The first body is seen from its other joint (or its G) to the pivot, the second from the pivot to its other joint
 /// (or its G), where that is not the pivot itself. The two mirror images of a loop differ in the sign.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Branch {
     /// Index of the revolute in the model's parts.
     pub(crate) part: usize,

@@ -10,7 +10,7 @@ use super::{SparseRow, causes};
 use crate::model::Model;
 
 /// An unknown that forces read.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Signal {
     /// The symbol of the unknown.
     pub(crate) symbol: Expr,

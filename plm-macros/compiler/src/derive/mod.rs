@@ -35,7 +35,6 @@ use crate::model::Model;
 pub(crate) type SparseRow = Vec<(usize, Expr)>;
 
 /// The equations of motion, all in one graph.
-#[derive(Debug)]
 pub(crate) struct Equations {
     /// Symbols of the coordinates, `NQ`.
     pub(crate) q: Vec<Expr>,

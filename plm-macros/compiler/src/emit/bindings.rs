@@ -8,7 +8,7 @@ use crate::collect::PushAll;
 use crate::formulate::{Chart, Resolvent};
 
 /// What the arguments of a function are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) enum Origin<'a> {
     /// `self` is the mechanism; time, inputs and state are arguments `t`, `u`, `x`.
     Arguments,

@@ -19,7 +19,7 @@ pub struct Code {
 }
 
 /// The texts of one emission.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Texts(RefCell<Vec<String>>);
 
 impl Texts {

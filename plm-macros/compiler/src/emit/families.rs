@@ -13,7 +13,7 @@ use crate::model::{Model, Output};
 const INDICES: [&str; 6] = ["i", "j", "k", "l", "m", "n"];
 
 /// Bodies, or outputs of one shape, whose names differ in their indices alone.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Family {
     /// Its accessor.
     name: String,

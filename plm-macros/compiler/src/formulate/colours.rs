@@ -17,7 +17,7 @@ use plm_cas::{Expr, Op, Tape};
 use super::function::{Function, Place};
 
 /// Which numbers of the state each row of a rate reads.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Reads {
     /// Coordinates: the first rows say q' = v, and nobody differentiates them.
     freedom: usize,
@@ -28,7 +28,6 @@ pub(crate) struct Reads {
 }
 
 /// Colours of columns.
-#[derive(Debug)]
 pub(crate) struct Colours {
     /// How many there are.
     pub(crate) count: usize,

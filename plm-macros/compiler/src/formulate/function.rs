@@ -4,7 +4,7 @@ use crate::collect::CollectVec;
 use plm_cas::{Expr, Tape, algebra};
 
 /// Where a result is stored.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub(crate) enum Place {
     /// An element of an array, `dx[3]`.
     Element(&'static str, usize),
@@ -17,7 +17,7 @@ pub(crate) enum Place {
 }
 
 /// A group of expressions that belong together under a title.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Section {
     /// What is computed here, for readers.
     pub(crate) title: String,
@@ -32,7 +32,7 @@ impl Section {
 }
 
 /// A straight-line function.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Function {
     /// Order of computation; every expression here is needed by a result.
     pub(crate) sections: Vec<Section>,

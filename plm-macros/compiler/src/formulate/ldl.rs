@@ -20,7 +20,6 @@ use super::order::minimum_degree;
 pub(crate) type Symmetric = SortedMap<(usize, usize), Expr>;
 
 /// The factors, and what was computed on the way.
-#[derive(Debug)]
 pub(crate) struct Factor {
     /// Pivots in the order of elimination: row, column of L below it as (row, entry).
     columns: Vec<(usize, Vec<(usize, Expr)>)>,

@@ -10,7 +10,7 @@ use super::resolvent::Resolvent;
 use crate::model::{Model, Step};
 
 /// What a coefficient multiplies; the words are those of the runtime.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Part {
     Value,
     Rate,
@@ -23,7 +23,7 @@ pub(crate) enum Part {
 pub(crate) type Terms = SortedMap<(usize, usize, Part), Expr>;
 
 /// A coefficient in an equation.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Term {
     /// Its place among the results of [`Augmented::coefficients`].
     pub(crate) coefficient: usize,
@@ -33,7 +33,6 @@ pub(crate) struct Term {
 }
 
 /// The linearised equations.
-#[derive(Debug)]
 pub(crate) struct Augmented {
     /// `c`: the different coefficients, where the accelerations are known.
     pub(crate) coefficients: Function,
@@ -48,7 +47,6 @@ pub(crate) struct Augmented {
 }
 
 /// The linearised equations of a formulation.
-#[derive(Debug)]
 pub(crate) struct Linearised {
     /// The equations.
     pub(crate) augmented: Augmented,

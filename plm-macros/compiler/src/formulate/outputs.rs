@@ -8,7 +8,6 @@ use crate::derive::Equations;
 use crate::model::{self, Body, Load, Model};
 
 /// One output of the user.
-#[derive(Debug)]
 pub(crate) struct Output {
     /// Its values, one, or (x, y).
     pub(crate) function: Function,
@@ -17,7 +16,6 @@ pub(crate) struct Output {
 }
 
 /// Everything that can be read from a state.
-#[derive(Debug)]
 pub(crate) struct Outputs {
     /// The user's outputs, in the order of the model.
     pub(crate) user: Vec<Output>,

@@ -5,7 +5,7 @@ use crate::sorted::{SortedMap, SortedSet};
 
 /// Entries of a sparse matrix, and what every pivot meets (I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for
 /// Sparse Matrices, 1986, chapter 9: symbolic factorisation).
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Pattern {
     /// Place of each entry, fill included, by row and column.
     pub(crate) places: SortedMap<(usize, usize), usize>,
@@ -14,7 +14,6 @@ pub(crate) struct Pattern {
 }
 
 /// A pivot when its turn comes.
-#[derive(Debug)]
 pub(crate) struct Pivot {
     /// Its row, and its column.
     pub(crate) row: usize,

@@ -13,7 +13,6 @@ use crate::numeric::{Assembly, Scene, add_switches, assemble, freedom, varied};
 const VARIATIONS: u64 = 8;
 
 /// What is computed, function by function.
-#[derive(Debug)]
 pub(crate) struct Program {
     /// Absolute coordinates and multipliers: assembly, reactions and the fallback need them whatever is taken.
     pub(crate) absolute: Absolute,

@@ -23,7 +23,6 @@ use super::function::{Function, Place, stored};
 use super::linearised::{Augmented, Part};
 
 /// Elimination of linearised equations for one lambda, and their solution for one right-hand side.
-#[derive(Debug)]
 pub(crate) struct Resolvent {
     /// Symbols of the coefficients.
     pub(crate) c: Vec<Expr>,

@@ -17,7 +17,6 @@ use crate::model::{Body, Model};
 const CLOSED: f64 = 1e-10;
 
 /// What assembly found.
-#[derive(Debug)]
 pub(crate) struct Assembly {
     /// The pose that the user declared, at G: m, m, rad per body.
     pub(crate) start: Vec<f64>,

@@ -14,7 +14,7 @@ use crate::span::Span;
 use crate::token::Source;
 
 /// An error was reported; what could not be read is left out.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) struct Reported;
 
 /// What a rule of the grammar gives.

@@ -104,7 +104,7 @@ pub struct Repeat {
 }
 
 /// Where items stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Context {
     Mechanism,
     Part,

@@ -10,7 +10,7 @@ pub(crate) type Step = (usize, bool);
 pub(crate) type Cycle = Vec<Step>;
 
 /// A tree in each component of a graph.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub(crate) struct Forest {
     /// The edge by which each node is reached, and the node from which; `None` at a root.
     pub(crate) parent: Vec<Option<(usize, usize)>>,

@@ -8,7 +8,7 @@ use crate::sorted::sort_by;
 const MOST_SETS: usize = 2000;
 
 /// A set of independent coordinates, and how everything else follows from it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub(crate) struct Choice {
     /// The unknowns that are given, in order of preference.
     pub(crate) independent: Vec<usize>,

@@ -18,7 +18,7 @@ const TRIES: u64 = 60;
 const ROUNDING: f64 = 1e-9;
 
 /// What jumps at a boundary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
     /// The position.
     Place,

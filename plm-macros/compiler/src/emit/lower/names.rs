@@ -108,7 +108,7 @@ pub(crate) fn module_name(name: &str) -> String {
 }
 
 /// Names of one scope, none twice.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Names {
     taken: SortedSet<String>,
     numbered: usize,

@@ -3,7 +3,7 @@
 use crate::collect::CollectVec;
 
 /// Text of a value while it has no name.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(super) struct Piece {
     /// Rust source.
     pub(super) text: String,

@@ -3,7 +3,6 @@
 use plm_cas::Count;
 
 /// A statement and what it needs.
-#[derive(Debug)]
 pub(super) enum Statement {
     /// A comment above what follows.
     Title(String),
@@ -18,7 +17,6 @@ pub(super) enum Statement {
 }
 
 /// A lowered function.
-#[derive(Debug)]
 pub(super) struct Lines {
     /// Arrays of intermediate values, which stand in front: names and lengths.
     pub(super) arrays: Vec<(String, usize)>,

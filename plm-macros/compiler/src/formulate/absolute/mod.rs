@@ -37,7 +37,6 @@ use crate::derive::Equations;
 use crate::model::{Model, Stabilisation};
 
 /// Everything that absolute coordinates compute.
-#[derive(Debug)]
 pub(crate) struct Absolute {
     /// `dx` and `lambda`, returning Health: the right-hand side.
     pub(crate) dynamics: Function,

@@ -17,7 +17,7 @@ use crate::formulate::reduced::motion::bases::Products;
 use crate::model::Model;
 
 /// `M a = Q` for the second derivatives `a` of the coordinates.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Dense {
     /// Lower entries of M, (row, column) with `row >= column`; what is absent is zero.
     pub(crate) mass: SortedMap<(usize, usize), Expr>,

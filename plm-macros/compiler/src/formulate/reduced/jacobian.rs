@@ -12,7 +12,6 @@ use crate::formulate::function::{Function, Place};
 use crate::formulate::ldl::factorise;
 
 /// The matrix of derivatives.
-#[derive(Debug)]
 pub(crate) struct Jacobian {
     /// `by_x`: its entries that are not zero.
     pub(crate) entries: Function,

@@ -46,7 +46,6 @@ const FEW_PAIRS: usize = 4;
 const MANY_PAIRS: usize = 12;
 
 /// Everything that a rung above 5 computes.
-#[derive(Debug)]
 pub(crate) struct Reduced {
     /// Choices of coordinates, the best first; a tree has one.
     pub(crate) charts: Vec<Chart>,
@@ -93,7 +92,6 @@ impl Reduced {
 }
 
 /// A choice of coordinates.
-#[derive(Debug)]
 pub(crate) struct Chart {
     /// Name of each coordinate, as a path of the model.
     pub(crate) names: Vec<String>,

@@ -40,7 +40,7 @@ pub(crate) struct Names<'a> {
 }
 
 /// Names of one block.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Scope<'a> {
     /// Where to look next: from one turn of a repetition to what encloses it.
     pub(crate) parent: Option<ScopeId>,
@@ -55,7 +55,6 @@ pub(crate) struct Scope<'a> {
 }
 
 /// A named value.
-#[derive(Debug)]
 pub(crate) struct Slot<'a> {
     /// Where it was declared.
     pub(crate) span: Span,
@@ -67,7 +66,7 @@ pub(crate) struct Slot<'a> {
 }
 
 /// An expression that waits for its first use.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Thunk<'a> {
     pub(crate) scope: ScopeId,
     pub(crate) expr: &'a ast::Expr,

@@ -14,7 +14,7 @@ use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, ItemKind, Mechanism};
 
 /// A name that should be read.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Readable {
     what: &'static str,
     slot: SlotId,

@@ -17,7 +17,6 @@ use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// A body on the way to the model.
-#[derive(Debug)]
 pub(crate) struct BodyDraft<'a> {
     pub(crate) ast: &'a ast::Body,
     pub(crate) scope: ScopeId,

@@ -19,7 +19,6 @@ use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// A port on the way from its declaration to its frame.
-#[derive(Debug)]
 pub(crate) struct PortDraft<'a> {
     pub(crate) ast: &'a ast::Port,
     /// Its name; of a ground port in a part, with the path of the part.
@@ -30,7 +29,7 @@ pub(crate) struct PortDraft<'a> {
 }
 
 /// Where a frame is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct FrameGeometry {
     /// Its point from G, in the axes of the body; on the ground from the origin.
     pub(crate) local: Vec2,
@@ -49,7 +48,7 @@ pub(crate) struct FrameGeometry {
 }
 
 /// Where the origin of a body's coordinates is, and how they are turned.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Placement {
     /// Are they those of the assembled drawing (manual, section 4.3.2: absolute)?
     pub(crate) drawing: bool,

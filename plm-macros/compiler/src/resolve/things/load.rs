@@ -12,7 +12,7 @@ use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// What a part applies to a body or to the ground.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Action {
     /// Where it was declared.
     pub(crate) scope: ScopeId,
@@ -27,7 +27,6 @@ pub(crate) struct Action {
 }
 
 /// A force or a torque that was declared.
-#[derive(Debug)]
 pub(crate) struct LoadDraft<'a> {
     scope: ScopeId,
     ast: &'a ast::Load,

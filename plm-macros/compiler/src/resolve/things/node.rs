@@ -15,7 +15,6 @@ use crate::span::Span;
 use crate::syntax::ast::{self, Domain, Ident};
 
 /// A node.
-#[derive(Debug)]
 pub(crate) struct NodeDraft<'a> {
     domain: &'a Domain,
     /// Full name, `cylinder.cap`.
@@ -29,7 +28,6 @@ pub(crate) struct NodeDraft<'a> {
 }
 
 /// A through quantity at a node.
-#[derive(Debug)]
 pub(crate) struct Through {
     /// Stands for the sum.
     pub(crate) symbol: Expr,

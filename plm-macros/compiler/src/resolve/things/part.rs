@@ -20,7 +20,6 @@ const MAX_DEPTH: usize = 32;
 const MAX_INSTANCES: usize = 1 << 14;
 
 /// A part in use.
-#[derive(Debug)]
 pub(crate) struct PartInUse<'a> {
     pub(crate) definition: &'a Definition,
     pub(crate) ast: &'a Instance,

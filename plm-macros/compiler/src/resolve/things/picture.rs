@@ -15,7 +15,6 @@ use crate::syntax::ast::{self, Contour, IndexedName};
 use crate::units::Dimension;
 
 /// A size of a part: the parameter, and whose it is.
-#[derive(Debug)]
 pub(crate) struct SizeDraft {
     instance: usize,
     name: String,

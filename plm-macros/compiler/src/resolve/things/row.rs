@@ -13,7 +13,6 @@ use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// A constraint row on the way to its phi.
-#[derive(Debug)]
 pub(crate) struct RowDraft<'a> {
     pub(crate) scope: ScopeId,
     left: &'a ast::Expr,
@@ -27,7 +26,7 @@ pub(crate) struct RowDraft<'a> {
 }
 
 /// What a row says.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct RowValue {
     pub(crate) phi: Expr,
     pub(crate) dimension: Dimension,

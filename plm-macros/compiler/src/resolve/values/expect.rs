@@ -11,7 +11,7 @@ use crate::syntax::ast::{self, ExprKind};
 use crate::units::Dimension;
 
 /// What a place expects.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) enum Wanted {
     /// Anything.
     Anything,

@@ -51,7 +51,7 @@ pub(crate) struct OfOne {
 }
 
 /// The dimension of what a function gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Gives {
     /// That of its argument.
     Same,
@@ -68,7 +68,7 @@ pub(crate) struct Domain {
 }
 
 /// Is the value of a call a vector?
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CallShape {
     Number,
     Vector,

@@ -11,7 +11,7 @@ use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind};
 
 /// How values go on between the points of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Interpolation {
     /// Along straight lines.
     Lines,

@@ -4,7 +4,7 @@ use crate::resolve::Resolver;
 use crate::resolve::values::{Eval, Failed};
 
 /// Something that is worked out at its first use.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) enum Lazy<T> {
     Waiting,
     /// Being worked out: who asks for it now goes round in a circle.

@@ -4,14 +4,13 @@ use crate::collect::CollectVec;
 use Of::{Angle, Axis, Body, Normal, Position, X, Y};
 
 /// What has members.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     Body,
     Frame,
 }
 
 /// A member of a body, of a frame, or of both.
-#[derive(Debug)]
 pub(crate) struct Member {
     pub(crate) name: &'static str,
     pub(crate) of: Of,
@@ -24,7 +23,7 @@ pub(crate) struct Member {
 }
 
 /// What a member, or what it is a derivative of, is in a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Of {
     /// The first component of the position, m.
     X,

@@ -32,7 +32,7 @@ impl From<Vector> for Value {
 }
 
 /// The value of an expression.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) enum Value {
     /// A number with its dimension.
     Scalar(Scalar),
@@ -79,7 +79,7 @@ impl Value {
 }
 
 /// A condition, kept apart from the graph until an `if` turns it into selections.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) enum Condition {
     Known(bool),
     /// The first is less than the second.
@@ -90,7 +90,7 @@ pub(crate) enum Condition {
 }
 
 /// The mistake has been reported; the value does not exist.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Failed;
 
 /// What evaluation gives.

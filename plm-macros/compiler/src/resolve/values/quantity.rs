@@ -10,7 +10,7 @@ use crate::resolve::values::Condition;
 use crate::units::Dimension;
 
 /// What an expression reads, as a set; it decides where the expression may stand.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Reads(u16);
 
 impl Reads {
@@ -87,7 +87,7 @@ impl Reads {
 }
 
 /// How a value came about: it decides how strictly its unit is looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
     /// From bare numbers alone: it has no unit, and where one is needed it must say so.
     Bare,
@@ -98,7 +98,7 @@ pub(crate) enum Form {
 }
 
 /// All that is known of a quantity besides its expression.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Nature {
     pub(crate) dimension: Dimension,
     pub(crate) form: Form,
@@ -140,7 +140,7 @@ impl Nature {
 }
 
 /// A number or a vector, and what is known of it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Quantity<T> {
     pub(crate) value: T,
     pub(crate) nature: Nature,

@@ -15,7 +15,7 @@ use super::super::sines::is_pair;
 use super::super::{Bindings, MOST_TERMS};
 
 /// Where an operand comes from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) enum Source {
     /// A constant.
     Number(f64),
@@ -28,7 +28,6 @@ pub(super) enum Source {
 }
 
 /// What is held against others.
-#[derive(Debug)]
 pub(super) struct Item {
     /// Items of the same number have the same operations between sources of the same kinds.
     pub(super) shape: usize,

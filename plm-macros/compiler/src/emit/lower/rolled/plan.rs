@@ -11,7 +11,7 @@ use super::regions::{LEAST, Region, regions, step};
 const DEEPEST: usize = 4;
 
 /// An operand of a pattern, in all repetitions.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) enum Role {
     /// The same leaf, or the same value from before the loop.
     Same(Source),
@@ -30,21 +30,20 @@ pub(super) enum Role {
 }
 
 /// An item of the pattern of a loop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Slot {
     pub(super) region: usize,
     pub(super) offset: usize,
 }
 
 /// A loop: the roles of the operands of its pattern, in order.
-#[derive(Debug)]
 pub(super) struct Loop {
     pub(super) region: Region,
     pub(super) roles: Vec<Role>,
 }
 
 /// The loops of a function.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Plan {
     pub(super) loops: Vec<Loop>,
     /// Values that go from a loop to what is not in it: the repetitions of which they are kept, first and last. Those

@@ -18,7 +18,7 @@ const WINDOW: usize = 4;
 const TRIES: usize = 12;
 
 /// `count` repetitions of `period` items, from `start` on.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) struct Region {
     pub(super) start: usize,
     pub(super) period: usize,

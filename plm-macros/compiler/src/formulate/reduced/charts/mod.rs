@@ -22,7 +22,7 @@ const SPARE_LONG_CHARTS: usize = 1;
 const MOST_TRIED: usize = 64;
 
 /// Coordinates, and how everything else follows from them.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Scheme {
     /// The unknowns that are coordinates.
     pub(crate) independent: Vec<usize>,

@@ -26,7 +26,6 @@ const CLOSED: f64 = 1e-9;
 const LEAST: f64 = 1e-12;
 
 /// The start with the defaults of the parameters, where structure alone cannot decide.
-#[derive(Debug)]
 pub(crate) struct Assembled {
     /// The size of the scene, m.
     pub(crate) length: f64,

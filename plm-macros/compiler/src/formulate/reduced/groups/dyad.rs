@@ -25,7 +25,7 @@ use crate::formulate::reduced::motion::bases::Base;
 use crate::formulate::reduced::motion::solution::Solution;
 
 /// A block of two unknowns that has a closed form.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Dyad {
     /// The loop.
     pub(crate) closure: usize,
@@ -35,7 +35,7 @@ pub(crate) struct Dyad {
 }
 
 /// What is unknown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Two angles, of these classes.
     Angles([usize; 2]),

@@ -12,14 +12,14 @@ use plm_cas::algebra::dot;
 use plm_cas::{Expr, Vec2};
 
 /// Which unknown each loop gives. Loops and unknowns by their places in the block.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Plan {
     pivots: Vec<Pivot>,
     /// The unknowns of the system that is left.
     rest: Vec<usize>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 struct Pivot {
     in_loop: usize,
     unknown: usize,
@@ -28,7 +28,7 @@ struct Pivot {
 }
 
 /// The column of an unknown in a loop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Column {
     /// The loop does not hold it.
     Absent,

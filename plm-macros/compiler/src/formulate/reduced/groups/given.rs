@@ -7,7 +7,7 @@ use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::formulate::reduced::motion::Motion;
 
 /// The unknown of an explicit row.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Given {
     /// Place of the row in [`Coordinates::rows`].
     row: usize,

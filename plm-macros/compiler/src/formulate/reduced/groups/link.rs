@@ -23,7 +23,7 @@ use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::motion::bases::Products;
 
 /// The body that moves a dyad.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Link {
     /// Its class.
     class: usize,
@@ -34,7 +34,7 @@ pub(crate) struct Link {
 }
 
 /// The vectors of a dyad.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Own {
     /// The class of `p`, of which it is the base.
     pub(crate) p: usize,

@@ -23,7 +23,7 @@ use crate::formulate::reduced::motion::solution::Solution;
 use crate::topology::Block;
 
 /// Unknowns that follow from those before.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) enum Group {
     /// One unknown that a row gives.
     Given(Given),

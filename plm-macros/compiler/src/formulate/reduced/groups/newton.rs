@@ -25,7 +25,7 @@ const CORRECTIONS: [usize; 2] = [2, 1];
 const CLOSED: i32 = 4096;
 
 /// A block of loops with as many rows as unknowns.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Newton {
     pub(crate) closures: Vec<usize>,
     pub(crate) unknowns: Vec<usize>,

@@ -12,7 +12,7 @@ use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::motion::solution::Solution;
 
 /// The one unknown of a loop.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct SpareRow {
     /// The loop.
     pub(crate) closure: usize,

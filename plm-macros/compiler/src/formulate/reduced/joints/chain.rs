@@ -10,7 +10,7 @@ use plm_cas::Vec2;
 /// `theta_c` are the angles of classes of bodies that never turn against each other (class 0 is the ground, with angle
 /// 0), `s_j` slides, `d` and `e` constant vectors. The key of a vector is its class, and the unknown that it is
 /// multiplied with if it is one along a slide.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Chain {
     terms: SortedMap<(usize, Option<usize>), Vec2>,
 }

@@ -14,7 +14,7 @@ use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
 /// What a coordinate is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unknown {
     /// The angle of a class, that of the body `body`.
     Angle { class: usize, body: usize },
@@ -46,7 +46,7 @@ impl Unknown {
 }
 
 /// A joint that the coordinates walk through.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Joint {
     /// Index of the part.
     pub(crate) part: usize,
@@ -58,14 +58,13 @@ pub(crate) struct Joint {
 }
 
 /// The angle of a body: that of its class, and a constant.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Heading {
     pub(crate) class: usize,
     pub(crate) offset: Expr,
 }
 
 /// The joint coordinates of a mechanism.
-#[derive(Debug)]
 pub(crate) struct Coordinates {
     pub(crate) unknowns: Vec<Unknown>,
     /// By class; the ground has none.
@@ -88,7 +87,7 @@ pub(crate) struct Coordinates {
 }
 
 /// What holds a body on the way from the ground.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct TreeEdge {
     pub(crate) body: usize,
     /// The joint, by its place in [`Coordinates::joints`]; none for a body that hangs on nothing.

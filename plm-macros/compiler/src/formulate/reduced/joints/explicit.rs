@@ -7,7 +7,7 @@ use crate::formulate::reduced::joints::coordinates::Coordinates;
 use crate::model::Model;
 
 /// `c u + rest(t, other unknowns) = 0` for one unknown u at least, with a constant c.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Explicit {
     /// The row, with a symbol for each unknown.
     pub(crate) phi: Expr,

@@ -13,7 +13,7 @@ use plm_cas::{Expr, Rotation, Vec2};
 use crate::formulate::reduced::joints::chain::Chain;
 
 /// A vector that turns with a class.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Base {
     /// In absolute axes.
     pub(crate) vector: Vec2,
@@ -24,7 +24,7 @@ pub(crate) struct Base {
 }
 
 /// Scalar and cross product of two vectors, `conj(a) b`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Products {
     pub(crate) dot: Expr,
     pub(crate) cross: Expr,
@@ -73,7 +73,7 @@ impl Neg for Products {
 }
 
 /// What is known of the classes' bases.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Bases {
     /// By class; of the others the unit vector is the base.
     of_class: SortedMap<usize, Base>,

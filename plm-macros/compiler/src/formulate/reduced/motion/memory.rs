@@ -6,7 +6,7 @@ use plm_cas::{Expr, Rotation};
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 
 /// Symbols of the numbers that are remembered.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Memory {
     /// By coordinate of the chart, then for the time: where it was, and how far it may move until the next look.
     boxes: Vec<[Expr; 2]>,

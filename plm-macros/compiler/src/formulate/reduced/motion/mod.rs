@@ -14,7 +14,6 @@ use crate::formulate::reduced::motion::solution::Solution;
 use crate::model::{FrameRef, Model};
 
 /// Values of the unknowns and of all that follows from them, as expressions.
-#[derive(Debug)]
 pub(crate) struct Motion<'a> {
     pub(crate) coordinates: &'a Coordinates,
     pub(crate) time: Expr,

@@ -3,7 +3,7 @@
 use plm_cas::{Expr, Vec2};
 
 /// What a dyad's solution leaves for velocities and for the choice of charts.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Solution {
     /// `D`, m^2, m or 1; of a group without mirror images its measure.
     pub(crate) determinant: Expr,

@@ -7,11 +7,11 @@ use std::ops::{Add, Mul, Neg, Sub};
 use plm_cas::{Expr, Vec2, algebra};
 
 /// A motion (acceleration of a point, angular acceleration) or a wrench (force, moment about that point).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Spatial(pub(super) [Expr; 3]);
 
 /// A symmetric map from motions to wrenches: what a body, with all that hangs on it, answers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Inertia([[Expr; 3]; 3]);
 
 impl Spatial {

@@ -27,7 +27,7 @@ pub(crate) struct Unknowns {
 }
 
 /// What is unknown of a body, in the order of elimination.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Kind {
     Force,
     Acceleration,
