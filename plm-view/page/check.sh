@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # All tests of the page: installs what they need, then the modules, their types, and the page in a browser.
+#
+#     bash plm-view/page/check.sh --install  # no more than that
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -12,7 +14,10 @@ if ! [ node_modules/.package-lock.json -nt package-lock.json ]; then
 fi
 browser=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
 if [ -z "$browser" ] && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
-    apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium fonts-dejavu-core || true
+    apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium fonts-dejavu-core >/dev/null || true
+fi
+if [ "${1:-}" = --install ]; then
+    exit 0
 fi
 
 # What `cargo test -p plm-planar --test live_module --test manual` has made: the module of a live page, and pages of the

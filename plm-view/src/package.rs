@@ -177,10 +177,12 @@ impl Package<'_> {
             _ => ("0.0.0".to_owned(), "", "abort", ""),
         };
         let has_std = self.bare.is_none();
+        // The compiler of plm is stripped in none, so that all in a folder share it.
         let manifest = format!(
             "[package]\nname = \"{}\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
              [lib]\n{library}crate-type = [\"{kind}\"]\n\n\
              [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"{panic}\"\nstrip = {strip}\n\n\
+             [profile.release.build-override]\nstrip = false\n\n\
              [workspace]\n\n[dependencies]\n\
              plm = {{ package = \"plm-planar\", path = {plm:?}, default-features = {has_std}, \
              features = {features:?} }}\n{further}",

@@ -2,5 +2,5 @@
 
 #[test]
 fn wrong_declarations_are_explained() {
-    trybuild::TestCases::new().compile_fail("tests/ui/*/*.rs");
+    trybuild::TestCases::new().compile_fail("*/*.rs");
 }
