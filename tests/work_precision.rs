@@ -91,3 +91,30 @@ fn runs_of_another_program_are_lines_beside() {
     let said = read("S1,a,1e-3,1e-4,2e-5,7\nS1,a,fine\n").err().unwrap();
     assert!(said.ends_with(".csv:3: `S1,a,fine` is no run"), "{said}");
 }
+
+/// A table of the book: each line's name, and microseconds to the errors of its columns where it comes to them.
+fn table(mark: &str) -> (Vec<f64>, Vec<(String, Vec<Option<f64>>)>) {
+    let tables = include_str!("../docs/src/images/work-precision/tables.txt");
+    let (_, table) = tables.split_once(&format!("<!-- ANCHOR: {mark} -->\n")).unwrap();
+    let (table, _) = table.split_once("<!-- ANCHOR_END").unwrap();
+    let cells = |row: &str| row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
+    let mut rows = table.lines().map(cells).filter(|row: &Vec<String>| !row[1].starts_with("---"));
+    let columns = rows.next().unwrap()[1..].iter().map(|error| error.parse().unwrap()).collect();
+    let time = |cell: &String| cell.split(' ').next()?.trim_matches('*').parse().ok();
+    (columns, rows.map(|row| (row[0].clone(), row[1..].iter().map(time).collect())).collect())
+}
+
+#[test]
+fn in_the_book_the_cheapest_line_is_ours_to_every_error() {
+    for mark in ["s1", "s2", "s5", "s6"] {
+        let (columns, lines) = table(mark);
+        let (ours, others): (Vec<_>, Vec<_>) = lines.iter().partition(|(name, _)| name.contains(", "));
+        assert!(ours.len() > 10 && others.iter().any(|(name, _)| name == "heyoka"), "{lines:?}");
+        for (k, error) in columns.iter().enumerate() {
+            let least = |lines: &[&(String, Vec<Option<f64>>)]| {
+                lines.iter().filter_map(|(_, times)| times[k]).reduce(f64::min).unwrap_or(f64::INFINITY)
+            };
+            assert!(least(&ours) < least(&others), "{mark} to {error}");
+        }
+    }
+}

@@ -7,7 +7,7 @@ use plm_view::{Axis, Chart, Series};
 use crate::measure::{Line, Look, Outcome, Scene};
 
 /// Errors for which the least time is told.
-const GOALS: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+const GOALS: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
 
 /// Every line has to come that near to its reference, as a fraction of what is hopeless.
 const NEAR: f64 = 1e-4;
@@ -69,6 +69,16 @@ impl Line {
 }
 
 impl Result {
+    /// Takes the time of another round where it is less.
+    pub fn least(&mut self, other: &Self) {
+        let lines = self.lines.iter_mut().zip(&other.lines);
+        for (point, other) in lines.flat_map(|(line, other)| line.points.iter_mut().zip(&other.points)) {
+            if let (Ok(outcome), Ok(other)) = (&mut point.outcome, &other.outcome) {
+                outcome.seconds = outcome.seconds.min(other.seconds);
+            }
+        }
+    }
+
     /// Rows of the CSV file, without a heading.
     pub fn csv(&self) -> String {
         let mut text = String::new();
