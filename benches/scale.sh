@@ -3,18 +3,21 @@
 #
 #     bash benches/scale.sh >docs/src/internals/scale-table.txt
 #
-# Times are those of the processor, of one run; a step of RK4 is counted in instructions. With arguments (`chain 64`) one scene alone.
+# Times are those of the processor, of one run; of a step of RK4 they are the least of many, beside its instructions. With
+# arguments one scene alone, with CODE as ordered: `CODE=rolled bash benches/scale.sh chain 64`.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 target=${CARGO_TARGET_DIR:-$root/target}/scale
 work=$target/crate
 command -v valgrind >/dev/null || { echo "valgrind is needed (apt-get install valgrind)" >&2; exit 1; }
 
-# Declarations of N bars, windows or stages.
+# Declarations of N bars, windows or stages. All bars of a chain move from the start: let go at rest and flat, the far ones move by
+# numbers so small that processors take many times as long for them.
 chain() {
     printf 'pub Scene { gravity: 9.81 m/s^2; ground { port o: (0, 0) m; }
     repeat i in 0..%d { body bar[i] { mass: 1 kg / %d; inertia: 1 kg*m^2 / (12 * %d^3);
-        port a: (-0.5 / %d, 0) m; port b: (0.5 / %d, 0) m; start x: (i + 0.5) / %d * 1 m; } }
+        port a: (-0.5 / %d, 0) m; port b: (0.5 / %d, 0) m; start x: (i + 0.5) / %d * 1 m;
+        start angle: 0.5 rad*sin(i*1 rad), locked; start omega: 1 rad/s*cos(i*1 rad), locked; } }
     revolute pin[0](ground.o, bar[0].a);
     repeat i in 1..%d { revolute pin[i](bar[i-1].b, bar[i].a); } }' "$1" "$1" "$1" "$1" "$1" "$1" "$1"
 }
@@ -52,9 +55,13 @@ fn main() {
     let steps = arguments[1];
     let run = move || -> Result<(), plm::Fault> {
         let mut sim = Scene::new().start_with(plm::Rk4::new(1e-4))?;
+        let mut least = f64::INFINITY;
         for _ in 0..steps {
+            let begin = std::time::Instant::now();
             sim.step(1e-4)?;
+            least = least.min(begin.elapsed().as_secs_f64());
         }
+        println!("{:.1}", 1e6*least);
         Ok(())
     };
     let thread = std::thread::Builder::new().stack_size(arguments[0]).spawn(run).unwrap();
@@ -96,22 +103,22 @@ PYTHON
 # One line of the table; where the compiler gives up after ten minutes it says so.
 measure() {
     local scene=$1 count=$2 expansion compilation kilobytes step
-    "$scene" "$count" >"$work/scene.plm"
+    "$scene" "$count" | sed "s/pub Scene {/&${CODE:+ code: $CODE;}/" >"$work/scene.plm"
     expansion=$(cost "$target/debug/examples/dump" "$work/scene.plm")
     { printf 'plm::mechanism! { '; cat "$work/scene.plm"; printf ' }\n'; program; } >"$work/src/main.rs"
     touch "$work/src/main.rs"
     local status=0
     compilation=$(cost timeout 600 cargo build --release --manifest-path "$work/Cargo.toml" --target-dir "$target") || status=$?
     if [ "$status" -eq 124 ]; then
-        printf '| %s | %d | %s | not in ten minutes | | | |\n' "${scene//_/ }" "$count" "${expansion% *}"
+        printf '| %s | %d | %s | not in ten minutes | | | | |\n' "${scene//_/ }" "$count" "${expansion% *}"
         return
     fi
     [ "$status" -eq 0 ] || { echo "$scene $count does not compile" >&2; exit 1; }
     local binary=$target/release/scale
     kilobytes=$(stack "$binary")
     step=$((($(instructions "$binary" 30) - $(instructions "$binary" 10)) / 20))
-    printf '| %s | %d | %s | %s | %s | %s | %d |\n' \
-        "${scene//_/ }" "$count" "${expansion% *}" "${compilation% *}" "${compilation#* }" "$kilobytes" "$step"
+    printf '| %s | %d | %s | %s | %s | %s | %d | %s |\n' "${scene//_/ }" "$count" "${expansion% *}" \
+        "${compilation% *}" "${compilation#* }" "$kilobytes" "$step" "$("$binary" 268435456 200)"
 }
 
 mkdir -p "$work/src"
@@ -131,8 +138,8 @@ cargo build --quiet --manifest-path "$root/Cargo.toml" --target-dir "$target" -p
 echo 'fn main() {}' >"$work/src/main.rs"
 cargo build --quiet --release --manifest-path "$work/Cargo.toml" --target-dir "$target"
 
-echo '| scene | number | expansion, s | rustc at opt-level 3, expansion included, s | its memory, MB | stack, kB | RK4 step, instructions |'
-echo '|---|---:|---:|---:|---:|---:|---:|'
+echo '| scene | number | expansion, s | rustc at opt-level 3, expansion included, s | its memory, MB | stack, kB | RK4 step, instructions | µs |'
+echo '|---|---:|---:|---:|---:|---:|---:|---:|'
 if [ $# -gt 0 ]; then
     measure "$@"
     exit

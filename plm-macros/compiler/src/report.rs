@@ -9,9 +9,10 @@ use crate::numeric::{Assembly, Scene, add_switches, run, value};
 
 /// Degrees per radian.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
-/// Operations of a right-hand side from which on what repeats itself is written in loops. Instructions of longer code do not
-/// stay in a processor's caches; shorter code is faster without loops, as values stay in registers.
-const MOST_UNROLLED: usize = 5000;
+/// Operations of a right-hand side from which on what repeats itself is written in loops, of a tree and of all else. Instructions
+/// of longer code do not stay in a processor's caches; shorter code is faster without loops, as values stay in registers, and
+/// those of loops in closed form in pairs (`docs/src/internals/scale.md`).
+const MOST_UNROLLED: [usize; 2] = [2000, 5000];
 /// Coordinates whose move the report lists one by one.
 const MOST_MOVES: usize = 12;
 
@@ -195,15 +196,20 @@ impl Report {
     pub(crate) fn is_rolled(&self) -> bool {
         match self.ordered {
             Some(ordered) => ordered == Repetitions::Rolled,
-            None => self.rate.total() > MOST_UNROLLED,
+            None => self.rate.total() > self.most_unrolled(),
         }
+    }
+
+    fn most_unrolled(&self) -> usize {
+        let [of_a_tree, of_all_else] = MOST_UNROLLED;
+        if self.taken.rung <= 2 { of_a_tree } else { of_all_else }
     }
 
     fn repetitions(&self) -> Option<String> {
         let why = match self.ordered {
             Some(_) => "as the declaration orders".to_owned(),
             None if self.is_rolled() => {
-                format!("since more than {MOST_UNROLLED} operations in a row are slower than loops")
+                format!("since more than {} operations in a row are slower than loops", self.most_unrolled())
             }
             None => return None,
         };

@@ -98,40 +98,38 @@ impl Writer<'_> {
             };
             let in_row = |(k, sine): &(usize, &((usize, usize), usize))| sine.0 == (array, first + k * step);
             let count = sines[begin..].iter().enumerate().take_while(in_row).count();
-            let in_loop = count / LANES * LANES;
-            if in_loop > 0 {
-                self.sines_in_loop((begin, in_loop / LANES), (array, first, step));
+            let (rounds, rest) = (count / LANES, count % LANES);
+            let i = self.index.clone();
+            if rounds > 0 {
+                let angle = |lane: usize| {
+                    affine(&i, (first + lane * step).cast_signed(), (LANES * step).cast_signed())
+                };
+                let place = |lane: usize| affine(&i, (begin + lane).cast_signed(), LANES.cast_signed());
+                let text = self.sines_at_once(LANES, |lane| [angle(lane), place(lane)], array);
+                self.block(format!("for {i} in 0..{rounds} {{\n{text}}}"), Vec::new());
             }
-            for (k, ((array, place), _)) in sines.iter().enumerate().take(begin + count).skip(begin + in_loop)
-            {
-                let angle = self.element(*array, &place.to_string());
-                let [sine, cosine] = [SINES, COSINES].map_each(|array| self.element(array, &k.to_string()));
-                self.block(format!("({sine}, {cosine}) = {angle}.sin_cos();"), Vec::new());
+            if rest > 0 {
+                let lane = |lane: usize| {
+                    let behind = rounds * LANES + lane;
+                    [first + behind * step, begin + behind].map_each(|number| number.to_string())
+                };
+                let text = self.sines_at_once(rest, lane, array);
+                self.block(format!("{{\n{text}}}"), Vec::new());
             }
             begin += count;
         }
     }
 
-    fn sines_in_loop(
-        &mut self,
-        (begin, rounds): (usize, usize),
-        (array, first, step): (usize, usize, usize),
-    ) {
-        let i = &self.index;
-        let angles = (0..LANES).map(|lane| {
-            let place = affine(i, (first + lane * step).cast_signed(), (LANES * step).cast_signed());
-            self.element(array, &place)
-        });
-        let angles = angles.collect_vec().join(", ");
-        let stored = (0..LANES).map(|lane| {
-            let place = affine(i, (begin + lane).cast_signed(), LANES.cast_signed());
-            let [sine, cosine] = [SINES, COSINES].map_each(|array| self.element(array, &place));
+    /// Lines that compute so many sines and cosines; each is told where its angle stands, and where they go.
+    fn sines_at_once(&self, count: usize, places: impl Fn(usize) -> [String; 2], array: usize) -> String {
+        let all = (0..count).map(places).collect_vec();
+        let angles = all.iter().map(|[angle, _]| self.element(array, angle)).collect_vec().join(", ");
+        let stored = all.iter().enumerate().map(|(lane, [_, place])| {
+            let [sine, cosine] = [SINES, COSINES].map_each(|array| self.element(array, place));
             format!("    {sine} = s[{lane}];\n    {cosine} = c[{lane}];\n")
         });
         let stored: String = stored.collect();
-        let all = format!("{}::sin_cos_all([{angles}])", self.lowering.scalar);
-        let text = format!("for {i} in 0..{rounds} {{\n    let (s, c) = {all};\n{stored}}}");
-        self.block(text, Vec::new());
+        format!("    let (s, c) = {}::sin_cos_all([{angles}]);\n{stored}", self.lowering.scalar)
     }
 
     fn block(&mut self, text: String, reads: Vec<usize>) {
