@@ -92,8 +92,11 @@ fn runs_of_another_program_are_lines_beside() {
     assert!(said.ends_with(".csv:3: `S1,a,fine` is no run"), "{said}");
 }
 
-/// A table of the book: each line's name, and microseconds to the errors of its columns where it comes to them.
-fn table(mark: &str) -> (Vec<f64>, Vec<(String, Vec<Option<f64>>)>) {
+/// A line of a table of the book: its name, and microseconds to the errors of the columns where it comes to them.
+type Row = (String, Vec<Option<f64>>);
+
+/// The errors of a table's columns, and its lines.
+fn table(mark: &str) -> (Vec<f64>, Vec<Row>) {
     let tables = include_str!("../docs/src/images/work-precision/tables.txt");
     let (_, table) = tables.split_once(&format!("<!-- ANCHOR: {mark} -->\n")).unwrap();
     let (table, _) = table.split_once("<!-- ANCHOR_END").unwrap();
@@ -111,7 +114,7 @@ fn in_the_book_the_cheapest_line_is_ours_to_every_error() {
         let (ours, others): (Vec<_>, Vec<_>) = lines.iter().partition(|(name, _)| name.contains(", "));
         assert!(ours.len() > 10 && others.iter().any(|(name, _)| name == "heyoka"), "{lines:?}");
         for (k, error) in columns.iter().enumerate() {
-            let least = |lines: &[&(String, Vec<Option<f64>>)]| {
+            let least = |lines: &[&Row]| {
                 lines.iter().filter_map(|(_, times)| times[k]).reduce(f64::min).unwrap_or(f64::INFINITY)
             };
             assert!(least(&ours) < least(&others), "{mark} to {error}");
