@@ -275,6 +275,9 @@ impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
     fn path(&self) -> Option<Path<f64, M::X>> {
         whichever!(self, method => Method::<M>::path(method))
     }
+    fn most_steps(&self) -> u64 {
+        whichever!(self, method => Method::<M>::most_steps(method))
+    }
     fn tolerance(&self) -> Option<f64> {
         whichever!(self, method => Method::<M>::tolerance(method))
     }

@@ -28,15 +28,14 @@ pub(super) fn rate_here<M: System<S: Real>>(
 /// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather than be
 /// followed by a tiny one. It is counted down from the steps that are left of `most`.
 pub(super) fn next_step<M: System<S: Real>>(
-    (left, most): (&mut u64, u64),
+    most: u64,
     course: &Course<'_, M>,
     proposal: M::S,
 ) -> Result<(M::S, bool), Fault> {
     // Where nothing is integrated, steps are looks at what moves as it is told to: as many as it takes.
-    if *left == 0 && M::X::LEN > 0 {
-        return Err(course.fault(Cause::TooManySteps { steps: most }));
+    if M::X::LEN > 0 {
+        course.check_steps(most)?;
     }
-    *left = left.saturating_sub(1);
     let rest = course.end - course.time;
     if M::S::lit(1.01) * proposal >= rest {
         Ok((rest, true))

@@ -163,6 +163,11 @@ pub trait Method<M: System>: Copy {
         None
     }
 
+    /// How many steps an interval may take, those near singular poses and those that were rejected among them.
+    fn most_steps(&self) -> u64 {
+        u64::MAX
+    }
+
     /// The drift above which a state is settled.
     fn drift_limit(&self, system: &M) -> Drift<M::S>;
 }
@@ -202,6 +207,8 @@ pub struct Course<'a, M: System> {
     pub(crate) rescued: Option<M::S>,
     /// The last step was refused, and is to be divided.
     pub(crate) divided: Option<Divided<M::S>>,
+    /// Steps that had been tried before the interval.
+    before: u64,
 }
 
 /// A step to `until`, s, that is to be made in so many parts at least.
@@ -219,6 +226,7 @@ impl<'a, M: System> Course<'a, M> {
         end: M::S,
         (stats, longest_step): (&'a mut Stats, &'a mut M::S),
     ) -> Self {
+        let before = stats.steps + stats.rejected;
         Self {
             system,
             held,
@@ -231,7 +239,14 @@ impl<'a, M: System> Course<'a, M> {
             kept: None,
             rescued: None,
             divided: None,
+            before,
         }
+    }
+
+    /// Has the interval taken more steps than it may?
+    pub(crate) fn check_steps(&self, most: u64) -> Result<(), Fault> {
+        let tried = self.stats.steps + self.stats.rejected - self.before;
+        if tried < most { Ok(()) } else { Err(self.fault(Cause::TooManySteps { steps: most })) }
     }
 
     /// The step to the state reached.

@@ -169,10 +169,14 @@ fn rescue<M: Mechanism, I: Method<M>>(
     let limits = Limits { energy_jump: None, ..limits };
     let (mut rescue, mut refused) = (M::Rescue::new(), 0);
     while course.time < course.end && M::Rescue::holds(course) {
+        course.check_steps(method.most_steps())?;
         let before = (course.time, course.held, course.x);
         let outcome = step(&mut rescue, course, (&mut *watch, limits), observer, true);
-        // The cause is that which the mechanism's own coordinates tell.
-        outcome.map_err(|fault| failed.err().map_or(fault, |cause| Fault { time: fault.time, ..cause }))?;
+        // The cause is that which the mechanism's own coordinates tell, but where the rescue knows that the motion ends.
+        outcome.map_err(|fault| match failed {
+            Err(cause) if fault.cause != Cause::Locked => Fault { time: fault.time, ..cause },
+            _ => fault,
+        })?;
         if course.time <= before.0 {
             // What is held is the pose; the step was refused.
             course.held = before.1;

@@ -42,7 +42,6 @@ pub struct Adams<M: System> {
     span: Option<Span<M::S, M::X>>,
     path: Option<Path<M::S, M::X>>,
     projection: Projection<M::S>,
-    steps_left: u64,
     /// The error decided how long the last step was.
     by_error: bool,
 }
@@ -89,7 +88,6 @@ impl<M: System<S: Real>> Adams<M> {
             span: None,
             path: None,
             projection: Projection::new(),
-            steps_left: 0,
             by_error: false,
         }
     }
@@ -243,7 +241,6 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
     const NAME: &'static str = "Adams";
 
     fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.steps_left = self.most_steps;
         Ok(())
     }
 
@@ -303,6 +300,10 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
         self.span.as_ref().filter(|_| self.by_error).and_then(|span| self.largest_error(system, &span.to))
     }
 
+    fn most_steps(&self) -> u64 {
+        self.most_steps
+    }
+
     fn tolerance(&self) -> Option<M::S> {
         Some(Adams::tolerance(self))
     }
@@ -319,7 +320,7 @@ impl<M: System<S: Real> + Copy> Adams<M> {
         let rate_from = M::X::from_fn(|i| if i < M::NQ { from.at(M::NQ + i) } else { start.at(i) });
         loop {
             let wanted = self.past.next.h.min(self.longest_step);
-            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, wanted)?;
+            let (h, last) = next_step(self.most_steps, course, wanted)?;
             let (before, one) = (course.stats.by_rank, M::S::lit(1.0));
             let attempt = self.trial(course, h);
             let mut failed = None;

@@ -48,7 +48,6 @@ pub struct Embedded<M: System, P: Pair> {
     /// The last step went by rank.
     careful: bool,
     projection: Projection<M::S>,
-    steps_left: u64,
     /// The error decided how long the last step was.
     by_error: bool,
 }
@@ -83,7 +82,6 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             bends: None,
             careful: false,
             projection: Projection::new(),
-            steps_left: 0,
             by_error: false,
         }
     }
@@ -225,7 +223,6 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     const NAME: &'static str = P::NAME;
 
     fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.steps_left = self.most_steps;
         Ok(())
     }
 
@@ -239,7 +236,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)
+            let (h, last) = next_step(self.most_steps, course, proposal)
                 .map_err(|fault| Fault { part: Self::worst(course, &k), ..fault })?;
             let mut attempt = self.trial(course, &rate, h, &mut k);
             let (estimate, drift) = match &attempt {
@@ -320,6 +317,10 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     fn limited_by(&self, system: &M) -> Option<usize> {
         let (Some(step), Some(k), true) = (&self.span, &self.stages, self.by_error) else { return None };
         Self::largest_error(system, k, |i| step.from.at(i).abs().max(step.to.at(i).abs()))
+    }
+
+    fn most_steps(&self) -> u64 {
+        self.most_steps
     }
 
     fn tolerance(&self) -> Option<M::S> {

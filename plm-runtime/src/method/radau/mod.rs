@@ -52,7 +52,6 @@ pub struct RadauIia5<M: Linear> {
     dense: Option<Dense<M::S, M::X>>,
     /// Drift that the last projection could not remove, over the tolerance.
     residue: M::S,
-    steps_left: u64,
     /// The component with the largest error in the last step that was tried.
     worst: usize,
     /// That error decided how long the last step was.
@@ -113,7 +112,6 @@ impl<M: Linear> RadauIia5<M> {
             factors: Factors::room(&by_x),
             dense: None,
             residue: M::S::ZERO,
-            steps_left: 0,
             worst: 0,
             by_error: false,
         }
@@ -269,7 +267,6 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     const NAME: &'static str = "RadauIia5";
 
     fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.steps_left = self.most_steps;
         Ok(())
     }
 
@@ -279,7 +276,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         let mut proposal = self.proposal.unwrap_or_else(|| first_step(course, &rate, &weights));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = next_step((&mut self.steps_left, self.most_steps), course, proposal)
+            let (h, last) = next_step(self.most_steps, course, proposal)
                 .map_err(|fault| Fault { part: course.system.part_of_state(self.worst), ..fault })?;
             let time = if last { course.end } else { course.time + h };
             let by_rank = course.stats.by_rank;
@@ -344,6 +341,10 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
 
     fn limited_by(&self, _system: &M) -> Option<usize> {
         self.by_error.then_some(self.worst)
+    }
+
+    fn most_steps(&self) -> u64 {
+        self.most_steps
     }
 
     fn tolerance(&self) -> Option<M::S> {
