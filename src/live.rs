@@ -230,7 +230,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
                 self.trouble = None;
                 Some(value)
             }
-            Err(Fault { time, part, cause }) => {
+            Err(Fault { time, part, cause, .. }) => {
                 let text = cause.to_string();
                 self.trouble = Some(Trouble { time, part: part.to_owned(), text });
                 None

@@ -17,6 +17,19 @@ pub struct Fault {
     pub part: &'static str,
     /// What happened.
     pub cause: Cause,
+    /// The prescribed motion that can go no further, where that is why the mechanism is [locked](Cause::Locked).
+    pub prescribed: Option<Prescribed>,
+}
+
+/// A prescribed motion that can go no further.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prescribed {
+    /// The constraint row that prescribes the motion.
+    pub row: &'static str,
+    /// What the row holds there, m or rad.
+    pub value: f64,
+    /// The row is an angle.
+    pub angular: bool,
 }
 
 /// What happened.
@@ -178,12 +191,12 @@ pub enum Cause {
 impl Fault {
     /// A fault that no single part is to blame for.
     pub fn new(time: f64, cause: Cause) -> Self {
-        Self { time, part: "", cause }
+        Self { time, part: "", cause, prescribed: None }
     }
 
     /// A fault of a part.
     pub fn of_part(time: f64, part: &'static str, cause: Cause) -> Self {
-        Self { time, part, cause }
+        Self { time, part, cause, prescribed: None }
     }
 }
 
@@ -201,7 +214,19 @@ impl fmt::Display for Fault {
         if !self.part.is_empty() {
             write!(f, "{}: ", self.part)?;
         }
-        write!(f, "{}", self.cause)
+        write!(f, "{}", self.cause)?;
+        self.prescribed.map_or(Ok(()), |prescribed| write!(f, "; {prescribed}"))
+    }
+}
+
+impl fmt::Display for Prescribed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { row, value, angular } = *self;
+        if angular {
+            write!(f, "`{row}` can go no further than {value:.6} rad ({:.3} deg)", value.to_degrees())
+        } else {
+            write!(f, "`{row}` can go no further than {value:.6} m")
+        }
     }
 }
 

@@ -42,10 +42,11 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let free = start.map(freedom_of);
     let pose = close(m, t, &start, &free)?;
     let pose = branch::find(m, t, pose, (&start, &free))?;
-    let q = pose.q;
+    let refined = m.refine(t, &pose.q);
+    let q = refined.map_or(pose.q, |(q, _)| q);
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
     reject_locks(m, t, &q, &free, &here, POSITION)?;
-    let v = start_velocity(m, t, &q)?;
+    let v = refined.map_or_else(|| start_velocity(m, t, &q), |(_, v)| Ok(v))?;
     let neighbour = neighbour(m, t, &q, &here);
     let locks = start.iter().filter(|s| s.locked).count();
     let (rank, rows) = (here.free_rank + locks, NC + locks);

@@ -30,7 +30,7 @@ pub use branch::Branch;
 pub use carry::check_carried;
 pub use jump::{Crossing, jump};
 pub use nearest::flat_part;
-pub(crate) use nearest::{nearest, smallest_pivot};
+pub(crate) use nearest::{closed, nearest, smallest_pivot};
 pub(crate) use redundancy::beside;
 pub use renew::renew;
 pub use settle::{balance, drift, opening, residuals, settle, settle_state};
@@ -76,6 +76,13 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
 
     /// Size of the mechanism, m.
     fn length(&self) -> S;
+
+    /// An assembled pose that is so near to a singular one that rounding would decide how the mechanism starts: closed in numbers
+    /// of twice the precision, with its start velocity.
+    fn refine(&self, t: S, q: &[S; NQ]) -> Option<([S; NQ], [S; NQ])> {
+        let _ = (t, q);
+        None
+    }
 
     /// The mirror images that joints ask for, from 0; behind the last one there is none.
     fn branch(&self, index: usize) -> Option<Branch<S>> {

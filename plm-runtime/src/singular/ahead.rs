@@ -48,25 +48,35 @@ impl<S: Real> Ahead<S> {
         };
         let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
         if speed * speed > S::lit(APART) * acceleration {
-            return Self::along(equations, (t, held), here, (&here.x, speed, [speed, acceleration]));
+            return Self::along(
+                equations,
+                (t, held),
+                here,
+                (&here.x, [speed, S::lit(1.0) / speed], [speed, acceleration]),
+            );
         }
         // What is slow may turn soon, and come to a pose before.
         if speed > S::ZERO {
-            let ahead = Self::along(equations, (t, held), here, (&here.x, speed, [speed, S::ZERO]));
+            let ahead = Self::along(
+                equations,
+                (t, held),
+                here,
+                (&here.x, [speed, S::lit(1.0) / speed], [speed, S::ZERO]),
+            );
             let reach = S::lit(BEFORE_TURNING) * speed * speed;
             if ahead.flat().is_some_and(|distance| distance * acceleration < reach) {
                 return ahead;
             }
         }
-        Self::along(equations, (t, held), here, (&here.dx, acceleration, [speed, acceleration]))
+        Self::along(equations, (t, held), here, (&here.dx, [acceleration, S::ZERO], [speed, acceleration]))
     }
 
-    /// In the direction of velocities or accelerations, the largest of which is `most`.
+    /// In the direction of velocities or accelerations, the largest of which is `most`, with the time that a distance takes.
     fn along<M, const NQ: usize, const NC: usize, const NX: usize>(
         equations: &Equations<M, NQ, NC, NX>,
         (t, held): (S, &M::U),
         here: &Evaluated<S, NX>,
-        (of, most, [speed, acceleration]): (&[S; NX], S, [S; 2]),
+        (of, [most, takes], [speed, acceleration]): (&[S; NX], [S; 2], [S; 2]),
     ) -> Self
     where
         M: Fine<NQ, NC, NX, S = S>,
@@ -76,12 +86,14 @@ impl<S: Real> Ahead<S> {
         if most <= S::ZERO {
             return ahead;
         }
-        let (fine, _) = equations.0.twofold(held);
+        let (fine, _) = equations.system.twofold(held);
+        let constraints = equations.opened(&fine);
         let pivot = |distance: S| {
             let way = |i: usize| if i < NQ { distance * (of.at(NQ + i) / most) } else { S::ZERO };
             let mut x = Vector::from_fn(|i| Twofold::of(here.x.at(i)) + Twofold::of(way(i)));
+            let t = t + distance * takes;
             // The pivots of joints that repeat others vanish on the constraints alone.
-            nearest::<_, _, NQ, NC, NX>(&fine, Twofold::of(t), &mut x);
+            nearest::<_, _, NQ, NC, NX>(&constraints, Twofold::of(t), &mut x);
             smallest_pivot(&fine, Twofold::of(t), &split::<_, NX, NQ>(&x).0).rounded()
         };
         let (mut apart, now) = (S::lit(APART), pivot(S::ZERO));
@@ -113,9 +125,25 @@ impl<S: Real> Ahead<S> {
         if h.is_finite() { h } else { S::INFINITY }
     }
 
+    /// The time in which a distance is covered, or was, if it is negative.
+    pub(super) fn signed_time_to(&self, distance: S) -> S {
+        let time = self.time_to(distance.abs());
+        if distance < S::ZERO { -time } else { time }
+    }
+
     /// The longest step that follows the parabola.
     pub(super) fn longest_step(&self) -> S {
         if self.scale < S::INFINITY { self.time_to(S::lit(0.4) * self.scale) } else { S::INFINITY }
+    }
+
+    /// Distance over which the motion turns, rad.
+    pub(super) fn scale(&self) -> S {
+        self.scale
+    }
+
+    /// Distance to a singular pose, negative behind, if there may be one near.
+    pub(super) fn near(&self) -> Option<S> {
+        (self.vanishes && self.lowest.is_finite()).then_some(self.lowest)
     }
 
     /// Distance to the singular pose, if there may be one ahead.

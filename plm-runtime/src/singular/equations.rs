@@ -3,17 +3,73 @@
 use super::{Fine, size};
 use crate::absolute::{Absolute, nearest, split};
 use crate::scalar::{Real, Scalar};
+use crate::start::Start;
 use crate::system::{Health, System};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
 
-/// An accepted state is this near to the constraints, as a part of typical sizes.
+/// An accepted pose is this near to the constraints, as a part of typical sizes, ...
 const BESIDE: f64 = 1e-6;
+/// ... and its velocity this near to their tangent: a pose that is rounded at the distance d from a singular one turns the tangent by
+/// `EPSILON / d`, and takes the square of that from the energy.
+const TANGENT: f64 = 1e-3;
 
 /// A mechanism in absolute coordinates: x' = f(P(x)), where P leads a state onto the constraints by the shortest way in the
 /// metric of the masses.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Equations<M, const NQ: usize, const NC: usize, const NX: usize>(pub(super) M);
+pub(super) struct Equations<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+    pub(super) system: M,
+    /// What the joints are open by, m and rad: less than the rounding of the lengths, so that a singular pose is one exactly.
+    pub(super) open: [Twofold<M::S>; NC],
+}
+
+/// A mechanism whose joints are open by a given amount.
+pub(super) struct Opened<'m, F, S, const NC: usize> {
+    of: &'m F,
+    open: &'m [Twofold<S>; NC],
+}
+
+impl<S: Real, F: Absolute<Twofold<S>, NQ, NC>, const NQ: usize, const NC: usize> Absolute<Twofold<S>, NQ, NC>
+    for Opened<'_, F, S, NC>
+{
+    const ROWS: [&'static str; NC] = F::ROWS;
+    const PARTS: [&'static str; NC] = F::PARTS;
+    const COORDINATES: [&'static str; NQ] = F::COORDINATES;
+    const ANGULAR: [bool; NC] = F::ANGULAR;
+
+    fn phi(&self, t: Twofold<S>, q: &[Twofold<S>; NQ]) -> [Twofold<S>; NC] {
+        let phi = self.of.phi(t, q);
+        Vector::from_fn(|r| phi[r] - self.open[r])
+    }
+    fn phi_dot(&self, t: Twofold<S>, q: &[Twofold<S>; NQ], v: &[Twofold<S>; NQ]) -> [Twofold<S>; NC] {
+        self.of.phi_dot(t, q, v)
+    }
+    fn phi_q(&self, t: Twofold<S>, q: &[Twofold<S>; NQ], each: &mut impl FnMut(usize, usize, Twofold<S>)) {
+        self.of.phi_q(t, q, each);
+    }
+    fn min_norm(
+        &self,
+        t: Twofold<S>,
+        q: &[Twofold<S>; NQ],
+        w: &[Twofold<S>; NQ],
+        r: &[Twofold<S>; NC],
+        dq: &mut [Twofold<S>; NQ],
+    ) -> Health<Twofold<S>> {
+        self.of.min_norm(t, q, w, r, dq)
+    }
+    fn inverse_mass(&self) -> [Twofold<S>; NQ] {
+        self.of.inverse_mass()
+    }
+    fn start_position(&self) -> [Start<Twofold<S>>; NQ] {
+        self.of.start_position()
+    }
+    fn start_velocity(&self, q: &[Twofold<S>; NQ]) -> [Start<Twofold<S>>; NQ] {
+        self.of.start_velocity(q)
+    }
+    fn length(&self) -> Twofold<S> {
+        self.of.length()
+    }
+}
 
 /// A state led back onto the constraints, and its rate.
 pub(super) struct Evaluated<S, const NX: usize> {
@@ -22,11 +78,21 @@ pub(super) struct Evaluated<S, const NX: usize> {
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equations<M, NQ, NC, NX> {
+    /// Of closed joints.
+    pub(super) fn of(system: M) -> Self {
+        Self { system, open: [Twofold::ZERO; NC] }
+    }
+
+    /// The constraints.
+    pub(super) fn opened<'m>(&'m self, fine: &'m M::Twofold) -> Opened<'m, M::Twofold, M::S, NC> {
+        Opened { of: fine, open: &self.open }
+    }
+
     /// A state, led back, and its rate; none where the loops cannot be closed.
     pub(super) fn evaluate(&self, t: M::S, held: &M::U, x: &[M::S; NX]) -> Option<Evaluated<M::S, NX>> {
-        let (fine, inputs) = self.0.twofold(held);
+        let (fine, inputs) = self.system.twofold(held);
         let (t, mut x) = (Twofold::of(t), Vector::from_fn(|i| Twofold::of(x[i])));
-        if !nearest::<_, _, NQ, NC, NX>(&fine, t, &mut x) {
+        if !nearest::<_, _, NQ, NC, NX>(&self.opened(&fine), t, &mut x) {
             return None;
         }
         let mut dx = x;
@@ -41,18 +107,21 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     pub(super) fn is_beside(&self, x: &[M::S; NX], evaluated: &Evaluated<M::S, NX>) -> bool {
         let moved: [M::S; NX] = Vector::from_fn(|i| evaluated.x.at(i) - x.at(i));
         let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
-        size(&moved, |i| self.typical_of(i) + x.at(i).abs()) < beside
+        let tangent = M::S::lit(TANGENT).max(M::S::EPSILON.sqrt());
+        let allowed = |i: usize| if (NQ..2 * NQ).contains(&i) { tangent } else { beside };
+        size(&moved, |i| allowed(i) * (self.typical_of(i) + x.at(i).abs())) < M::S::lit(1.0)
     }
 
     /// By how much joints are open at a state, all together: what a flat loop lacks is spread over all of them.
     pub(super) fn gap(&self, t: M::S, x: &[M::S; NX]) -> M::S {
         let (q, _) = split::<_, NX, NQ>(x);
-        Absolute::phi(&self.0, t, &q).fold(M::S::ZERO, |sum, gap| sum + gap.abs())
+        let phi = self.system.phi(t, &q);
+        (0..NC).fold(M::S::ZERO, |sum, r| sum + (phi[r] - self.open[r].rounded()).abs())
     }
 
     /// The largest length of a state, m: an angle of four radians is rounded as its ports' places are.
     pub(super) fn size(&self, x: &[M::S; NX]) -> M::S {
-        let length = self.0.length();
+        let length = self.system.length();
         (0..NQ).fold(length, |most: M::S, i| {
             let turned = if i % 3 == 2 { M::S::lit(0.25) * length } else { M::S::lit(1.0) };
             most.max(turned * x.at(i).abs())
@@ -62,9 +131,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// Typical size of each number of a state.
     pub(super) fn typical_of(&self, i: usize) -> M::S {
         match i {
-            _ if i >= 2 * NQ => self.0.typical().at(2 * M::NQ + i - 2 * NQ),
+            _ if i >= 2 * NQ => self.system.typical().at(2 * M::NQ + i - 2 * NQ),
             _ if i % NQ.max(1) % 3 == 2 => M::S::lit(1.0),
-            _ => self.0.length(),
+            _ => self.system.length(),
         }
     }
 }

@@ -17,13 +17,19 @@
 
 mod ahead;
 mod collocation;
+mod combined;
+mod critical;
 mod equations;
 mod leap;
+mod lock;
+mod meeting;
 mod near;
 mod poor;
+mod start;
 
 pub(crate) use self::near::LONG;
 pub use self::near::Near;
+pub use self::start::refine;
 
 use crate::Absolute;
 use crate::fault::Fault;
@@ -73,6 +79,9 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
     type Twofold: Absolute<Twofold<Self::S>, NQ, NC>;
     /// Inputs in those numbers.
     type Inputs;
+
+    /// The mechanism.
+    fn fine(&self) -> Self::Twofold;
 
     /// The mechanism and what it holds over a step.
     fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs);

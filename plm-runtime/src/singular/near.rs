@@ -4,12 +4,14 @@ use super::ahead::Ahead;
 use super::collocation::Polynomial;
 use super::equations::{Equations, Evaluated};
 use super::leap::{Refused, leap};
+use super::meeting::Meeting;
 use super::poor::{is_doubtful, is_poor, is_regular, turned};
 use super::{Fine, Rescue};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Leg};
+use crate::twofold::Twofold;
 use crate::vector::Vector;
 
 /// Relative tolerance of the steps around a pose ...
@@ -49,6 +51,8 @@ const SINGLE: f64 = 0.3;
 #[derive(Clone, Copy, Debug)]
 pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
     around: Embedded<Equations<M, NQ, NC, NX>, DormandPrince853>,
+    /// Its relative tolerance where the state is not rounded by more.
+    tolerance: M::S,
     /// The last step, if it was one by collocation: its beginning, and the solution over it and beyond.
     over: Option<(M::S, Polynomial<M::S, NX>)>,
     /// The part that closes the loop which went through a flat pose in the last step.
@@ -59,6 +63,8 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     undecided: u32,
     /// By how much joints would have opened in the last step over the pose ahead that was tried.
     opens: M::S,
+    /// What joints are open by in the last step, so that the mechanism comes to the singular pose.
+    open: [Twofold<M::S>; NC],
 }
 
 /// How much of a box a step crosses next to a flat pose: of a tenth of the turn there.
@@ -78,16 +84,36 @@ struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usi
     evaluated: Option<Evaluated<M::S, NX>>,
 }
 
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
+    fn of(equations: Equations<M, NQ, NC, NX>, course: &Course<'_, M>, full: [M::S; NX]) -> Self {
+        let evaluated = equations.evaluate(course.time, &course.held, &full);
+        Self { equations, full, evaluated }
+    }
+
+    /// What lies ahead, if the motion is known.
+    fn ahead(&self, course: &Course<'_, M>) -> Option<Ahead<M::S>> {
+        let evaluated = self.evaluated.as_ref()?;
+        Some(Ahead::of(&self.equations, (course.time, &course.held), evaluated))
+    }
+}
+
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Near<M, NQ, NC, NX> {
+    /// The equations of the last step.
+    fn equations(&self, system: &M) -> Equations<M, NQ, NC, NX> {
+        Equations { system: *system, open: self.open }
+    }
+
     /// A step around a pose: one that follows its turn.
     fn step_around(
         &mut self,
         course: &mut Course<'_, M>,
         here: &Here<M, NQ, NC, NX>,
-        longest: M::S,
+        (longest, scale): (M::S, M::S),
     ) -> Result<(), Fault> {
         let equations = &here.equations;
         self.around.longest_step = longest;
+        // What a state is rounded by turns the motion by as many radians as it is parts of the turn's length.
+        self.around.rtol = self.tolerance.max(M::S::EPSILON / scale);
         let (held, time, end) = (course.held, course.time, course.end);
         let told = (&mut *course.stats, &mut *course.longest_step);
         let mut inner = Course::new((equations, held), (time, here.full), end, told);
@@ -145,6 +171,22 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         }
     }
 
+    /// A step over the pose that is so far ahead.
+    fn meet(
+        &mut self,
+        course: &mut Course<'_, M>,
+        here: &Here<M, NQ, NC, NX>,
+        (ahead, distance): (&Ahead<M::S>, M::S),
+    ) -> Result<(), Refused<M::S>> {
+        let flat = ahead.time_to(distance);
+        // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
+        let at = flat < M::S::lit(BARELY) * M::S::EPSILON * course.time.abs();
+        let spans = SPANS.into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
+        let away = AWAY.into_iter().map(M::S::lit).filter(|_| distance < M::S::lit(BESIDE));
+        let times = spans.chain(away).map(|span| ahead.time_to(span));
+        self.step_over(course, here, (times, Some(flat)))
+    }
+
     /// A state from which nothing is known but its pose and velocity.
     fn leave(&mut self, course: &mut Course<'_, M>, here: &Here<M, NQ, NC, NX>) -> Result<(), Fault> {
         let speed = (0..NQ).fold(M::S::ZERO, |most: M::S, i| {
@@ -182,32 +224,31 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.passed = None;
         course.stats.near_singular += 1;
-        let equations = Equations(*course.system);
         let full = course.system.full(course.time, &course.held, &course.x);
-        let evaluated = equations.evaluate(course.time, &course.held, &full);
-        let here = Here { equations, full, evaluated };
-        let Some(evaluated) = &here.evaluated else {
+        let closed = Here::of(Equations::of(*course.system), course, full);
+        let ahead = closed.ahead(course);
+        let meeting = Meeting::of(course, &full, ahead.as_ref())?;
+        self.open = if let Meeting::Reached(open) = meeting { open } else { [Twofold::ZERO; NC] };
+        let (here, ahead) = match meeting {
+            Meeting::Reached(open) => {
+                let here = Here::of(Equations { open, ..closed.equations }, course, full);
+                let ahead = here.ahead(course);
+                (here, ahead)
+            }
+            Meeting::Missed | Meeting::Unknown => (closed, ahead),
+        };
+        let (Some(evaluated), Some(ahead)) = (&here.evaluated, ahead) else {
             return self.leave(course, &here);
         };
-        if !equations.is_beside(&full, evaluated) {
+        if !here.equations.is_beside(&full, evaluated) {
             return Err(self.fault(course, &here, Refused::NotFound));
         }
-        let here = Here { full: evaluated.x, ..here };
-        let Some(evaluated) = &here.evaluated else {
-            return self.leave(course, &here);
-        };
-        let ahead = Ahead::of(&equations, (course.time, &course.held), evaluated);
+        let here = Here { full: evaluated.x, evaluated: here.evaluated, equations: here.equations };
         let (longest, rest) = (ahead.longest_step(), course.end - course.time);
-        match ahead.flat().filter(|_| rest > longest) {
+        match ahead.flat().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,
             Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
-                let flat = ahead.time_to(distance);
-                // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
-                let at = flat < M::S::lit(BARELY) * M::S::EPSILON * course.time.abs();
-                let spans = SPANS.into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
-                let away = AWAY.into_iter().map(M::S::lit).filter(|_| distance < M::S::lit(BESIDE));
-                let times = spans.chain(away).map(|span| ahead.time_to(span));
-                match self.step_over(course, &here, (times, Some(flat))) {
+                match self.meet(course, &here, (&ahead, distance)) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
                         return Err(self.fault(course, &here, refused));
@@ -223,9 +264,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             }
             Some(_) => {}
         }
-        self.step_around(course, &here, longest).map_err(|failed| match failed.cause {
-            Cause::StepTooSmall { .. } | Cause::NotFinite => self.fault(course, &here, Refused::NotFound),
-            _ => failed,
+        self.step_around(course, &here, (longest, ahead.scale())).map_err(|failed| {
+            match (failed.cause, meeting) {
+                (Cause::StepTooSmall { .. } | Cause::NotFinite, Meeting::Unknown) => {
+                    self.fault(course, &here, Refused::NotFound)
+                }
+                _ => failed,
+            }
         })
     }
 
@@ -233,7 +278,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         if self.over.is_some() {
             return Ok(());
         }
-        let equations = Equations(*course.system);
+        let equations = self.equations(course.system);
         let x = course.system.full(course.time, &course.held, &course.x);
         let (held, time, end) = (course.held, course.time, course.end);
         let told = (&mut *course.stats, &mut *course.longest_step);
@@ -250,7 +295,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             polynomial.at((time - *from) / polynomial.h)
         } else {
             let full = self.around.interpolate(time);
-            let equations = Equations(*course.system);
+            let equations = self.equations(course.system);
             equations.evaluate(time, &course.held, &full).map_or(full, |evaluated| evaluated.x)
         };
         let (mut held, mut x) = (course.held, course.x);
@@ -287,11 +332,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
         let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
         Self {
             around: Embedded::new(M::S::lit(tolerance)),
+            tolerance: M::S::lit(tolerance),
             over: None,
             passed: None,
             tried: M::S::INFINITY,
             undecided: 0,
             opens: M::S::ZERO,
+            open: [Twofold::ZERO; NC],
         }
     }
 

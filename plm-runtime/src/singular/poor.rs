@@ -36,11 +36,10 @@ const BESIDE: f64 = 0.01;
 fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     system: &M,
     t: M::S,
-    full: &[M::S; NX],
+    q: &[M::S; NQ],
 ) -> M::S {
-    let (q, _) = split::<_, NX, NQ>(full);
     let pivot = |turns: &f64| {
-        let far = beside(&q, &[M::S::lit(*turns); NQ], system.length());
+        let far = beside(q, &[M::S::lit(*turns); NQ], system.length());
         smallest_pivot(system, t, &far)
     };
     ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
@@ -52,7 +51,7 @@ fn lowest_of_usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const 
     leg: &Leg<'_, M>,
 ) -> M::S {
     let full = leg.system.full(leg.to.0, leg.held, leg.to.1);
-    let usual = usual(leg.system, leg.to.0, &full);
+    let usual = usual(leg.system, leg.to.0, &split::<_, NX, NQ>(&full).0);
     if Health(usual).is_good() { lowest(leg, M::S::lit(LOW) * usual) / usual } else { M::S::lit(1.0) }
 }
 
@@ -157,6 +156,17 @@ fn travel<M: Mechanism>(leg: &Leg<'_, M>) -> M::S {
     (leg.to.0 - leg.from.0) * speed
 }
 
+/// Is a pose so near to a singular one that its pivot is below this part of what is usual?
+pub(super) fn is_near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    q: &[M::S; NQ],
+    part: M::S,
+) -> bool {
+    let here = smallest_pivot(system, t, q);
+    here < part && here < part * usual(system, t, q)
+}
+
 /// Is a state away from singular poses?
 pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     system: &M,
@@ -164,7 +174,7 @@ pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, 
     full: &[M::S; NX],
 ) -> bool {
     let (q, _) = split::<_, NX, NQ>(full);
-    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, full)
+    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, &q)
 }
 
 /// May a step have led over poses that are nearly singular?

@@ -24,6 +24,7 @@
 //! whose numbers of algorithms stand at the operations.
 
 mod constants;
+mod decimal;
 mod functions;
 mod operators;
 mod scalar;

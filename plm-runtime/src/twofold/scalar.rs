@@ -8,17 +8,23 @@ impl<S: Real> Scalar for Twofold<S> {
     type Turns = i32;
 
     const ZERO: Self = Self::of(S::ZERO);
-    /// What repeats itself but for rounding of the lengths in `S` stays below.
-    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
+    /// What repeats itself but for rounding of the lengths in `S` stays below: at the distance d from a flat pose the square of a unit
+    /// in the last place over d. Lengths that differ by more than they are rounded stay above: by about their difference.
+    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * if S::PRECISION < 1e-12 { 3e-7 } else { 3e-5 };
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
 
-    /// The constant `x`, with 48 of its 53 bits where the words are of `f32`.
+    /// The constant `x` [as it was written](Twofold::written); with 48 of its 53 bits where the words are of `f32`.
     #[inline]
     fn lit(x: f64) -> Self {
         let high = S::lit(x);
-        if high.is_finite() { Self { high, low: S::lit(x - high.to_f64()) } } else { Self::of(high) }
+        let low = x - high.to_f64();
+        match () {
+            () if low == 0.0 => Self::written(high),
+            () if high.is_finite() => Self { high, low: S::lit(low) },
+            () => Self::of(high),
+        }
     }
     #[inline]
     fn of_turns(turns: i32) -> Self {

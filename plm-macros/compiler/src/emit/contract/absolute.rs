@@ -28,7 +28,7 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let (entries, places) = (number(places.len() / 2), compact::numbers(emission, &places));
     let length = Literal::f64_unsuffixed(report.length);
     let [(literals, positions), (_, velocities)] = starts(emission);
-    let branch = branch(emission);
+    let (branch, refine) = (branch(emission), super::singular::refine(emission));
     let of_pose = |docs, arguments: &[&str], of| body(emission, docs, arguments, (of, Origin::Pose));
     let (phi_docs, phi) = of_pose(
         "Residuals of the constraints, m or rad; the rows stand in the table of this module.",
@@ -120,6 +120,7 @@ Returns the smallest pivot ratio of the factorisation.",
                 #velocities
             }
             #branch
+            #refine
         }
     }
 }

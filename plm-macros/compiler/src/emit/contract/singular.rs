@@ -44,10 +44,12 @@ pub(crate) fn fine(emission: &Emission) -> TokenStream {
             type Twofold = #name<rt::Twofold<S>>;
             type Inputs = Held<rt::Twofold<S>>;
 
+            fn fine(&self) -> Self::Twofold {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            }
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact))
+                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
             }
             #[cold]
             fn accelerate(
@@ -63,6 +65,18 @@ pub(crate) fn fine(emission: &Emission) -> TokenStream {
             #between
         }
     }
+}
+
+/// The start next to a singular pose, for `Absolute`.
+pub(crate) fn refine(emission: &Emission) -> Option<TokenStream> {
+    let Sizes { nq, nc, full, .. } = &emission.sizes;
+    emission.may_be_singular.then(|| {
+        quote! {
+            fn refine(&self, t: S, q: &[S; #nq]) -> Option<([S; #nq], [S; #nq])> {
+                rt::singular::refine::<Self, #nq, #nc, #full>(self, t, q)
+            }
+        }
+    })
 }
 
 /// What `Fine` asks of a mechanism that is in absolute coordinates anyway.

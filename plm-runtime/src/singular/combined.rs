@@ -1,0 +1,81 @@
+//! Rows of a pose, combined: which of them depend on each other.
+
+use crate::linalg::{add, dot, largest};
+use crate::scalar::Real;
+
+/// Singular values below this part of the largest vanish together at the singular pose.
+const SMALL: f64 = 1e-3;
+/// Where they do they are below this part of it.
+const VANISHED: f64 = 1e-6;
+/// A singular value below so many units in the last place of the largest, at a pose that is not singular, is that of rows that repeat
+/// others.
+const REPEATED: f64 = 1e3;
+
+/// The rows of a pose by how they depend on each other: combinations of them that are orthogonal.
+pub(super) struct Combined<S, const NQ: usize, const NC: usize> {
+    /// Orthogonal rows.
+    pub(super) rows: [[S; NQ]; NC],
+    /// How they are made.
+    pub(super) of: [[S; NC]; NC],
+    /// Their norms.
+    pub(super) sizes: [S; NC],
+    /// Up to this size they vanish at the singular pose.
+    pub(super) small: S,
+    /// Combinations of rows that say something.
+    pub(super) kept: [bool; NC],
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
+    pub(super) fn nothing() -> Self {
+        let zero = S::ZERO;
+        Self {
+            rows: [[zero; NQ]; NC],
+            of: [[zero; NC]; NC],
+            sizes: [zero; NC],
+            small: zero,
+            kept: [true; NC],
+        }
+    }
+
+    /// Tells those that vanish at the singular pose: up to so many times the smallest.
+    pub(super) fn part(&mut self, together: S) {
+        let small = if together > S::lit(1.0) { S::lit(SMALL) * largest(&self.sizes) } else { S::ZERO };
+        self.small = (together * self.least()).max(small);
+    }
+
+    /// Have they vanished?
+    pub(super) fn has_vanished(&self) -> bool {
+        let vanished = S::lit(VANISHED).max(S::lit(REPEATED) * S::EPSILON) * largest(&self.sizes);
+        self.vanishing().all(|k| self.sizes[k] <= vanished)
+    }
+
+    /// Does a combination not vanish at the singular pose?
+    pub(super) fn is_regular(&self, k: usize) -> bool {
+        self.kept[k] && self.sizes[k] > self.small
+    }
+
+    /// The combinations that vanish there.
+    pub(super) fn vanishing(&self) -> impl Iterator<Item = usize> {
+        (0..NC).filter(|k| self.kept[*k] && self.sizes[*k] <= self.small)
+    }
+
+    /// Do rows repeat others? The pose is not to be singular.
+    pub(super) fn repeats(&self) -> bool {
+        self.least() < S::lit(REPEATED) * S::EPSILON * largest(&self.sizes)
+    }
+
+    /// The size of the smallest combination.
+    pub(super) fn least(&self) -> S {
+        let kept = self.sizes.iter().zip(&self.kept).filter(|(_, kept)| **kept);
+        kept.fold(S::INFINITY, |least, (size, _)| least.min(*size))
+    }
+
+    /// Takes away of a direction what the regular combinations do not allow.
+    pub(super) fn leave(&self, along: &mut [S; NQ]) {
+        for k in (0..NC).filter(|k| self.is_regular(*k)) {
+            let (row, size) = (&self.rows[k], self.sizes[k]);
+            let factor = -dot(row, along) / (size * size);
+            add(along, factor, row);
+        }
+    }
+}

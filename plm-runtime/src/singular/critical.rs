@@ -1,0 +1,343 @@
+//! The singular pose next to a state, and by how much the lengths miss it.
+//!
+//! At a singular pose a combination of constraint rows vanishes, `phi_q^T lambda = 0`. Such poses are where
+//! `lambda^T phi`, on the poses that all other combinations of rows allow, has a critical point; its value there is the
+//! difference of lengths by which the mechanism misses the pose (W. J. F. Govaerts, Numerical Methods for Bifurcations of
+//! Dynamical Equilibria, SIAM 2000, 4.1 on the reduction to one equation). A sum of lengths that vanishes within the rounding
+//! of its terms is zero: the mechanism comes to the pose itself, and this is known from its lengths alone, wherever on
+//! its way it is asked for.
+
+use super::Fine;
+use super::combined::Combined;
+use crate::absolute::{Absolute, phi_q_matrix};
+use crate::linalg::{add, diagonal, dot, largest, rotate};
+use crate::scalar::{Real, Scalar};
+use crate::twofold::Twofold;
+use crate::vector::Vector;
+use crate::workspace;
+
+/// Newton steps that are enough from a pose near the singular one.
+const ITERATIONS: usize = 16;
+/// From a pose that is farther away than this, rad (or lengths of the mechanism), another one may be found.
+const FAR: f64 = 0.5;
+/// Singular values vanish together with the smallest up to so many times it, or it does alone.
+const TOGETHER: [f64; 2] = [8.0, 1.0];
+/// Curvatures below this part of the largest are rounding of the difference quotients, squared.
+const CURVED: f64 = 1e-8;
+/// A length that was read from decimals is off by half a unit in the last place, one that was multiplied by a unit or a count
+/// before by a quarter more at most.
+const ROUNDED: f64 = 0.75;
+
+/// A singular pose.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Critical<S, const NQ: usize, const NC: usize> {
+    /// The pose.
+    pub(super) q: [Twofold<S>; NQ],
+    /// What stays open there, m and rad.
+    pub(super) open: [Twofold<S>; NC],
+    /// The combination of rows that vanishes there, of residuals in m; its largest entry is 1.
+    pub(super) combination: [S; NC],
+    /// By how much joints are open, all together, m: the difference of lengths.
+    pub(super) gap: S,
+    /// What the rounding of the lengths may make of that, m.
+    rounding: S,
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> Critical<S, NQ, NC> {
+    /// Whether the lengths are those with which the mechanism comes to the pose.
+    pub(super) fn is_reached(&self) -> bool {
+        self.gap <= self.rounding
+    }
+}
+
+/// The constraints with all residuals in m: angles at the size of the mechanism, which positions are measured by.
+pub(super) struct Rows<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+    system: &'m M,
+    fine: &'m M::Twofold,
+    length: M::S,
+    /// Rows that say something: the others repeat what they say at every pose, and elimination leaves them out.
+    kept: [bool; NC],
+}
+
+impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'m, M, NQ, NC, NX> {
+    /// Of a mechanism that is at the pose `q`.
+    pub(super) fn at(system: &'m M, fine: &'m M::Twofold, t: M::S, q: &[Twofold<M::S>; NQ]) -> Self {
+        Self::of(system, fine).without_repeated(t, q)
+    }
+
+    fn of(system: &'m M, fine: &'m M::Twofold) -> Self {
+        Self { system, fine, length: system.length(), kept: [true; NC] }
+    }
+
+    /// The same where rows repeat others at the pose `q`: without those that elimination leaves out there, of which a residual moves
+    /// nothing.
+    fn without_repeated(mut self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Self {
+        let pose = Vector::from_fn(|i| q[i].rounded());
+        let mut combined = Combined::nothing();
+        let repeats = self.combined(t, &pose, &mut combined).is_some() && combined.repeats();
+        if repeats {
+            for k in 0..NC {
+                let r = Vector::from_fn(|r| Twofold::lit(if r == k { 1.0 } else { 0.0 }));
+                let mut dq = [Twofold::ZERO; NQ];
+                self.fine.min_norm(Twofold::of(t), q, &[Twofold::lit(1.0); NQ], &r, &mut dq);
+                self.kept[k] = largest(&dq) > Twofold::ZERO;
+            }
+        }
+        self
+    }
+
+    /// The singular pose next to `q`; none where none is near.
+    pub(super) fn critical(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Critical<M::S, NQ, NC>> {
+        let room = workspace::of::<M::S, NQ, NC>() + 2 * size_of::<[[M::S; NQ]; NQ]>();
+        if room > workspace::allowed() {
+            return None;
+        }
+        TOGETHER.into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
+    }
+
+    /// The same for singular values that vanish together with the smallest, up to so many times it.
+    fn newton(&self, t: M::S, q: &[Twofold<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
+        let (mut q, mut way) = (*q, M::S::ZERO);
+        for _ in 0..ITERATIONS {
+            let dq = self.step(t, &q, together)?;
+            let moved = largest(&dq);
+            way = way + moved;
+            // False for what is not a number.
+            let near = way < M::S::lit(FAR);
+            if !near {
+                return None;
+            }
+            q = Vector::from_fn(|i| q[i] + Twofold::of(self.column(i) * dq[i]));
+            // The error of a Newton step is about the square of the next.
+            if moved < M::S::EPSILON.sqrt() * M::S::lit(1e-2) {
+                return self.told(t, q, together);
+            }
+        }
+        None
+    }
+
+    /// The unit of a coordinate.
+    fn column(&self, i: usize) -> M::S {
+        if i % 3 == 2 { M::S::lit(1.0) } else { self.length }
+    }
+
+    /// The unit of a row.
+    fn row(&self, r: usize) -> M::S {
+        if <M as Absolute<M::S, NQ, NC>>::ANGULAR.get(r).copied().unwrap_or(false) {
+            self.length
+        } else {
+            M::S::lit(1.0)
+        }
+    }
+
+    /// Residuals, m.
+    fn phi(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> [M::S; NC] {
+        self.in_metres(&self.fine.phi(Twofold::of(t), q))
+    }
+
+    /// Residuals in m.
+    pub(super) fn in_metres(&self, open: &[Twofold<M::S>; NC]) -> [M::S; NC] {
+        Vector::from_fn(|r| self.row(r) * open[r].rounded())
+    }
+
+    /// What a row holds at a pose, m or rad: the sum that stands beside the prescribed value.
+    pub(super) fn held_value(&self, t: M::S, q: &[M::S; NQ], row: usize) -> M::S {
+        let mut value = M::S::ZERO;
+        self.system.phi_q(t, q, &mut |r, i, entry| {
+            value = if r == row { value + entry * q.at(i) } else { value };
+        });
+        value
+    }
+
+    /// Rates of the residuals of what is prescribed, at rest, m/s.
+    pub(super) fn driven(&self, t: M::S, q: &[M::S; NQ]) -> [M::S; NC] {
+        let rate = self.system.phi_dot(t, q, &[M::S::ZERO; NQ]);
+        Vector::from_fn(|r| self.row(r) * rate[r])
+    }
+
+    /// `phi_q^T lambda`.
+    fn gradient(&self, t: M::S, q: &[M::S; NQ], lambda: &[M::S; NC]) -> [M::S; NQ] {
+        let mut gradient = [M::S::ZERO; NQ];
+        self.system.phi_q(t, q, &mut |r, i, entry| {
+            gradient.set(i, gradient.at(i) + lambda.at(r) * self.row(r) * self.column(i) * entry);
+        });
+        gradient
+    }
+
+    /// The derivative of that along a direction.
+    fn bend(&self, t: M::S, q: &[M::S; NQ], lambda: &[M::S; NC], along: &[M::S; NQ]) -> [M::S; NQ] {
+        let h = third::<M::S>();
+        let beside = |h: M::S| {
+            let q = Vector::from_fn(|i| q[i] + h * self.column(i) * along[i]);
+            self.gradient(t, &q, lambda)
+        };
+        let [ahead, behind] = [h, -h].map(beside);
+        Vector::from_fn(|i| (ahead[i] - behind[i]) / (h + h))
+    }
+
+    /// The rows at a pose, combined.
+    fn combined(&self, t: M::S, q: &[M::S; NQ], combined: &mut Combined<M::S, NQ, NC>) -> Option<()> {
+        phi_q_matrix(self.system, t, q, &mut combined.rows);
+        for (r, row) in combined.rows.iter_mut().enumerate() {
+            let unit = if self.kept[r] { self.row(r) } else { M::S::ZERO };
+            *row = Vector::from_fn(|i| unit * self.column(i) * row[i]);
+        }
+        combined.kept = self.kept;
+        diagonal(&mut combined.of);
+        combined.sizes = rotate(&mut combined.rows, &mut combined.of)?.values;
+        Some(())
+    }
+
+    /// A step of Newton's iteration towards the singular pose, in units of the coordinates.
+    #[inline(never)]
+    fn step(&self, t: M::S, at: &[Twofold<M::S>; NQ], together: M::S) -> Option<[M::S; NQ]> {
+        let q: [M::S; NQ] = Vector::from_fn(|i| at[i].rounded());
+        let mut combined = Combined::nothing();
+        self.combined(t, &q, &mut combined)?;
+        combined.part(together);
+        let r = self.phi(t, at);
+        let mut dq = [M::S::ZERO; NQ];
+        for k in (0..NC).filter(|k| combined.is_regular(*k)) {
+            let size = combined.sizes[k];
+            add(&mut dq, -dot(&combined.of[k], &r) / (size * size), &combined.rows[k]);
+        }
+        // The gradients of the others are to vanish in the directions that are left: least squares, since there may be several.
+        let mut normal = [[M::S::ZERO; NQ]; NQ];
+        let mut sides = [[M::S::ZERO]; NQ];
+        for k in combined.vanishing() {
+            self.add_curvature((t, &q), (&combined, k), &mut normal, &mut sides);
+        }
+        let curvatures = rotate(&mut normal, &mut sides)?;
+        let flat = curvatures.cut(M::S::lit(CURVED));
+        for (k, size) in curvatures.values.iter().enumerate().filter(|(_, size)| **size > flat) {
+            add(&mut dq, -sides[k][0] / (*size * *size), &normal[k]);
+        }
+        Some(dq)
+    }
+
+    /// Adds the normal equations of a combination that vanishes.
+    #[inline(never)]
+    fn add_curvature(
+        &self,
+        (t, q): (M::S, &[M::S; NQ]),
+        (combined, k): (&Combined<M::S, NQ, NC>, usize),
+        normal: &mut [[M::S; NQ]; NQ],
+        sides: &mut [[M::S; 1]; NQ],
+    ) {
+        let mut hessian = [[M::S::ZERO; NQ]; NQ];
+        self.curvature((t, q), (combined, &combined.of[k]), &mut hessian);
+        for i in 0..NQ {
+            for j in 0..NQ {
+                let factor = hessian[i][j];
+                add(&mut normal[i], factor, &hessian[j]);
+            }
+            sides[i][0] = sides[i][0] + dot(&hessian[i], &combined.rows[k]);
+        }
+    }
+
+    /// Second derivatives of `lambda^T phi` in the directions that the other combinations leave.
+    fn curvature(
+        &self,
+        (t, q): (M::S, &[M::S; NQ]),
+        (combined, lambda): (&Combined<M::S, NQ, NC>, &[M::S; NC]),
+        hessian: &mut [[M::S; NQ]; NQ],
+    ) {
+        for i in 0..NQ {
+            let mut along = [M::S::ZERO; NQ];
+            along.set(i, M::S::lit(1.0));
+            combined.leave(&mut along);
+            hessian[i] = self.bend(t, q, lambda, &along);
+            combined.leave(&mut hessian[i]);
+        }
+    }
+
+    /// Do the combinations that vanish curve to one side alone, in all directions that are left? A loop then has no pose beyond.
+    #[inline(never)]
+    pub(super) fn is_definite(&self, t: M::S, critical: &Critical<M::S, NQ, NC>) -> bool {
+        let q = critical.q.map(Twofold::rounded);
+        let mut combined = Combined::nothing();
+        if self.combined(t, &q, &mut combined).is_none() {
+            return false;
+        }
+        combined.part(M::S::lit(TOGETHER[0]));
+        let (mut hessian, mut of) = ([[M::S::ZERO; NQ]; NQ], [[M::S::ZERO; NQ]; NQ]);
+        self.curvature((t, &q), (&combined, &critical.combination), &mut hessian);
+        diagonal(&mut of);
+        let Some(curvatures) = rotate(&mut hessian, &mut of) else { return false };
+        let flat = curvatures.cut(M::S::lit(CURVED).sqrt());
+        let curved = (0..NQ).filter(|k| curvatures.values[*k] > flat);
+        let [mut up, mut down] = [false; 2];
+        for k in curved {
+            let rises = dot(&of[k], &hessian[k]) > M::S::ZERO;
+            (up, down) = (up || rises, down || !rises);
+        }
+        up != down
+    }
+
+    /// What is to be known of a singular pose.
+    #[inline(never)]
+    fn told(&self, t: M::S, q: [Twofold<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
+        let pose = q.map(Twofold::rounded);
+        let mut combined = Combined::nothing();
+        self.combined(t, &pose, &mut combined)?;
+        combined.part(together);
+        if !combined.has_vanished() {
+            return None;
+        }
+        let (rate, mut taken) = (self.driven(t, &pose), [M::S::ZERO; NC]);
+        let mut weights = [M::S::ZERO; NC];
+        for lambda in combined.vanishing().map(|k| &combined.of[k]) {
+            weights = Vector::from_fn(|r| weights[r].max(lambda[r].abs()));
+            if largest(&taken) <= M::S::ZERO || dot(lambda, &rate).abs() > dot(&taken, &rate).abs() {
+                taken = *lambda;
+            }
+        }
+        let (one, most) = (M::S::lit(1.0), largest(&taken));
+        let combination = Vector::from_fn(|r| taken[r] / most);
+        let all = largest(&weights);
+        weights = Vector::from_fn(|r| weights[r] / all);
+        let mut open = self.fine.phi(Twofold::of(t), &q);
+        for (open, _) in open.iter_mut().zip(&self.kept).filter(|(_, kept)| !**kept) {
+            *open = Twofold::ZERO;
+        }
+        let gap = self.in_metres(&open).iter().fold(M::S::ZERO, |gap, open| gap + open.abs());
+        let terms = self.terms(t, &pose);
+        let rounding = M::S::lit(ROUNDED) * M::S::EPSILON * dot(&weights, &terms);
+        // False for what is not a number.
+        let known = most > M::S::ZERO && gap < self.length.max(one);
+        known.then_some(Critical { q, open, combination, gap, rounding })
+    }
+
+    /// The lengths that each residual is a sum of, m: those that turn with bodies are its second derivatives by their angles; what
+    /// is left of it belongs to the ground.
+    fn terms(&self, t: M::S, q: &[M::S; NQ]) -> [M::S; NC] {
+        let (mut terms, mut rest) = ([M::S::ZERO; NC], [M::S::ZERO; NC]);
+        let angular = <M as Absolute<M::S, NQ, NC>>::ANGULAR;
+        self.system.phi_q(t, q, &mut |r, i, entry| {
+            let of_place = i % 3 != 2;
+            if of_place != angular.get(r).copied().unwrap_or(false) {
+                rest.set(r, rest.at(r) + self.row(r) * entry * q.at(i));
+            }
+        });
+        let h = third::<M::S>();
+        for i in (0..NQ).filter(|i| i % 3 == 2) {
+            let mut bends = [M::S::ZERO; NC];
+            for h in [h, -h] {
+                let mut beside = *q;
+                beside.set(i, q.at(i) + h);
+                self.system.phi_q(t, &beside, &mut |r, column, entry| {
+                    let entry = if column == i { self.row(r) * entry / (h + h) } else { M::S::ZERO };
+                    bends.set(r, bends.at(r) + entry);
+                });
+            }
+            terms = Vector::from_fn(|r| terms[r] + bends[r].abs());
+            rest = Vector::from_fn(|r| rest[r] - bends[r]);
+        }
+        Vector::from_fn(|r| terms[r] + rest[r].abs())
+    }
+}
+
+/// The third root of a unit in the last place, for difference quotients: the power of two next to it.
+fn third<S: Real>() -> S {
+    if S::EPSILON < S::lit(1e-12) { S::lit(1.0 / 131_072.0) } else { S::lit(1.0 / 256.0) }
+}

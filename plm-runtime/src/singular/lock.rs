@@ -1,0 +1,160 @@
+//! Where what is prescribed can go no further.
+//!
+//! The value of `lambda^T phi` at the singular pose next to a motion changes with the time where a row is prescribed. Where it comes
+//! to zero the two images of a loop meet, and there is no pose beyond: a fold of the motion over the time (W. J. F. Govaerts,
+//! Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000, 4.1).
+
+use super::Fine;
+use super::critical::{Critical, Rows};
+use crate::absolute::Absolute;
+use crate::fault::{Cause, Fault, Prescribed};
+use crate::linalg::dot;
+use crate::scalar::{Real, Scalar};
+use crate::twofold::Twofold;
+
+/// Newton steps in the time that are enough.
+const ITERATIONS: usize = 40;
+/// Steps that shrink by less than this are those towards a double root: images that touch and part again.
+const HALVED: f64 = 0.4;
+/// A time is found where it moves by so many units in the last place of the time, or of what is left.
+const FOUND: f64 = 16.0;
+
+/// How the singular pose next to a prescribed motion changes with the time.
+pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
+    /// Nothing is prescribed, or the motion does not come to the pose.
+    Never,
+    /// The motion ends at this time, s, at this pose.
+    At(S, Critical<S, NQ, NC>),
+    /// It comes to this pose and goes on.
+    Touches(Critical<S, NQ, NC>),
+}
+
+/// The value of `lambda^T phi` at the singular pose at a time, m, and its rate, m/s.
+struct Value<S, const NQ: usize, const NC: usize> {
+    time: S,
+    critical: Critical<S, NQ, NC>,
+    value: S,
+    rate: S,
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'_, M, NQ, NC, NX> {
+    /// How a prescribed motion that is next to a singular pose at the time `t` goes on.
+    pub(super) fn ends(&self, t: M::S, critical: Critical<M::S, NQ, NC>) -> Ends<M::S, NQ, NC> {
+        let first = self.value(t, critical, None);
+        if first.rate == M::S::ZERO || !self.is_definite(t, &first.critical) {
+            return Ends::Never;
+        }
+        self.fold(&first).unwrap_or(Ends::Never)
+    }
+
+    /// Follows the value to its zero, or to its extremum.
+    fn fold(&self, first: &Value<M::S, NQ, NC>) -> Option<Ends<M::S, NQ, NC>> {
+        let (mut at, mut last) = (self.after(first, first.newton())?, first.newton());
+        for _ in 0..ITERATIONS {
+            let step = at.newton();
+            if is_found(step, (first.time, at.time)) {
+                // What has been or is now is left behind.
+                return (at.time > first.time).then_some(Ends::At(at.time, at.critical));
+            }
+            if step.abs() > M::S::lit(HALVED) * last.abs() {
+                return self.extremum(first, at);
+            }
+            (at, last) = (self.after(&at, step)?, step);
+        }
+        None
+    }
+
+    /// Follows the rate of the value to its zero.
+    fn extremum(
+        &self,
+        first: &Value<M::S, NQ, NC>,
+        second: Value<M::S, NQ, NC>,
+    ) -> Option<Ends<M::S, NQ, NC>> {
+        let (mut before, mut rate) = (first.time, first.rate);
+        let mut at = second;
+        for _ in 0..ITERATIONS {
+            let step = -at.rate * (at.time - before) / (at.rate - rate);
+            if at.critical.is_reached() && is_found(step, (first.time, at.time)) {
+                return Some(Ends::Touches(at.critical));
+            }
+            if at.rate == M::S::ZERO || is_found(step, (first.time, at.time)) {
+                break;
+            }
+            (before, rate) = (at.time, at.rate);
+            at = self.after(&at, step)?;
+        }
+        let parts = at.value * first.value < M::S::ZERO && at.time > first.time;
+        if parts { self.between(first, at) } else { None }
+    }
+
+    /// The zero of the value between two times of different sign: Newton's steps, halves where these leave the interval.
+    fn between(&self, first: &Value<M::S, NQ, NC>, last: Value<M::S, NQ, NC>) -> Option<Ends<M::S, NQ, NC>> {
+        let (mut low, mut high, mut at) = (first.time, last.time, last);
+        for _ in 0..2 * ITERATIONS {
+            if at.value * first.value < M::S::ZERO {
+                high = at.time
+            } else {
+                low = at.time
+            }
+            let half = M::S::lit(0.5) * (low + high) - at.time;
+            let newton = at.newton();
+            let inside = at.time + newton > low && at.time + newton < high;
+            let step = if inside { newton } else { half };
+            if is_found(step, (first.time, at.time)) {
+                return Some(Ends::At(at.time, at.critical));
+            }
+            at = self.after(&at, step)?;
+        }
+        None
+    }
+
+    /// The value a time later.
+    fn after(&self, from: &Value<M::S, NQ, NC>, step: M::S) -> Option<Value<M::S, NQ, NC>> {
+        let time = from.time + step;
+        let critical = self.critical(time, &from.critical.q)?;
+        Some(self.value(time, critical, Some(&from.critical.combination)))
+    }
+
+    fn value(
+        &self,
+        time: M::S,
+        mut critical: Critical<M::S, NQ, NC>,
+        like: Option<&[M::S; NC]>,
+    ) -> Value<M::S, NQ, NC> {
+        if like.is_some_and(|like| dot(like, &critical.combination) < M::S::ZERO) {
+            critical.combination = critical.combination.map(|entry| -entry);
+        }
+        let rate = dot(&critical.combination, &self.driven(time, &critical.q.map(Twofold::rounded)));
+        let value = dot(&critical.combination, &self.in_metres(&critical.open));
+        Value { time, critical, value, rate }
+    }
+
+    /// The fault of a motion that ends at a singular pose.
+    pub(super) fn locked(&self, (t, part): (M::S, &'static str), critical: &Critical<M::S, NQ, NC>) -> Fault {
+        let q = critical.q.map(Twofold::rounded);
+        let (driven, mut row, mut most) = (self.driven(t, &q), 0, M::S::ZERO);
+        for (r, rate) in driven.iter().enumerate() {
+            let share = (critical.combination[r] * *rate).abs();
+            if share > most {
+                (row, most) = (r, share);
+            }
+        }
+        let prescribed = Prescribed {
+            row: <M as Absolute<M::S, NQ, NC>>::ROWS.get(row).copied().unwrap_or_default(),
+            value: self.held_value(t, &q, row).to_f64(),
+            angular: <M as Absolute<M::S, NQ, NC>>::ANGULAR.get(row).copied().unwrap_or_default(),
+        };
+        Fault { prescribed: Some(prescribed), ..Fault::of_part(t.to_f64(), part, Cause::Locked) }
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> Value<S, NQ, NC> {
+    fn newton(&self) -> S {
+        -self.value / self.rate
+    }
+}
+
+/// Is a step in the time nothing beside rounding and beside the way so far?
+fn is_found<S: Real>(step: S, (first, at): (S, S)) -> bool {
+    step.abs() <= S::lit(FOUND) * S::EPSILON * (at.abs() + first.abs()) + S::lit(1e-9) * (at - first).abs()
+}

@@ -1,0 +1,69 @@
+//! What the lengths tell of the singular pose next to a state.
+
+use super::ahead::Ahead;
+use super::critical::{Critical, Rows};
+use super::lock::Ends;
+use super::{Fine, size};
+use crate::absolute::split;
+use crate::fault::Fault;
+use crate::linalg::largest;
+use crate::method::Course;
+use crate::scalar::Real;
+use crate::twofold::Twofold;
+use crate::vector::Vector;
+
+/// So near to a pose, rad, lengths that are rounded turn the motion by `EPSILON` over the square of this.
+const BESIDE: f64 = 1e-4;
+/// A pose that is found from there is not farther away than this.
+const NEXT: f64 = 1e-3;
+
+/// How a mechanism meets a singular pose.
+pub(super) enum Meeting<S, const NC: usize> {
+    /// It comes to the pose, with joints that are open by less than the lengths are rounded, m and rad.
+    Reached([Twofold<S>; NC]),
+    /// It passes the pose by.
+    Missed,
+    /// No such pose was found.
+    Unknown,
+}
+
+impl<S: Real, const NC: usize> Meeting<S, NC> {
+    /// At a state in absolute coordinates.
+    ///
+    /// # Errors
+    /// [`Cause::Locked`](crate::Cause::Locked) where what is prescribed comes to its end before the interval does.
+    pub(super) fn of<M, const NQ: usize, const NX: usize>(
+        course: &Course<'_, M>,
+        full: &[S; NX],
+        ahead: Option<&Ahead<S>>,
+    ) -> Result<Self, Fault>
+    where
+        M: Fine<NQ, NC, NX, S = S>,
+    {
+        let (time, system) = (course.time, course.system);
+        let (fine, _) = system.twofold(&course.held);
+        let (q, v) = split::<_, NX, NQ>(full);
+        let rows = Rows::<M, NQ, NC, NX>::at(system, &fine, time, &Vector::from_fn(|i| Twofold::of(q[i])));
+        let driven = largest(&rows.driven(time, &q)) > S::ZERO;
+        // Beside the pose the motion is not known before the lengths are.
+        let distance = ahead.and_then(Ahead::near).filter(|distance| distance.abs() > S::lit(BESIDE));
+        let way = distance.zip(ahead).map_or(S::ZERO, |(distance, ahead)| ahead.signed_time_to(distance));
+        let guess = Vector::from_fn(|i| Twofold::of(q[i] + way * v[i]));
+        let is_next = |critical: &Critical<S, NQ, NC>| {
+            let off: [S; NQ] = Vector::from_fn(|i| q[i] - critical.q[i].rounded());
+            size(&off, |i| S::lit(1.0) + q[i].abs()) < S::lit(NEXT)
+        };
+        let known = distance.is_some() || driven;
+        let Some(critical) = rows.critical(time, &guess).filter(|critical| known || is_next(critical)) else {
+            return Ok(Self::Unknown);
+        };
+        Ok(match if driven { rows.ends(time, critical) } else { Ends::Never } {
+            Ends::At(end, critical) if end <= course.end => {
+                return Err(rows.locked((end, system.flat_part(time, full)), &critical));
+            }
+            Ends::Touches(critical) => Self::Reached(critical.open),
+            Ends::Never if critical.is_reached() => Self::Reached(critical.open),
+            Ends::At(..) | Ends::Never => Self::Missed,
+        })
+    }
+}

@@ -1,0 +1,55 @@
+//! Starts next to singular poses.
+
+use super::critical::Rows;
+use super::equations::Equations;
+use super::poor::is_near;
+use super::{Fine, size};
+use crate::absolute::{Absolute, closed};
+use crate::scalar::{Real, Scalar};
+use crate::start::Start;
+use crate::twofold::Twofold;
+use crate::vector::Vector;
+
+/// Assembly leaves gaps of rounding, which over the distance to a singular pose are turns. Below this part of what pivots are elsewhere
+/// they are told to be near: at a hundredth of a radian these turns are beyond the tenth digit.
+const NEAR: f64 = 1e-4;
+/// So far the joints are closed anew at most, as a part of typical sizes.
+const BESIDE: f64 = 1e-3;
+
+/// An assembled pose next to a singular one, closed as exactly as its locks allow, and the start velocity there; none elsewhere, and
+/// where the joints cannot be closed so near to it.
+pub fn refine<M, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    q: &[M::S; NQ],
+) -> Option<([M::S; NQ], [M::S; NQ])>
+where
+    M: Fine<NQ, NC, NX>,
+{
+    if !is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)) {
+        return None;
+    }
+    let fine = system.fine();
+    let wide = |of: &[M::S; NQ]| -> [Twofold<M::S>; NQ] { Vector::from_fn(|i| Twofold::of(of[i])) };
+    let rounded = |of: &[Twofold<M::S>; NQ]| -> [M::S; NQ] { Vector::from_fn(|i| of[i].rounded()) };
+    let mut equations = Equations::of(*system);
+    let critical = Rows::<M, NQ, NC, NX>::at(system, &fine, t, &wide(q)).critical(t, &wide(q));
+    if let Some(critical) = critical.filter(|critical| critical.is_reached()) {
+        equations.open = critical.open;
+    }
+    let weights = weights_of(&Absolute::start_position(system));
+    let velocity = |q: &[Twofold<M::S>; NQ]| {
+        let start = Absolute::start_velocity(system, &rounded(q));
+        (wide(&Vector::from_fn(|i| start[i].value)), weights_of(&start))
+    };
+    let exact = closed(&equations.opened(&fine), Twofold::of(t), (wide(q), &weights), velocity)?;
+    let [pose, v] = [&exact.0, &exact.1].map(rounded);
+    let moved: [M::S; NQ] = Vector::from_fn(|i| pose[i] - q[i]);
+    let beside = size(&moved, |i| equations.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
+    (beside && v.is_finite()).then_some((pose, v))
+}
+
+/// The metric in which locks stay.
+fn weights_of<S: Real, const NQ: usize>(start: &[Start<S>; NQ]) -> [Twofold<S>; NQ] {
+    Vector::from_fn(|i| Twofold::lit(if start[i].locked { 0.0 } else { 1.0 }))
+}
