@@ -25,6 +25,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what is not a number is to fail")]
 
 mod cases;
+mod driven;
 mod judge;
 mod mechanisms;
 mod options;
@@ -54,7 +55,11 @@ fn main() -> ExitCode {
     let holds = match (options.check_reference, options.case) {
         (true, _) => reference::check::all(),
         (false, Some(number)) => single(&options, number),
-        (false, None) => sweep(&options),
+        (false, None) => {
+            let driven =
+                options.only.is_some() || driven::sweep(options.seed, options.cases / 5, options.verbose);
+            sweep(&options) && driven
+        }
     };
     if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -17,11 +17,6 @@ impl Random {
         round(self.between(low, high))
     }
 
-    /// A multiple of 1/64: sums and differences of lengths are exact.
-    pub fn grid(&mut self, low: f64, high: f64) -> f64 {
-        (self.between(low, high) * 64.0).round() / 64.0
-    }
-
     /// Spread evenly in the logarithm, of either sign.
     pub fn logarithmic(&mut self, low: f64, high: f64) -> f64 {
         let size = 10_f64.powf(self.between(low.log10(), high.log10()));

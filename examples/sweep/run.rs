@@ -43,10 +43,12 @@ pub enum Pace {
     Whole,
     /// `run` with samples.
     Samples,
+    /// `step` of an eightieth of a second, each from a moment that was saved before the run went on.
+    Saved,
 }
 
 impl Pace {
-    pub const ALL: [Self; 4] = [Self::Milli, Self::Tenth, Self::Whole, Self::Samples];
+    pub const ALL: [Self; 5] = [Self::Milli, Self::Tenth, Self::Whole, Self::Samples, Self::Saved];
 }
 
 /// Samples are so far apart, s.
@@ -136,6 +138,7 @@ fn pace<M: Build, I: Method<M>>(
     let (length, calls) = match order.pace {
         Pace::Milli => (1e-3, 25),
         Pace::Tenth => (0.1, 1),
+        Pace::Saved => (0.0125, 2),
         Pace::Whole => (EVERY * order.samples as f64, 1),
         Pace::Samples => {
             let mut index = 0;
@@ -150,6 +153,11 @@ fn pace<M: Build, I: Method<M>>(
     let stride = (length * f64::from(calls) / EVERY).round() as usize;
     for index in (stride..=order.samples).step_by(stride) {
         for _ in 0..calls {
+            if order.pace == Pace::Saved {
+                let saved = sim.save();
+                let _ = sim.step(lit(3.0 * length));
+                sim.resume(&saved);
+            }
             sim.step(lit(length))?;
         }
         // Many short intervals need not end where their number says: the time is the mechanism's own.

@@ -83,6 +83,8 @@ pub struct Scene {
     pub load: Load,
     /// m/s^2, along -y
     pub gravity: f64,
+    /// How much farther along x a port is than its number, m: what rounding has left out of a length that is meant to be exact.
+    pub rests: Vec<(Frame, f64)>,
 }
 
 /// Which frame: the body (none is the ground) and the number of its port.
@@ -100,6 +102,7 @@ impl Scene {
             joints: vec![Joint::default(); shape.joints.len()],
             load: Load::default(),
             gravity: 0.0,
+            rests: Vec::new(),
         }
     }
 
@@ -124,6 +127,17 @@ impl Scene {
             None => &mut self.ground[port],
             Some(body) => &mut self.bodies[body].ports[port],
         }
+    }
+
+    /// Puts a port to a place along x, m, and what rounding has left out of it.
+    pub fn set_along(&mut self, frame: Frame, [place, rest]: [f64; 2]) {
+        self.port_mut(frame)[0] = place;
+        self.rests.push((frame, rest));
+    }
+
+    /// What rounding has left out of a port's place along x, m.
+    pub fn rest(&self, frame: Frame) -> f64 {
+        self.rests.iter().find(|(of, _)| *of == frame).map_or(0.0, |(_, rest)| *rest)
     }
 
     /// All numbers in the order of the declaration's parameters.

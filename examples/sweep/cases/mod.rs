@@ -2,6 +2,7 @@
 
 mod linkages;
 mod placed;
+mod ruler;
 
 use crate::mechanisms::{ENTRIES, Entry};
 use crate::random::Random;
@@ -32,25 +33,25 @@ pub struct Kind {
 }
 
 /// All kinds; the shares add up to a hundred.
-pub const KINDS: [Kind; 13] = [
+pub const KINDS: [Kind; 17] = [
     Kind {
         name: "tree",
-        share: 11,
+        share: 10,
         mechanisms: &["tree_2", "tree_3", "tree_4", "tree_5"],
         draw: placed::tree,
     },
-    Kind { name: "four-bar", share: 9, mechanisms: &["four_bar"], draw: placed::four_bar },
-    Kind { name: "neutral four-bar", share: 11, mechanisms: &["four_bar"], draw: linkages::neutral_four_bar },
+    Kind { name: "four-bar", share: 8, mechanisms: &["four_bar"], draw: placed::four_bar },
+    Kind { name: "neutral four-bar", share: 8, mechanisms: &["four_bar"], draw: linkages::neutral_four_bar },
     Kind {
         name: "nearly neutral four-bar",
-        share: 16,
+        share: 12,
         mechanisms: &["four_bar"],
         draw: linkages::nearly_neutral_four_bar,
     },
     Kind { name: "slider-crank", share: 5, mechanisms: &["slider_crank"], draw: placed::slider_crank },
     Kind {
         name: "slider-crank, r near l",
-        share: 11,
+        share: 8,
         mechanisms: &["slider_crank"],
         draw: linkages::slider_crank,
     },
@@ -65,17 +66,36 @@ pub const KINDS: [Kind; 13] = [
     Kind { name: "Newton group", share: 5, mechanisms: &["platform", "butterfly"], draw: placed::group },
     Kind {
         name: "ladder",
-        share: 4,
+        share: 3,
         mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
         draw: linkages::ladder,
     },
     Kind {
         name: "nearly neutral ladder",
-        share: 4,
+        share: 3,
         mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
         draw: linkages::nearly_neutral_ladder,
     },
     Kind { name: "third crank", share: 4, mechanisms: &["third_crank"], draw: linkages::third_crank },
+    Kind { name: "decimal four-bar", share: 8, mechanisms: &["four_bar"], draw: linkages::decimal_four_bar },
+    Kind {
+        name: "decimal slider-crank",
+        share: 3,
+        mechanisms: &["slider_crank"],
+        draw: linkages::decimal_slider_crank,
+    },
+    Kind {
+        name: "decimal ladder",
+        share: 3,
+        mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
+        draw: linkages::decimal_ladder,
+    },
+    Kind {
+        name: "decimal third crank",
+        share: 2,
+        mechanisms: &["third_crank"],
+        draw: linkages::decimal_third_crank,
+    },
 ];
 
 impl Kind {
@@ -176,12 +196,13 @@ impl Case {
 
     /// Whether numbers of this precision can tell which motion it is: `epsilon` is their unit in the last place.
     pub fn decidable(&self, epsilon: f64) -> bool {
-        // 1e-13 of the lengths in f64; in f32 by as many units in the last place.
-        let least = 1e-13 * (epsilon / f64::EPSILON);
+        // Lengths of 1.5 m that differ by four units in their last place are not equal, nor what a sum of four of them is off by.
+        let least = 8.0 * epsilon;
         let offset = self.offset.unwrap_or(0.0).abs();
-        // Near a flat pose images differ by the square of the angle, or by what the lengths differ.
+        // Near a flat pose images differ by the square of the angle, or by what the lengths differ. A start has the rounding of its
+        // numbers: 1e-13 of the lengths in f64; in f32 by as many units in the last place.
         let apart = self.flat.map_or(1.0, |angle| offset + angle * angle);
-        (offset == 0.0 || offset >= least) && apart >= least
+        (offset == 0.0 || offset >= least) && apart >= 1e-13 * (epsilon / f64::EPSILON)
     }
 
     /// All that is needed to see what it is.

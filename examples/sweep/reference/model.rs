@@ -186,6 +186,7 @@ fn step(t: Dd, begin: f64, rise: f64) -> [Dd; 4] {
 
 fn place(tape: &mut Tape, bodies: &[[Id; 5]], scene: &Scene, frame: Frame) -> Placed {
     let [px, py, turn] = scene.port(frame).map(Dd::from);
+    let px = px + Dd::from(scene.rest(frame));
     let (zero, one) = (Dd::ZERO, Dd::ONE);
     let (sine, cosine) = turn.sin_cos();
     let Some(body) = frame.0 else {
