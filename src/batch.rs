@@ -28,6 +28,9 @@ pub struct Points<P> {
 /// Bytes of stack that each thread has where nothing else is said: what programs give their main thread.
 pub(crate) const STACK: usize = 8 << 20;
 
+/// No more threads are started: no machine has more cores to give them.
+pub(crate) const MOST_THREADS: usize = 1024;
+
 /// One run for each element.
 pub fn points<P>(list: impl IntoIterator<Item = P>) -> Points<P> {
     Points { list: list.into_iter().collect(), threads: 0, stack: STACK, shows_progress: true }
@@ -44,7 +47,7 @@ pub fn grid3<A: Copy, B: Copy, C: Copy>(a: &[A], b: &[B], c: &[C]) -> Points<(A,
 }
 
 impl<P: Clone + Send> Points<P> {
-    /// On so many threads, or fewer where the system has no more to give; one for each core where this is not said.
+    /// On so many threads, or fewer where the system has no more to give, 1024 at most; one for each core where this is not said.
     #[must_use]
     pub fn threads(self, threads: usize) -> Self {
         Self { threads, ..self }
@@ -87,6 +90,7 @@ impl<P: Clone + Send> Points<P> {
 
 /// Does it on so many threads with so many bytes of stack, or on those that there are where the system has none to give.
 pub(crate) fn on_threads<T: Send>(threads: usize, stack: usize, all: impl FnOnce() -> T + Send) -> T {
+    let threads = threads.min(MOST_THREADS);
     match rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(stack).build() {
         Ok(pool) => pool.install(all),
         Err(_) => all(),

@@ -99,7 +99,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     /// The time (s), the poses and velocities of the bodies (x, y, angle, vx, vy, omega), the ports of the ground (x, y, angle)
-    /// and all observed quantities, in SI. Where nothing was assembled, the start values as they are set.
+    /// in SI; then all observed quantities, outputs in their declared units and the others in SI. Where nothing was assembled, the
+    /// start values as they are set.
     pub fn read(&mut self) -> &[f64] {
         self.numbers.clear();
         match &self.sim {

@@ -3,6 +3,7 @@
 
 use plm::Described;
 use plm::live::{Live, with_pulls};
+use plm::runtime::Ports;
 
 plm::mechanism! {
     /// A four-bar with a parameter and an input, and what `with_pulls` adds to its declaration.
@@ -84,6 +85,24 @@ fn a_pull_acts_where_it_is_applied() {
     sim.step(1e-3).unwrap();
     let (pulled, driven) = (live.read()[1 + 5], sim.crank().omega);
     assert!((pulled - driven).abs() < 1e-3 * driven.abs() && driven > 0.0, "{pulled} {driven}");
+}
+
+/// Outputs are read in the units that they ask for, as a page shows them; all else in SI.
+#[test]
+fn an_output_is_read_in_its_unit() {
+    let mut live = Live::new(FourBar::new());
+    let mut sim = FourBar::new().start().unwrap();
+    assert!(live.step(0.1));
+    sim.step(0.1).unwrap();
+    let (mut degrees, numbers) = (Vec::new(), live.read().to_vec());
+    FourBar::outputs(sim.state(), &mut |output| degrees.push(output));
+    let first = 1 + 6 * 3 + 3 * 2;
+    for (k, (name, _)) in <FourBar>::OBSERVED.iter().enumerate() {
+        let expected =
+            if *name == "crank.angle" { degrees[0] } else { FourBar::observed(sim.state(), k).unwrap() };
+        assert_eq!(numbers[first + k].to_bits(), expected.to_bits(), "{name}");
+    }
+    assert!((degrees[0].to_radians() - sim.crank().angle).abs() < 1e-15);
 }
 
 #[test]

@@ -109,7 +109,10 @@ fn about(native: &str) -> serde_json::Value {
         let Quantity { name, unit, factor, exponents, default, .. } = *row;
         json!({ "name": name, "unit": unit, "factor": factor, "exponents": exponents, "default": default, "value": default })
     };
-    let columns = <FourBar>::OBSERVED.iter().map(|(name, unit)| json!({ "name": name, "unit": unit }));
+    let columns = <FourBar>::OBSERVED.iter().map(|(name, unit)| {
+        let declared = tables.outputs.iter().find(|output| output.name == *name);
+        json!({ "name": name, "unit": declared.map_or(unit, |output| &output.unit) })
+    });
     json!({
         "mechanism": {
             "name": tables.name,

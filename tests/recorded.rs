@@ -228,8 +228,37 @@ fn quantities_are_chosen_by_name() {
     // It bears the weight of the block.
     assert!((last[0] - 0.875).abs() < 1e-9 && (last[1] - 2.0 * 9.81).abs() < 1e-9, "{last:?}");
     assert_eq!(Recorder::<Relay>::observing(&sim, ["block.x", "block.z"]).unwrap_err(), "block.z");
-    let all = Recorder::observing_all(&sim);
-    assert_eq!(all.recording().columns().len(), relay::State::<f64>::OBSERVED.len());
+}
+
+/// Declared outputs are in their units, with the bits of a recording of outputs alone, and all else is in SI.
+#[test]
+fn what_is_declared_is_recorded_in_its_unit_beside_all_else() {
+    let mut sim = Relay::new().start().unwrap();
+    let mut all = Recorder::observing_all(&sim);
+    let mut outputs = Recorder::new(&sim);
+    let mut own = sim;
+    all.run(&mut sim, 0.5, 0.25).unwrap();
+    outputs.run(&mut own, 0.5, 0.25).unwrap();
+    let (all, outputs) = (all.into_recording(), outputs.into_recording());
+    let names: Vec<&str> = all.columns().iter().map(|column| column.name.as_str()).collect();
+    assert_eq!(names, relay::State::<f64>::OBSERVED.map(|(name, _)| name));
+    let place =
+        |of: &Recording, name: &str| of.columns().iter().position(|column| column.name == name).unwrap();
+    for (k, column) in outputs.columns().iter().enumerate() {
+        let among = place(&all, &column.name);
+        assert_eq!(&all.columns()[among], column);
+        for (row, all) in outputs.rows().zip(all.rows()) {
+            assert_eq!(row[k].to_bits(), all[among].to_bits(), "{column:?}");
+        }
+    }
+    let [x, vx] = ["block.x", "block.vx"].map(|name| &all.columns()[place(&all, name)]);
+    assert_eq!((x.unit.as_str(), x.factor), ("mm", Some(0.001)));
+    assert_eq!((vx.unit.as_str(), vx.factor), ("m/s", None));
+    // x = 1 m - t^2/2.
+    let millimetres = all.rows().last().unwrap()[place(&all, "block.x")];
+    assert!((millimetres - 875.0).abs() < 1e-6, "{millimetres}");
+    let read = Results::from_bytes(&Results::from(all.clone()).to_bytes().unwrap()).0;
+    assert_eq!(read.runs[0].columns(), all.columns());
 }
 
 #[test]

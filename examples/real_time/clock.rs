@@ -33,6 +33,17 @@ struct Wires {
     done: AtomicBool,
 }
 
+/// How a mechanism got through a period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Made {
+    /// By one step.
+    Whole,
+    /// By so many shorter ones: this refused the one.
+    InParts(u32, Fault),
+    /// Not at all: it stands where it was before, with what refused every step.
+    Held(Fault),
+}
+
 /// What happened at a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Beat {
@@ -42,13 +53,16 @@ pub struct Beat {
     pub late: Duration,
     /// How long it took.
     pub took: Duration,
+    /// What came of it.
+    pub made: Made,
 }
 
 /// Runs what `plant` makes so many times a second in a thread of its own, while this one sets the input to a sine of some amplitude.
-/// Then the inputs are played again.
+/// Then the inputs are played again. Where the host is busy both threads stand still for a while, and the next step finds an input
+/// that has jumped; what comes of it is told, and the loop goes on.
 ///
 /// # Errors
-/// What ends a step; or the run that was played again ends with other bits.
+/// The plant cannot be made; or the run that was played again ends with other bits.
 pub fn measured<P>(
     rate: u32,
     seconds: f64,
@@ -56,7 +70,7 @@ pub fn measured<P>(
     plant: impl Fn() -> Result<P, Fault>,
 ) -> Result<Vec<Beat>, Box<dyn Error>>
 where
-    P: FnMut(f64) -> Result<f64, Fault> + Send,
+    P: FnMut(f64) -> (f64, Made) + Send,
 {
     let period = Duration::from_secs_f64(1.0 / f64::from(rate));
     let mut beats = memory((seconds * f64::from(rate)) as usize);
@@ -64,21 +78,20 @@ where
     let wires = Wires::default();
     thread::scope(|scope| {
         let looping = scope.spawn(|| {
-            let outcome = keep_pace(period, &wires, &mut beats, &mut step);
+            keep_pace(period, &wires, &mut beats, &mut step);
             wires.done.store(true, Ordering::Release);
-            outcome
         });
         let begun = Instant::now();
         while !wires.done.load(Ordering::Acquire) {
             wires.input.set(amplitude * (6.0 * begun.elapsed().as_secs_f64()).sin());
             sleep(Duration::from_millis(3));
         }
-        looping.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-    })?;
+        looping.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+    });
     let mut replayed = plant()?;
     let mut last = f64::NAN;
     for beat in &beats {
-        last = replayed(beat.input)?;
+        (last, _) = replayed(beat.input);
     }
     if last.to_bits() != wires.output.get().to_bits() {
         return Err(format!("played again the run ends at {last}, not at {}", wires.output.get()).into());
@@ -88,25 +101,17 @@ where
 
 /// Makes a step every `period`, one for each entry of `beats`, which gets what happened. A step that comes too late is made up
 /// for: none is left out, so that the time of the mechanism stays that of the clock.
-///
-/// # Errors
-/// What ends a step.
-fn keep_pace(
-    period: Duration,
-    wires: &Wires,
-    beats: &mut [Beat],
-    step: &mut impl FnMut(f64) -> Result<f64, Fault>,
-) -> Result<(), Fault> {
+fn keep_pace(period: Duration, wires: &Wires, beats: &mut [Beat], step: &mut impl FnMut(f64) -> (f64, Made)) {
     let mut due = Instant::now() + period;
     for beat in beats {
         wait_for(due);
         let begun = Instant::now();
         let input = wires.input.get();
-        wires.output.set(step(input)?);
-        *beat = Beat { input, late: begun - due, took: begun.elapsed() };
+        let (output, made) = step(input);
+        wires.output.set(output);
+        *beat = Beat { input, late: begun - due, took: begun.elapsed(), made };
         due += period;
     }
-    Ok(())
 }
 
 /// Sleeps as long as the system can be trusted to wake it in time, and looks at the clock from then on.
@@ -125,7 +130,35 @@ fn wait_for(due: Instant) {
 
 /// Memory for so many beats, all of it written once: a page that is touched for the first time costs a fault of the kernel.
 fn memory(count: usize) -> Vec<Beat> {
-    vec![Beat { input: f64::NAN, late: Duration::MAX, took: Duration::MAX }; count]
+    vec![Beat { input: f64::NAN, late: Duration::MAX, took: Duration::MAX, made: Made::Whole }; count]
+}
+
+/// So many are told of each run.
+const MOST_TOLD: usize = 3;
+
+/// The periods that were not made by one step, in words, at most a few of them: when, how late, and what the input did.
+pub fn troubles(period: f64, beats: &[Beat]) -> Vec<String> {
+    let troubled = |at: usize| {
+        let Beat { input, late, made, .. } = beats[at];
+        let before = at.checked_sub(1).map_or(0.0, |before| beats[before].input);
+        let (fault, outcome) = match made {
+            Made::Whole => return None,
+            Made::InParts(parts, fault) => (fault, format!("made by {parts} shorter steps")),
+            Made::Held(fault) => (fault, "it stands still for this period".to_owned()),
+        };
+        let (time, late) = (period * at as f64, 1e3 * late.as_secs_f64());
+        Some(format!(
+            "at {time:.4} s, {late:.2} ms late, input {before:.3} to {input:.3}: {outcome} ({})",
+            fault.cause
+        ))
+    };
+    let mut lines: Vec<String> = (0..beats.len()).filter_map(troubled).collect();
+    let more = lines.len().saturating_sub(MOST_TOLD);
+    lines.truncate(MOST_TOLD);
+    if more > 0 {
+        lines.push(format!("and {more} periods more"));
+    }
+    lines
 }
 
 /// Mean, what 99 % stay below, and the most, us.

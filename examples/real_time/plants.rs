@@ -2,6 +2,8 @@
 
 use plm::Fault;
 
+use super::clock::Made;
+
 plm::mechanism! {
     /// A crank-rocker; its motor turns the crank against a spring and a damper at the rocker.
     pub FourBar {
@@ -67,12 +69,12 @@ plm::mechanism! {
 ///
 /// # Errors
 /// If the mechanism cannot be assembled.
-pub fn four_bar(period: f64) -> Result<impl FnMut(f64) -> Result<f64, Fault>, Fault> {
+pub fn four_bar(period: f64) -> Result<impl FnMut(f64) -> (f64, Made), Fault> {
     let mut state = *FourBar::new().start()?.state();
     Ok(move |torque| {
         state.input.torque = torque;
-        state.step_rk4(period)?;
-        Ok(state.crank().angle)
+        let made = step_by_parts(&mut state, period, four_bar::State::step_rk4);
+        (state.crank().angle, made)
     })
 }
 
@@ -80,11 +82,38 @@ pub fn four_bar(period: f64) -> Result<impl FnMut(f64) -> Result<f64, Fault>, Fa
 ///
 /// # Errors
 /// If the mechanism cannot be assembled.
-pub fn arm(period: f64) -> Result<impl FnMut(f64) -> Result<f64, Fault>, Fault> {
+pub fn arm(period: f64) -> Result<impl FnMut(f64) -> (f64, Made), Fault> {
     let mut state = *Arm::new().start()?.state();
     Ok(move |lever| {
         state.input.lever = lever;
-        state.step_linearly_implicit(period)?;
-        Ok(state.arm().angle)
+        let made = step_by_parts(&mut state, period, arm::State::step_linearly_implicit);
+        (state.arm().angle, made)
     })
+}
+
+/// A step over a period. Where it is refused, as after a jump of the input, two of half its length are tried, then four, up to 64: so
+/// the longest time that it takes is known.
+fn step_by_parts<S: Copy>(
+    state: &mut S,
+    period: f64,
+    step: impl Fn(&mut S, f64) -> Result<(), Fault>,
+) -> Made {
+    let by_parts = |parts: u32| {
+        let mut next = *state;
+        (0..parts).try_for_each(|_| step(&mut next, period / f64::from(parts))).map(|()| next)
+    };
+    let refused = match by_parts(1) {
+        Ok(next) => {
+            *state = next;
+            return Made::Whole;
+        }
+        Err(fault) => fault,
+    };
+    for parts in [2, 4, 8, 16, 32, 64] {
+        if let Ok(next) = by_parts(parts) {
+            *state = next;
+            return Made::InParts(parts, refused);
+        }
+    }
+    Made::Held(refused)
 }

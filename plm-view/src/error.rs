@@ -1,8 +1,8 @@
 //! What can go wrong when a file is written or read.
 
 use std::fmt;
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// A file that could not be written: which one, and why.
@@ -96,17 +96,31 @@ impl<T> fmt::Display for Unread<T> {
 
 impl<T> std::error::Error for Unread<T> {}
 
-/// Reads the file `path`: what is whole of it, or that with what is wrong.
+/// Reads the file `path`, which has so many bytes at most: what is whole of it, or that with what is wrong.
 pub(crate) fn read_file<T: Default>(
     path: &Path,
+    most: usize,
     read: impl FnOnce(&[u8]) -> (T, Vec<String>),
 ) -> Result<T, Unread<T>> {
-    let (whole, problems) = match fs::read(path) {
+    let (whole, problems) = match contents(path, most) {
         Ok(bytes) => read(&bytes),
-        Err(error) => (T::default(), vec![error.to_string()]),
+        Err(problem) => (T::default(), vec![problem]),
     };
     if problems.is_empty() {
         return Ok(whole);
     }
     Err(Unread { path: path.to_owned(), problems, whole: Box::new(whole) })
+}
+
+fn contents(path: &Path, most: usize) -> Result<Vec<u8>, String> {
+    let said = |error: io::Error| error.to_string();
+    let file = File::open(path).map_err(said)?;
+    let length = usize::try_from(file.metadata().map_err(said)?.len()).unwrap_or(usize::MAX);
+    if length > most {
+        return Err(format!("it has {length} bytes, and {most} may be taken"));
+    }
+    let mut bytes = Vec::with_capacity(length);
+    // A file may grow while it is read; a pipe has no length.
+    file.take(most as u64).read_to_end(&mut bytes).map_err(said)?;
+    Ok(bytes)
 }

@@ -17,12 +17,15 @@ pub(crate) const OF_POSE: usize = 6;
 pub(crate) const OF_GROUND: usize = 3;
 
 /// What one number of a row is.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Name as in the declaration, such as `arm.angle`.
     pub name: String,
     /// Unit of the numbers as in the declaration, such as `N*m`; empty for a pure number.
     pub unit: String,
+    /// A value in SI is one in this unit times the factor. None for SI itself, and where nobody knows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub factor: Option<f64>,
 }
 
 impl Column {
@@ -34,7 +37,7 @@ impl Column {
 
 impl<N: Into<String>, U: Into<String>> From<(N, U)> for Column {
     fn from((name, unit): (N, U)) -> Self {
-        Self { name: name.into(), unit: unit.into() }
+        Self { name: name.into(), unit: unit.into(), factor: None }
     }
 }
 

@@ -118,7 +118,11 @@ fn what_is_whole_of_a_table_is_read() {
     let path = scratch("cut.csv");
     std::fs::create_dir_all(path.parent().unwrap()).unwrap();
     for (text, rows, problem) in [
-        ("time (s),x (m)\n0,1\n0.1,2\n0.2", 2, "CSV error: record 3 "),
+        ("time (s),x (m)\n0,1\n0.1,2\n0.2", 2, "line 4: the file is cut off there"),
+        ("time (s),x (m)\n0,1\n0.1,2\n0.2,0.30", 2, "line 4: the file is cut off there"),
+        ("time (s),x (m)\n0,1\n0.1,2\n0.2\n", 2, "CSV error: record 3 "),
+        ("time (s),x (m)\r\n0,1\r\n0.1,2", 1, "line 3: the file is cut off there"),
+        ("time (s),arm.ang", 0, "line 1: the file is cut off there"),
         ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3: `abc` is no number"),
         ("PK\u{3}\u{4}", 0, "its first column is not `time (s)`"),
         ("", 0, "its first column is not `time (s)`"),

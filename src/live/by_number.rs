@@ -4,18 +4,29 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use plm_runtime::described::Place;
+use plm_runtime::described::{Place, Quantity};
 use plm_runtime::{Described, Method, Moment, Sim, StartValues, Statics};
 
+/// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
+pub(crate) fn shown<M: Described>() -> impl Iterator<Item = Option<(usize, &'static Quantity)>> {
+    // Both lists are in the order of the declaration.
+    let mut declared = M::TABLES.outputs.iter().enumerate().peekable();
+    M::OBSERVED.iter().map(move |(name, _)| declared.next_if(|(_, output)| output.name == *name))
+}
+
 /// Adds the numbers of a moment: the time (s); x, y, angle, vx, vy, omega of each body; x, y, angle of each port of the ground;
-/// all observed quantities, SI.
+/// all observed quantities, outputs in their declared units and the others in SI.
 pub(crate) fn moment<M: Described<S = f64>>(state: &M::State, numbers: &mut Vec<f64>) {
     numbers.push(state.time());
     M::poses(state, &mut |pose| numbers.extend(pose.components()));
     for port in 0..M::TABLES.ground.len() {
         numbers.extend(Place::components(state.mechanism().ground(state.time(), port)));
     }
-    numbers.extend((0..M::OBSERVED.len()).map(|k| M::observed(state, k).unwrap_or(f64::NAN)));
+    numbers.extend(shown::<M>().enumerate().map(|(k, output)| {
+        let value = M::observed(state, k).unwrap_or(f64::NAN);
+        // As the output itself is made, to the bit.
+        output.map_or(value, |(_, output)| value / output.factor)
+    }));
 }
 
 /// Adds what parameters change of bodies and ground, as [`Live::shape`](super::Live::shape) tells it.

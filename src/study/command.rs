@@ -13,6 +13,7 @@ use std::{env, eprintln, format, println};
 
 use lexopt::{Arg, Parser, ValueExt};
 
+use super::shard::check_threads;
 use super::submit::{Engine, Submission};
 use super::{Gathered, Problem, Ran, Shard, Study};
 
@@ -20,7 +21,7 @@ use super::{Gathered, Problem, Ran, Shard, Study};
 const HELP: &str = "\
                   (nothing) runs all points, on all cores
 --shard K/N       runs shard K of N; what its log has is not run again
---threads N       on so many threads (0: one for each core)
+--threads N       on so many threads, 1024 at most (0: one for each core)
 --folder FOLDER   where the logs are (target/plm/NAME of the study)
 --status          how far it is, shard by shard, and points that failed
 --merge FILE      puts all rows into one table, .csv or .npy
@@ -134,6 +135,8 @@ where
             let gathered = self.gather(&folder)?;
             return Ok(merge(&gathered, path, request.partial)?);
         }
+        check_threads(request.threads)?;
+        self.check_shards(request.shards.max(request.shard.map(|shard| shard.of)))?;
         if let Some(engine) = request.submit {
             self.plan.check()?;
             let shards = request.shards.filter(|shards| *shards > 0);
@@ -146,6 +149,17 @@ where
         let shard = request.shard.unwrap_or(Shard::WHOLE);
         let ran = self.run(&folder, shard, request.threads)?;
         Ok(told(shard, &ran, &folder))
+    }
+
+    /// Can each of so many shards have a point? One that has none would do nothing, and say that all went well.
+    fn check_shards(&self, shards: Option<usize>) -> Result<(), Problem> {
+        match (shards, self.plan.points.len()) {
+            (_, 0) => Err(Problem::new("the study has no points")),
+            (Some(shards), points) if shards > points => {
+                Err(Problem::new(format!("{shards} shards are too many: the study has {points} points")))
+            }
+            _ => Ok(()),
+        }
     }
 }
 

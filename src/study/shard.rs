@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::log::{Log, checksum, logs};
 use super::{Plan, Problem, Study};
-use crate::batch::{caught, on_threads, progress_bar};
+use crate::batch::{MOST_THREADS, caught, on_threads, progress_bar};
 
 /// One of several parts of a study. Of every N points that follow each other each of the N shards has one, and which one changes
 /// without a pattern: if it were always the same place, shards would be columns of a grid, some of which cost more than others.
@@ -25,6 +25,9 @@ pub struct Shard {
     pub(super) of: usize,
 }
 
+/// A study has no more shards; the arithmetic of their numbers stays far from its bounds.
+const MOST_SHARDS: usize = 1 << 30;
+
 impl Shard {
     /// All points.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
@@ -32,9 +35,11 @@ impl Shard {
     /// Shard `number`, counted from 1, of so many.
     ///
     /// # Errors
-    /// A number that is 0 or greater than `of`.
+    /// A number that is 0 or greater than `of`; an `of` beyond 2^30.
     pub fn new(number: usize, of: usize) -> Result<Self, Problem> {
-        if (1..=of).contains(&number) {
+        if of > MOST_SHARDS {
+            Err(Problem::new(format!("{of} shards are too many: {MOST_SHARDS} is the most")))
+        } else if (1..=of).contains(&number) {
             Ok(Self { number, of })
         } else {
             Err(Problem::new(format!("there is no shard {number}/{of}: they are 1/{of} to {of}/{of}")))
@@ -116,10 +121,13 @@ where
     /// Runs those points of a shard that no log in the folder has, on so many threads (0: one for each core), and appends each to
     /// the log of the shard as soon as it is done. A point that fails, or panics, is kept with its words; it is not tried again.
     ///
+    /// Of more shards than there are points some have none, which [`Ran::notes`] tell.
+    ///
     /// # Errors
-    /// A log that cannot be read or written, is of another study, or is open in another process.
+    /// A log that cannot be read or written, is of another study, or is open in another process; more than 1024 threads.
     pub fn run(&self, folder: &Path, shard: Shard, threads: usize) -> Result<Ran, Problem> {
         self.plan.check()?;
+        check_threads(threads)?;
         fs::create_dir_all(folder).map_err(|error| Problem::file(folder, error))?;
         let Begun { log, done, notes } = self.plan.begin(folder, shard)?;
         let kept = done.iter().filter(|done| **done).count();
@@ -145,6 +153,16 @@ where
     }
 }
 
+/// Are so many threads within reason? To start a hundred thousand takes longer than most studies.
+pub(super) fn check_threads(threads: usize) -> Result<(), Problem> {
+    if threads <= MOST_THREADS {
+        return Ok(());
+    }
+    Err(Problem::new(format!(
+        "{threads} threads are too many: {MOST_THREADS} is the most, and 0 takes one for each core"
+    )))
+}
+
 /// A shard whose log is open.
 struct Begun {
     log: Log,
@@ -156,7 +174,10 @@ struct Begun {
 impl<const P: usize, const C: usize> Plan<P, C> {
     /// Opens the log, and finds what it has, and logs of other numbers of shards.
     fn begin(&self, folder: &Path, shard: Shard) -> Result<Begun, Problem> {
-        let mut done = vec![false; shard.len(self.points.len())];
+        let points = self.points.len();
+        let mut done = vec![false; shard.len(points)];
+        let empty =
+            done.is_empty().then(|| format!("shard {shard} has none of the {points} points of the study"));
         let mut mark = |index, _| {
             if let Some(done) = shard.place(index).and_then(|place| done.get_mut(place)) {
                 *done = true;
@@ -164,7 +185,7 @@ impl<const P: usize, const C: usize> Plan<P, C> {
         };
         let path = folder.join(shard.log());
         let (log, reading) = self.open_log(&path, &mut mark)?;
-        let mut notes: Vec<String> = reading.notes(&path).collect();
+        let mut notes: Vec<String> = empty.into_iter().chain(reading.notes(&path)).collect();
         for (_, path) in logs(folder)?.into_iter().filter(|(other, _)| other.of != shard.of) {
             notes.extend(self.read_log(&path, &mut mark)?.notes(&path));
         }

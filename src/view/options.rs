@@ -79,7 +79,7 @@ const USUAL: [Known; 15] = [
     Known::flag("live", "the page holds the mechanism itself: parameters are turned, bodies pulled"),
     Known::flag_or_value("serve", "PORT", "serves the page while it runs by the clock; writes no file"),
     Known::value("out", "FILE", "the results file, .npz (NumPy reads it)"),
-    Known::value("csv", "FILE", "the table"),
+    Known::value("csv", "FILE", "the table, outputs in their units and all else in SI"),
     Known::value("svg", "FILE", "the curves"),
     Known::value(
         "c",
@@ -215,7 +215,7 @@ impl Options {
     pub fn apply<M: Described<S = f64> + Statics>(&self, mechanism: &mut M) -> Result<(), BadOption> {
         for (name, value) in &self.set {
             let (index, factor) = find("parameter", name, M::TABLES.parameters)?;
-            by_number::set_parameter(mechanism, index, value * factor);
+            by_number::set_parameter(mechanism, index, in_si(*value, factor));
         }
         Ok(())
     }
@@ -231,10 +231,17 @@ impl Options {
     {
         for (name, value) in &self.input {
             let (index, factor) = find("input", name, M::TABLES.inputs)?;
-            by_number::set_input(sim, index, value * factor);
+            by_number::set_input(sim, index, in_si(*value, factor));
         }
         Ok(())
     }
+}
+
+/// A value in a unit in SI: the number that is nearest to it, and that a declaration has, where the unit is a whole part of SI's,
+/// as a millimetre is. 350 times the nearest number to a thousandth is not the nearest number to 0.35.
+fn in_si(value: f64, factor: f64) -> f64 {
+    let parts = (1.0 / factor).round();
+    if parts > 1.0 && 1.0 / parts == factor { value / parts } else { value * factor }
 }
 
 /// The number of a quantity by its name, and its factor to SI.

@@ -6,11 +6,13 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use plm_runtime::described::Quantity;
 use plm_runtime::sim::Seen;
 use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Scalar, Sim, System};
 use plm_view::{Column, Recording, Row};
 
 use super::described::{mechanism, numbers};
+use crate::live::by_number;
 
 /// Takes poses and quantities of a mechanism while it runs: at communication points, before and after what switches, and at
 /// every internal step if asked.
@@ -64,8 +66,8 @@ impl<M: Described> Recorder<M> {
     /// Records the poses and the declared outputs, in their units, of a mechanism with the parameters that it has now; of a
     /// `Sim` or of a state.
     pub fn new(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
-        let columns = M::OUTPUTS.iter().copied();
-        Self::of(of, columns, (0..M::OUTPUTS.len()).map(Taken::Output).collect())
+        let outputs = M::TABLES.outputs;
+        Self::of(of, outputs.iter().map(column), (0..outputs.len()).map(Taken::Output).collect())
     }
 
     /// Records the poses and these quantities of [`Described::OBSERVED`], SI.
@@ -82,9 +84,16 @@ impl<M: Described> Recorder<M> {
         Ok(Self::of(of, columns, found.into_iter().map(Taken::Observed).collect()))
     }
 
-    /// Records the poses and all outputs and observed quantities, SI.
+    /// Records the poses, the declared outputs in their units, and all other observed quantities in SI.
     pub fn observing_all(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
-        Self::of(of, M::OBSERVED.iter().copied(), (0..M::OBSERVED.len()).map(Taken::Observed).collect())
+        let all = by_number::shown::<M>().zip(M::OBSERVED).enumerate();
+        let (columns, quantities): (Vec<Column>, Vec<Taken>) = all
+            .map(|(k, (output, observed))| match output {
+                Some((number, row)) => (column(row), Taken::Output(number)),
+                None => (Column::from(*observed), Taken::Observed(k)),
+            })
+            .unzip();
+        Self::of(of, columns, quantities)
     }
 
     fn of<C: Into<Column>>(
@@ -214,6 +223,12 @@ impl<M: Described> Recorder<M> {
     pub fn into_recording(self) -> Recording {
         self.recording
     }
+}
+
+/// The column of an output.
+fn column(output: &Quantity) -> Column {
+    let factor = (output.factor != 1.0).then_some(output.factor);
+    Column { factor, ..Column::from((output.name, output.unit)) }
 }
 
 /// A method in words: `Dop853, relative tolerance 1e-9`.

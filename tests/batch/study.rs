@@ -250,6 +250,12 @@ fn mistakes_say_what_was_found_and_what_is_wanted() {
         (vec!["--submit", "pbs"], "slurm and hq, not `pbs`"),
         (vec!["--submit", "hq"], "--shards 64"),
         (vec!["--status", "--shard", "1/2"], "one at a time"),
+        (vec!["--threads", "100000"], "100000 threads are too many: 1024 is the most"),
+        (vec!["--submit", "hq", "--shards", "4", "--threads", "100000"], "100000 threads"),
+        (vec!["--shard", "1/4294967296"], "4294967296 shards are too many"),
+        (vec!["--shard", "18446744073709551615/18446744073709551615"], "shards are too many"),
+        (vec!["--shard", "1/46"], "46 shards are too many: the study has 45 points"),
+        (vec!["--submit", "slurm", "--shards", "46"], "the study has 45 points"),
         (vec!["--sharp", "3/4"], "--shard K/N"),
     ] {
         assert!(words(&line).contains(said), "{line:?}: {}", words(&line));
@@ -265,6 +271,23 @@ fn mistakes_say_what_was_found_and_what_is_wanted() {
     let twice =
         Study::new("twice", four_bars(), [("turned", ""), ("b", "")], rocker).run(&folder, Shard::WHOLE, 1);
     assert!(twice.unwrap_err().to_string().contains("called `turned`"));
+}
+
+/// A process that has nothing to do says so.
+#[test]
+fn shards_and_studies_without_points_are_told() {
+    let folder = folder("empty");
+    let rans: Vec<Ran> =
+        (1..=50).map(|number| study().run(&folder, Shard::new(number, 50).unwrap(), 1).unwrap()).collect();
+    let empty = rans.iter().filter(|ran| ran.computed == 0);
+    assert!(empty.clone().count() == 5 && rans.iter().map(|ran| ran.computed).sum::<usize>() == 45);
+    for ran in empty {
+        assert!(ran.notes[0].ends_with("has none of the 45 points of the study"), "{ran:?}");
+    }
+    let none =
+        Study::new("none", Points::list([("a", ""), ("b", "")], []), [("start", ""), ("end", "")], rocker);
+    assert_eq!(none.with([""; 0]).unwrap_err().to_string(), "the study has no points");
+    assert!(study().run(&folder, Shard::WHOLE, 1025).is_err());
 }
 
 /// A row that does not follow from its point alone gives two logs that differ about it.

@@ -47,7 +47,12 @@ fn a_run_is_written_in_every_form() {
     assert_eq!([parameters[0].value, parameters[1].value], [3.0, 0.12]);
     // The start is made of the parameter.
     assert_eq!(run.poses(0)[0][0], 0.12);
-    assert!(std::fs::read_to_string(folder.join("run.csv")).unwrap().lines().count() == 52);
+    let table = std::fs::read_to_string(folder.join("run.csv")).unwrap();
+    assert!(table.lines().count() == 52);
+    // In the unit of the declaration, which the heading says.
+    assert!(table.starts_with("time (s),mass.x (mm)"), "{table:.80}");
+    let millimetres = run.rows().next().unwrap()[0];
+    assert_eq!((run.columns()[0].unit.as_str(), millimetres), ("mm", 120.0));
     for (file, begins) in [("run.svg", "<svg"), ("run.html", "<!doctype html>")] {
         assert!(std::fs::read_to_string(folder.join(file)).unwrap().contains(begins), "{file}");
     }
@@ -59,6 +64,23 @@ fn a_start_that_was_set_by_hand_does_not_follow_a_parameter() {
     mechanism.start.mass.x.value = 0.05;
     Options::parse(["--set", "stretch=120"]).unwrap().apply(&mut mechanism).unwrap();
     assert_eq!((mechanism.stretch, mechanism.start.mass.x.value), (0.12, 0.05));
+}
+
+/// What is set in a unit is the number that a declaration would have.
+#[test]
+fn a_number_in_a_unit_is_the_nearest_in_si() {
+    for tenths in 1..5000_u32 {
+        let text = format!("{}.{}", tenths / 10, tenths % 10);
+        let mut mechanism = Mass::new();
+        Options::parse(["--set", &format!("stretch={text}")]).unwrap().apply(&mut mechanism).unwrap();
+        // The same digits, read as metres. A tenth that is no dyadic number may be off by its own rounding.
+        let exact: f64 = format!("{text}e-3").parse().unwrap();
+        let allowed = if tenths % 10 == 0 { 0.0 } else { exact * f64::EPSILON };
+        assert!((mechanism.stretch - exact).abs() <= allowed, "{text} mm: {:?} {exact:?}", mechanism.stretch);
+    }
+    let mut mechanism = Mass::new();
+    Options::parse(["--set", "stretch=350"]).unwrap().apply(&mut mechanism).unwrap();
+    assert_eq!(mechanism.stretch.to_bits(), 0.35_f64.to_bits());
 }
 
 /// An undamped oscillator under a ramp and a constant force, in closed form: m x'' = -k x + r t + f.

@@ -164,6 +164,14 @@ test("a parameter is turned by slider, by key and by number, in its unit", { ski
   assert.ok(Math.abs(length[1] - length[0] - turned) < 1e-12, `${length}`);
   await slider.press("ArrowRight");
   await page.waitForFunction((at) => Math.abs(window.plmPage.app.live.settings.parameter[0] - at - 0.004) < 1e-9, turned);
+  // A number that no product with a thousandth gives; and back to that of the declaration.
+  for (const [text, expected] of [["350", 0.35], ["400", 0.4]]) {
+    await page.fill("#parameter-0", text);
+    await page.keyboard.press("Enter");
+    await answered(page, 0, `value === ${expected}`);
+    await settle(page);
+    assert.deepEqual([await page.inputValue("#parameter-0"), await setting(page, "parameter", 0)], [text, expected]);
+  }
   // Beyond the range of the slider, which becomes longer.
   await page.fill("#parameter-1", "2.5");
   await page.keyboard.press("Enter");

@@ -63,6 +63,9 @@ test("it shows what a program computes, and its sliders reach it", { skip }, asy
   await page.click("#live-reset");
   await page.waitForFunction(() => window.plmPage.app.live.run.rows === 1);
   assert.ok(Math.abs((await angle(page)) - Math.PI / 9) < 1e-12);
+  // The output asks for degrees, and is shown in them.
+  const output = await state(page, "((run, at) => [run.columns[at].unit, run.values.at(0, at)])(app.live.run, app.live.run.columns.findIndex(({ name }) => name === 'rod.angle'))");
+  assert.ok(output[0] === "deg" && Math.abs(output[1] - 20) < 1e-10, `${output}`);
 
   await page.click("#live-go");
   await page.waitForFunction(() => window.plmPage.app.live.run.rows > 20);

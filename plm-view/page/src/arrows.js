@@ -25,7 +25,10 @@ const LONGEST = 18;
  */
 export function forceField(scene) {
   const { run, mechanism } = scene;
-  const column = new Map(run.columns.map(({ name }, index) => [name, index]));
+  const column = new Map(run.columns.map(({ name, factor }, index) => [name, { index, factor: factor ?? 1 }]));
+  // In N, in whatever unit a column is.
+  const force = (/** @type {number} */ row, /** @type {{index: number, factor: number}} */ { index, factor }) =>
+    run.values.at(row, index) * factor;
   const joints = mechanism.parts.flatMap((part) => {
     const [x, y] = [column.get(`${part.name}.force.x`), column.get(`${part.name}.force.y`)];
     if (x === undefined || y === undefined || part.frames.length === 0) return [];
@@ -35,12 +38,12 @@ export function forceField(scene) {
     return [{ frame: part.frames[at], sign: standsOnGround ? -1 : 1, x, y }];
   });
   const size = (/** @type {number} */ row) =>
-    joints.map(({ x, y }) => Math.hypot(run.values.at(row, x), run.values.at(row, y)));
+    joints.map(({ x, y }) => Math.hypot(force(row, x), force(row, y)));
   const arrows = (/** @type {Places} */ places, /** @type {Moment} */ { row, share }) =>
     joints.map(({ frame, sign, x, y }) => {
-      const between = (/** @type {number} */ at) => {
-        const value = run.values.at(row, at);
-        return share === 0 ? value : (1 - share) * value + share * run.values.at(row + 1, at);
+      const between = (/** @type {{index: number, factor: number}} */ at) => {
+        const value = force(row, at);
+        return share === 0 ? value : (1 - share) * value + share * force(row + 1, at);
       };
       const [px, py] = framePose(mechanism, frame, places);
       return { x: px, y: py, z: scene.slabOf(frame)[1], u: sign * between(x), v: sign * between(y) };

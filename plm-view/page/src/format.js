@@ -13,7 +13,8 @@
  * @typedef {{name: string, doc: string, report: Report | null, bodies: Body[], ground: GroundPort[], parts: Part[],
  *   parameters: Parameter[], inputs: Input[],
  *   states: {name: string, unit: string}[]}} Mechanism
- * @typedef {{name: string, unit: string}} Column
+ * @typedef {{name: string, unit: string, factor?: number | null}} Column a value in SI is one in the unit times the factor, 1 if
+ *   nothing is said
  * @typedef {{time: number, what: string, row: number | null}} RunEvent
  * @typedef {{time: number, part: string, text: string}} RunFault
  * @typedef {{name: string, mechanism: Mechanism, method: string, columns: Column[], events: RunEvent[],

@@ -3,7 +3,7 @@
 import { setMode } from "./commands.js";
 import { element, saveBlob, setText } from "./dom.js";
 import { LIVE_WINDOW } from "./live.js";
-import { niceNear } from "./numbers.js";
+import { fromSi, niceNear, toSi } from "./numbers.js";
 import { fileStem } from "./picture.js";
 import { timeText, typeset } from "./text.js";
 import { csvText, resultsFile } from "./write.js";
@@ -101,9 +101,9 @@ export class LivePanel {
     const { live } = this;
     const span = usualSpan(live, exponents ?? []) / factor;
     const set = (/** @type {HTMLInputElement} */ { value }) => {
-      if (value.trim() !== "") live.set(kind, index, Number(value) * factor);
+      if (value.trim() !== "") live.set(kind, index, valueOf(Number(value), factor, usual ?? 0));
     };
-    const { low, high, step } = rangeAround((usual ?? 0) / factor, span);
+    const { low, high, step } = rangeAround(fromSi(usual ?? 0, factor), span);
     const id = `${kind}-${index}`;
     const slider = element("input", { type: "range", id: `${id}-slider`, "aria-label": `${name}, slider`, min: low, max: high, step, oninput: () => set(slider) });
     const field = element("input", { type: "number", id, step: "any", onchange: () => set(field) });
@@ -133,7 +133,7 @@ export class LivePanel {
 
   /** Shows a value, with its slider made longer where it stands outside. @param {Dial} dial */
   turn({ kind, index, factor, slider, field }) {
-    const shown = inUnit(this.live.settings[kind][index] ?? NaN, factor);
+    const shown = fromSi(this.live.settings[kind][index] ?? NaN, factor);
     if (!Number.isFinite(shown)) return;
     // What is being typed is not overwritten.
     if (document.activeElement !== field) field.value = String(shown);
@@ -144,18 +144,22 @@ export class LivePanel {
   }
 }
 
-/** A value in its unit without the noise of the division: 400 and not 400.00000000000006. @param {number} value @param {number} factor */
-function inUnit(value, factor) {
-  const shown = value / factor;
-  const short = Number(shown.toPrecision(15));
-  return short * factor === value ? short : shown;
+/**
+ * What is asked for, SI; the usual value to the last bit where it is that.
+ * @param {number} shown in the unit
+ * @param {number} factor
+ * @param {number} usual SI
+ */
+export function valueOf(shown, factor, usual) {
+  return shown === fromSi(usual, factor) ? usual : toSi(shown, factor);
 }
 
 /** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a span. @param {number} usual @param {number} span */
 export function rangeAround(usual, span) {
   if (usual === 0 || !Number.isFinite(usual)) return { low: -span, high: span, step: span / 100 };
   const step = Number((Math.abs(usual) / 100).toPrecision(12));
-  return usual > 0 ? { low: 0, high: 200 * step, step } : { low: -200 * step, high: 0, step };
+  const far = Number((200 * step).toPrecision(12));
+  return usual > 0 ? { low: 0, high: far, step } : { low: -far, high: 0, step };
 }
 
 /**

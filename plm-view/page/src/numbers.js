@@ -71,3 +71,25 @@ export function niceStep(width) {
   if (leading < 7) return { digit: 5, exponent };
   return { digit: 1, exponent: exponent + 1 };
 }
+
+/**
+ * A value in a unit as SI: the number that is nearest to it, as a declaration has it, where the unit is a whole part of SI's.
+ * 350 times the number next to a thousandth is not the number next to 0.35.
+ * @param {number} value
+ * @param {number} factor
+ */
+export function toSi(value, factor) {
+  const parts = Math.round(1 / factor);
+  return parts > 1 && 1 / parts === factor ? value / parts : value * factor;
+}
+
+/**
+ * A value of SI in a unit, with 15 digits: 350 and not 349.99999999999994. The two roundings of the conversion stand behind them, so
+ * that a decimal of up to 14 digits is shown as it was typed.
+ * @param {number} value
+ * @param {number} factor
+ */
+export function fromSi(value, factor) {
+  const shown = value / factor;
+  return Number.isFinite(shown) ? Number(shown.toPrecision(15)) : shown;
+}

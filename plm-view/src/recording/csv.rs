@@ -48,12 +48,13 @@ impl Recording {
     }
 
     /// Reads a CSV file that has times in its first column, and names and units in its first line, as
-    /// [`write_csv`](Self::write_csv) writes it.
+    /// [`write_csv`](Self::write_csv) writes it: with a line break at the end of each line, the last one too. Without it a
+    /// number at the end may have lost digits.
     ///
     /// # Errors
-    /// If the file cannot be read, or is none of these; [`Unread::whole`] has the rows before what is wrong.
+    /// If the file cannot be read, is none of these, or ends within a line; [`Unread::whole`] has the rows before what is wrong.
     pub fn read_csv(path: impl AsRef<Path>) -> Result<Self, Unread<Self>> {
-        read_file(path.as_ref(), |bytes| {
+        read_file(path.as_ref(), usize::MAX, |bytes| {
             let mut recording = Self::default();
             let problem = recording.read_csv_from(bytes).err();
             (recording, problem.into_iter().collect())
@@ -61,10 +62,19 @@ impl Recording {
     }
 
     fn read_csv_from(&mut self, bytes: &[u8]) -> Result<(), String> {
-        let mut csv = ReaderBuilder::new().from_reader(bytes);
+        let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+        let (lines, rest) = bytes.split_at(whole);
+        let cut_off = || {
+            let line = 1 + lines.split_inclusive(|byte| *byte == b'\n').count();
+            format!("line {line}: the file is cut off there, before the line break")
+        };
+        let mut csv = ReaderBuilder::new().from_reader(if lines.is_empty() { rest } else { lines });
         let headings = csv.headers().map_err(|error| error.to_string())?;
         if headings.get(0) != Some(TIME) {
             return Err(format!("its first column is not `{TIME}`"));
+        }
+        if lines.is_empty() {
+            return Err(cut_off());
         }
         *self = Self::new(headings.iter().skip(1).map(column));
         for record in csv.records() {
@@ -78,7 +88,7 @@ impl Recording {
                 self.push(*time, row);
             }
         }
-        Ok(())
+        if rest.is_empty() { Ok(()) } else { Err(cut_off()) }
     }
 }
 

@@ -28,7 +28,10 @@ impl Table {
 
     /// Takes so many rows, with gaps behind those that there are.
     pub(crate) fn fill(&mut self, mut numbers: Vec<f64>, rows: usize) {
-        numbers.resize(rows * self.width, f64::NAN);
+        let length = rows * self.width;
+        // Not twice as much as is needed.
+        numbers.reserve_exact(length.saturating_sub(numbers.len()));
+        numbers.resize(length, f64::NAN);
         self.numbers = numbers;
     }
 

@@ -1,19 +1,13 @@
 //! The archive around a results file, a zip.
 
+use std::collections::BTreeMap;
 use std::io::{self, Cursor, Read, Write};
 
-use zip::read::read_zipfile_from_stream;
+use zip::read::{ZipFile, read_zipfile_from_stream};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-/// An entry as it was read.
-pub(super) struct Entry {
-    pub(super) name: String,
-    /// Its contents, as far as they came.
-    pub(super) bytes: Vec<u8>,
-    /// Does the file end within it?
-    pub(super) is_cut_off: bool,
-}
+use super::budget::Budget;
 
 /// An archive of these entries, name and contents, in their order.
 pub(crate) fn write(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> io::Result<Vec<u8>> {
@@ -26,44 +20,91 @@ pub(crate) fn write(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> io:
     Ok(zip.finish()?.into_inner())
 }
 
-/// The entries of an archive, and what is wrong with it.
-///
-/// They are read one after the other from the beginning, so that of a file that is cut off all is there that came before
-/// the cut; the directory of an archive stands at its end.
-pub(super) fn read(bytes: &[u8]) -> (Vec<Entry>, Vec<String>) {
-    let (mut rest, mut entries, mut problems) = (bytes, Vec::new(), Vec::new());
-    loop {
-        match next(&mut rest) {
-            Ok(Some((entry, is_whole))) => {
-                let is_cut_off = !is_whole && rest.is_empty();
-                if is_whole || is_cut_off {
-                    entries.push(Entry { is_cut_off, ..entry });
-                } else {
-                    problems.push(format!("{} is damaged", entry.name));
-                }
+/// An archive to be read. Nothing of it is unpacked before it is asked for.
+pub(super) enum Archive<'a> {
+    /// With the directory at its end, which alone says where each entry is. Entries that were written to a stream do not know
+    /// their length before they end.
+    Whole(Box<ZipArchive<Cursor<&'a [u8]>>>),
+    /// Without it: the entries as they follow each other from the beginning, and where each of them begins.
+    Cut { bytes: &'a [u8], starts: BTreeMap<String, usize> },
+}
+
+/// What an entry holds.
+pub(super) enum Entry {
+    /// All of it.
+    Whole(Vec<u8>),
+    /// The bytes before the end of the file, which is within the entry.
+    CutOff(Vec<u8>),
+}
+
+impl<'a> Archive<'a> {
+    /// The archive in these bytes, and what is wrong with it as a whole.
+    ///
+    /// Of one whose directory is not there all is found that comes before the cut.
+    pub(super) fn new(bytes: &'a [u8]) -> (Self, Option<String>) {
+        if let Ok(zip) = ZipArchive::new(Cursor::new(bytes)) {
+            return (Self::Whole(Box::new(zip)), None);
+        }
+        let (starts, problem) = starts(bytes);
+        (Self::Cut { bytes, starts }, Some(problem))
+    }
+
+    /// Unpacks an entry; none if there is none of this name.
+    ///
+    /// # Errors
+    /// If it is damaged, or larger than what is left to be taken: in words that go on behind its name.
+    pub(super) fn entry(&mut self, name: &str, budget: &Budget) -> Option<Result<Entry, String>> {
+        match self {
+            Self::Whole(zip) => {
+                let file = zip.by_index(zip.index_for_name(name)?);
+                let outcome =
+                    file.map_err(|_| DAMAGED.to_owned()).and_then(|mut file| unpacked(&mut file, budget));
+                Some(outcome.and_then(|(bytes, is_whole)| {
+                    if is_whole { Ok(Entry::Whole(bytes)) } else { Err(DAMAGED.to_owned()) }
+                }))
             }
-            Ok(None) => {
-                if problems.is_empty() && ZipArchive::new(Cursor::new(bytes)).is_err() {
-                    problems.push("the directory at its end is cut off or damaged".to_owned());
-                }
-                return (entries, problems);
-            }
-            Err(_) if rest.is_empty() => {
-                problems.push("it is cut off".to_owned());
-                return (entries, problems);
-            }
-            Err(error) => {
-                problems.push(format!("{error}, {} bytes from its end", rest.len()));
-                return (entries, problems);
+            Self::Cut { bytes, starts } => {
+                let mut rest = bytes.get(*starts.get(name)?..)?;
+                // Behind this line the stream stands behind the entry.
+                let outcome = unpacked(&mut read_zipfile_from_stream(&mut rest).ok()??, budget);
+                Some(outcome.and_then(|(bytes, is_whole)| match (is_whole, rest) {
+                    (true, _) => Ok(Entry::Whole(bytes)),
+                    (false, []) => Ok(Entry::CutOff(bytes)),
+                    (false, _) => Err(DAMAGED.to_owned()),
+                }))
             }
         }
     }
 }
 
-/// The next entry, and whether it is whole.
-fn next(rest: &mut &[u8]) -> zip::result::ZipResult<Option<(Entry, bool)>> {
-    let Some(mut file) = read_zipfile_from_stream(rest)? else { return Ok(None) };
-    let (name, mut bytes) = (file.name().to_owned(), Vec::new());
-    let is_whole = file.read_to_end(&mut bytes).is_ok();
-    Ok(Some((Entry { name, bytes, is_cut_off: false }, is_whole)))
+const DAMAGED: &str = "is damaged";
+
+/// The contents of an entry as far as they come, and whether they are all that it promises: length and check sum.
+fn unpacked<R: Read>(file: &mut ZipFile<'_, R>, budget: &Budget) -> Result<(Vec<u8>, bool), String> {
+    let length = file.size();
+    let mut bytes = budget.room(usize::try_from(length).unwrap_or(usize::MAX))?;
+    let came = file.by_ref().take(length).read_to_end(&mut bytes);
+    // The check sum is looked at where the end is reached.
+    let is_whole =
+        came.is_ok_and(|came| came as u64 == length) && file.read(&mut [0]).is_ok_and(|more| more == 0);
+    Ok((bytes, is_whole))
+}
+
+/// Where entries begin that follow each other from the beginning of a file, and why there are no more.
+fn starts(bytes: &[u8]) -> (BTreeMap<String, usize>, String) {
+    let (mut rest, mut starts) = (bytes, BTreeMap::new());
+    loop {
+        let start = bytes.len() - rest.len();
+        let next = read_zipfile_from_stream(&mut rest);
+        let problem = match next.map(|file| file.map(|file| file.name().to_owned())) {
+            Ok(Some(name)) => {
+                starts.insert(name, start);
+                continue;
+            }
+            Ok(None) => "the directory at its end is cut off or damaged".to_owned(),
+            Err(_) if rest.is_empty() => "it is cut off".to_owned(),
+            Err(error) => format!("{error}, {} bytes from its end", rest.len()),
+        };
+        return (starts, problem);
+    }
 }

@@ -152,6 +152,7 @@ pub struct Frame {
 
 /// A parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "FlatParameter")]
 pub struct Parameter {
     /// Name and unit.
     #[serde(flatten)]
@@ -161,6 +162,29 @@ pub struct Parameter {
     /// Its value in this run, SI.
     #[serde(deserialize_with = "or_nan")]
     pub value: f64,
+}
+
+/// A parameter as it stands in the file. What is flattened by serde is kept in another form until all of it is known, keys
+/// that nobody knows too, in many times the memory.
+#[derive(Deserialize)]
+struct FlatParameter {
+    name: String,
+    #[serde(default)]
+    doc: String,
+    unit: String,
+    factor: f64,
+    #[serde(default)]
+    exponents: [i8; 7],
+    default: Option<f64>,
+    #[serde(deserialize_with = "or_nan")]
+    value: f64,
+}
+
+impl From<FlatParameter> for Parameter {
+    fn from(flat: FlatParameter) -> Self {
+        let FlatParameter { name, doc, unit, factor, exponents, default, value } = flat;
+        Self { quantity: Quantity { name, doc, unit, factor, exponents }, default, value }
+    }
 }
 
 /// A name with its unit.

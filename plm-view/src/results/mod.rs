@@ -1,11 +1,13 @@
 //! Results of runs in a file: a zip archive of NumPy arrays and one `plm.json` (docs/src/running/results.md).
 
 mod archive;
+mod budget;
 mod mechanism;
 mod npy;
 pub(crate) mod number;
+mod read;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;
 
@@ -33,15 +35,6 @@ struct Head {
     version: u32,
     made_by: String,
     runs: Vec<About>,
-}
-
-/// What is looked at before the rest of `plm.json`.
-#[derive(Deserialize)]
-struct Kind {
-    #[serde(default)]
-    format: String,
-    #[serde(default)]
-    version: u32,
 }
 
 /// Runs that stand in one file.
@@ -93,34 +86,38 @@ impl Results {
         bytes(&self.runs.iter().collect::<Vec<&Recording>>())
     }
 
-    /// Reads a results file.
+    /// Bytes that [`read`](Self::read) takes at most for what a file holds: 1 GiB, of numbers 134 million.
+    pub const MOST_BYTES: usize = 1 << 30;
+
+    /// Reads a results file, which may take [`MOST_BYTES`](Self::MOST_BYTES).
     ///
     /// # Errors
-    /// If it cannot be read, is no results file, is cut off or damaged: the error says what is missing, and
+    /// If it cannot be read, is no results file, is cut off, damaged or too large: the error says what is missing, and
     /// [`Unread::whole`] has all the rest. Numbers that are missing there are NaN.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Unread<Self>> {
-        read_file(path.as_ref(), Self::from_bytes)
+        Self::read_within(path, Self::MOST_BYTES)
     }
 
-    /// What these bytes of a results file hold, and what is missing or wrong; nothing if all is well.
+    /// Reads a results file, which may take so many bytes: itself, and unpacked what it holds, with what an array takes
+    /// while it is unpacked. Some bytes of a file can stand for a thousand times as many numbers.
+    ///
+    /// The directory of the archive is not counted, which takes 20 times its own length.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_within(path: impl AsRef<Path>, most: usize) -> Result<Self, Unread<Self>> {
+        read_file(path.as_ref(), most, |bytes| Self::from_bytes_within(bytes, most))
+    }
+
+    /// What these bytes of a results file hold, and what is missing or wrong; nothing if all is well. It takes
+    /// [`MOST_BYTES`](Self::MOST_BYTES) at most.
     pub fn from_bytes(bytes: &[u8]) -> (Self, Vec<String>) {
-        if !bytes.starts_with(b"PK") {
-            return (Self::default(), vec!["it is no results file: no zip archive".to_owned()]);
-        }
-        let (entries, mut problems) = archive::read(bytes);
-        let mut entries: BTreeMap<String, archive::Entry> =
-            entries.into_iter().map(|entry| (entry.name.clone(), entry)).collect();
-        let found = entries.remove(HEAD).ok_or_else(|| format!("{HEAD} is missing"));
-        let head = match found.and_then(|entry| head(&entry)) {
-            Ok(head) => head,
-            Err(problem) => {
-                problems.insert(0, problem);
-                return (Self::default(), problems);
-            }
-        };
-        let runs = head.runs.into_iter().enumerate();
-        let runs = runs.map(|(run, about)| recording(run, about, &mut entries, &mut problems)).collect();
-        (Self { made_by: head.made_by, runs }, problems)
+        Self::from_bytes_within(bytes, Self::MOST_BYTES)
+    }
+
+    /// The same, and takes so many bytes at most; see [`read_within`](Self::read_within).
+    pub fn from_bytes_within(bytes: &[u8], most: usize) -> (Self, Vec<String>) {
+        read::results(bytes, most)
     }
 }
 
@@ -176,67 +173,4 @@ fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
     let free = free.unwrap_or_default();
     taken.insert(free.clone());
     free
-}
-
-fn head(entry: &archive::Entry) -> Result<Head, String> {
-    if entry.is_cut_off {
-        return Err(format!("{HEAD} is cut off"));
-    }
-    let wrong = |error: serde_json::Error| format!("{HEAD}: {error}");
-    let Kind { format, version } = serde_json::from_slice(&entry.bytes).map_err(wrong)?;
-    if format != FORMAT {
-        return Err(format!("it is no results file: the format in {HEAD} is not `{FORMAT}`"));
-    }
-    if version != VERSION {
-        return Err(format!("it is of version {version} of the format; {VERSION} can be read"));
-    }
-    serde_json::from_slice(&entry.bytes).map_err(wrong)
-}
-
-/// A run, as far as its arrays are there.
-fn recording(
-    run: usize,
-    about: About,
-    entries: &mut BTreeMap<String, archive::Entry>,
-    problems: &mut Vec<String>,
-) -> Recording {
-    let mut array = |name: &str, fits: &dyn Fn(&[usize]) -> bool| {
-        let name = format!("{run}/{name}.npy");
-        let (numbers, problem) = numbers(entries.remove(&name), fits);
-        problems.extend(problem.map(|problem| format!("{name} {problem}")));
-        numbers
-    };
-    let times = array("time", &|shape| shape.len() == 1);
-    let rows = times.len();
-    let tables = TABLES.each_ref().map(|of| {
-        let Some(expected) = (of.shape)(rows, &about) else { return Vec::new() };
-        // Of times that were cut off there may be fewer.
-        array(of.name, &|shape| shape.len() == expected.len() && shape[1..] == expected[1..])
-    });
-    let mut recording = Recording::empty(about);
-    recording.fill(times, tables);
-    recording
-}
-
-/// The numbers of an array as far as they came, and what is wrong.
-fn numbers(entry: Option<archive::Entry>, fits: &dyn Fn(&[usize]) -> bool) -> (Vec<f64>, Option<String>) {
-    let Some(entry) = entry else { return (Vec::new(), Some("is missing".to_owned())) };
-    let array = match npy::read(&entry.bytes) {
-        Ok(array) => array,
-        Err(_) if entry.is_cut_off => return (Vec::new(), Some("is cut off".to_owned())),
-        Err(problem) => return (Vec::new(), Some(problem)),
-    };
-    if !fits(&array.shape) {
-        return (Vec::new(), Some(format!("has the shape {:?}, which {HEAD} does not say", array.shape)));
-    }
-    let rows = array.shape.first().copied().unwrap_or_default();
-    let width: usize = array.shape.iter().skip(1).product();
-    let (expected, mut numbers) = (rows * width, array.numbers);
-    if numbers.len() >= expected {
-        numbers.truncate(expected);
-        return (numbers, None);
-    }
-    let came = numbers.len().checked_div(width).unwrap_or_default();
-    numbers.truncate(came * width);
-    (numbers, Some(format!("is cut off after {came} of {rows} rows")))
 }

@@ -4,11 +4,43 @@ const MAGIC: &[u8] = b"\x93NUMPY";
 /// The header is filled up to a multiple of so many bytes.
 const ALIGNMENT: usize = 64;
 
-/// An array, row by row.
-pub(super) struct Array {
+/// An array, row by row, whose numbers are still bytes.
+pub(super) struct Array<'a> {
     pub(super) shape: Vec<usize>,
-    /// Its numbers; fewer than the shape says where the file is cut off.
-    pub(super) numbers: Vec<f64>,
+    kind: Kind,
+    data: &'a [u8],
+}
+
+/// What stands for a number.
+#[derive(Clone, Copy)]
+enum Kind {
+    Double,
+    Single,
+}
+
+impl Array<'_> {
+    /// How many numbers came; fewer than the shape says where the file is cut off.
+    pub(super) fn len(&self) -> usize {
+        let size = match self.kind {
+            Kind::Double => size_of::<f64>(),
+            Kind::Single => size_of::<f32>(),
+        };
+        self.data.len() / size
+    }
+
+    /// Puts the first numbers into a list, so many of them or as many as came.
+    pub(super) fn read_into(&self, numbers: &mut Vec<f64>, count: usize) {
+        match self.kind {
+            Kind::Double => {
+                let all = self.data.as_chunks().0.iter();
+                numbers.extend(all.take(count).map(|bytes| f64::from_le_bytes(*bytes)));
+            }
+            Kind::Single => {
+                let all = self.data.as_chunks().0.iter();
+                numbers.extend(all.take(count).map(|bytes| f64::from(f32::from_le_bytes(*bytes))));
+            }
+        }
+    }
 }
 
 /// The bytes of an array.
@@ -27,7 +59,7 @@ pub(super) fn write(shape: &[usize], numbers: &[f64]) -> Vec<u8> {
 ///
 /// # Errors
 /// Why it is none that can be read here.
-pub(super) fn read(bytes: &[u8]) -> Result<Array, String> {
+pub(super) fn read(bytes: &[u8]) -> Result<Array<'_>, String> {
     let cut = || "is cut off in its header".to_owned();
     let rest = bytes.strip_prefix(MAGIC).ok_or("is no array of NumPy")?;
     let (&[major, _], rest) = rest.split_first_chunk().ok_or_else(cut)?;
@@ -41,13 +73,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Array, String> {
     if value_of(header, "fortran_order") != Some("False") {
         return Err("is not stored row by row".to_owned());
     }
-    let numbers = match value_of(header, "descr").unwrap_or_default() {
-        "'<f8'" => data.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect(),
-        "'<f4'" => data.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes).into()).collect(),
+    let kind = match value_of(header, "descr").unwrap_or_default() {
+        "'<f8'" => Kind::Double,
+        "'<f4'" => Kind::Single,
         other => return Err(format!("holds numbers of the kind {other}; `<f8` and `<f4` can be read")),
     };
     let shape = shape(header).ok_or("has no shape")?;
-    Ok(Array { shape, numbers })
+    Ok(Array { shape, kind, data })
 }
 
 /// The value of a key in the header, which is a dictionary of Python.

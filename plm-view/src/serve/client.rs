@@ -1,5 +1,6 @@
 //! What waits for a client to be sent: a queue that the simulation fills and the client's own thread empties.
 
+use std::net::{Shutdown, TcpStream};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -28,6 +29,8 @@ pub(super) enum Item {
 pub(super) struct Client {
     waiting: Mutex<Waiting>,
     comes: Condvar,
+    /// Its connection, to be closed from outside.
+    connection: Option<TcpStream>,
 }
 
 #[derive(Debug, Default)]
@@ -47,6 +50,10 @@ struct Rows<'a> {
 }
 
 impl Client {
+    pub(super) fn new(connection: TcpStream) -> Self {
+        Self { connection: Some(connection), ..Self::default() }
+    }
+
     /// Adds what is to be sent, without waiting for anybody; false if the client is given up.
     pub(super) fn push(&self, item: Item) -> bool {
         let mut waiting = locked(&self.waiting);
@@ -62,9 +69,14 @@ impl Client {
         self.comes.notify_one();
     }
 
+    /// It gets nothing any more, and its connection is free at once: a write that waits for it ends.
     pub(super) fn give_up(&self) {
         locked(&self.waiting).is_given_up = true;
         self.end();
+        if let Some(connection) = &self.connection {
+            // It may be closed already.
+            drop(connection.shutdown(Shutdown::Both));
+        }
     }
 
     /// What waits, as text of server-sent events; a comment after a second without any; nothing at the end.

@@ -3,6 +3,7 @@
 //!
 //! The simulation never waits for a client: each has a thread and a queue of its own.
 
+mod access;
 mod client;
 mod message;
 mod request;
@@ -22,15 +23,24 @@ use crate::recording::{About, Fault, Recording};
 use crate::results::Results;
 use client::{Client, Item, json, locked};
 pub use message::{Message, Pull};
-use request::{Refusal, Request};
+use request::Refusal;
 
 /// Connections at once; more are refused.
 const MOST_CONNECTIONS: usize = 32;
+/// Of these so many listen; a further one takes the place of the one that has listened longest. Whether somebody reads cannot be
+/// told for long: the system takes megabytes for one that does not. What else connects is done within seconds.
+const MOST_LISTENERS: usize = 24;
 /// Messages that nobody has taken; more are refused.
 const MOST_MESSAGES: usize = 1024;
 /// A request must have come after this time.
 const REQUEST_TIME: Duration = Duration::from_secs(3);
-/// A client that takes nothing for this time is given up.
+/// Of one that is refused so much longer is listened to what still comes.
+const FAREWELL: Duration = Duration::from_millis(500);
+/// Clocks are looked at so often while nothing comes.
+const LOOK: Duration = Duration::from_millis(200);
+/// An answer must have been taken after this time.
+const ANSWER_TIME: Duration = Duration::from_secs(5);
+/// A client whose connection takes nothing for this time is given up.
 const STALL_TIME: Duration = Duration::from_secs(5);
 /// Events go out so often at most: as often as a page draws.
 const FRAME: Duration = Duration::from_millis(16);
@@ -116,7 +126,7 @@ impl Host {
         let shared = Arc::new(Shared {
             page: page.to_served_html(),
             hello: json(&Event::Hello { run, pulls, about: &of.about }).into(),
-            names: names(address.port()),
+            names: access::names(address.port()),
             state: Mutex::new(State {
                 row: Arc::new([]),
                 is_assembled: false,
@@ -212,22 +222,18 @@ impl Drop for Host {
 
 impl State {
     fn send(&mut self, item: &Item) {
-        self.clients.retain(|client| client.push(item.clone()));
+        self.clients.retain(|client| {
+            let stays = client.push(item.clone());
+            if !stays {
+                client.give_up();
+            }
+            stays
+        });
     }
 
     fn began(&self) -> Arc<str> {
         json(&Event::Began { numbers: &self.row, is_assembled: self.is_assembled }).into()
     }
-}
-
-/// The names of this machine for itself: a page of another name has been led here (DNS rebinding).
-fn names(port: u16) -> Vec<String> {
-    let names = ["127.0.0.1", "localhost"];
-    let mut all: Vec<String> = names.iter().map(|name| format!("{name}:{port}")).collect();
-    if port == 80 {
-        all.extend(names.map(str::to_owned));
-    }
-    all
 }
 
 /// Takes connections, each to a thread of its own.
@@ -241,8 +247,7 @@ fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
             thread::sleep(FRAME);
             continue;
         };
-        let limited =
-            stream.set_read_timeout(Some(REQUEST_TIME)).and(stream.set_write_timeout(Some(STALL_TIME)));
+        let limited = stream.set_read_timeout(Some(LOOK)).and(stream.set_write_timeout(Some(STALL_TIME)));
         if limited.is_err() {
             continue;
         }
@@ -271,7 +276,7 @@ impl Drop for Counted {
 /// One request and its answer. An answer that nobody takes is nobody's loss.
 fn serve(stream: &mut TcpStream, shared: &Shared) {
     let outcome = request::read(stream, Instant::now() + REQUEST_TIME).and_then(|request| {
-        allowed(&request, &shared.names)?;
+        access::check(&request, &shared.names)?;
         Ok(request)
     });
     let request = match outcome {
@@ -279,7 +284,7 @@ fn serve(stream: &mut TcpStream, shared: &Shared) {
         Err(refusal) => return refuse(stream, refusal),
     };
     match (request.method.as_str(), request.path.as_str()) {
-        ("GET", "/") => drop(request::answer(stream, 200, "text/html", &shared.page)),
+        ("GET", "/") => drop(request::answer(&mut InTime::new(stream), 200, "text/html", &shared.page)),
         ("GET", "/events") => drop(events(stream, shared)),
         ("POST", "/message") => match Message::read(&request.body) {
             None => refuse(stream, Refusal(400, "this is no message")),
@@ -293,17 +298,30 @@ fn serve(stream: &mut TcpStream, shared: &Shared) {
     }
 }
 
-/// Only a page of ours may ask.
-fn allowed(request: &Request, names: &[String]) -> Result<(), Refusal> {
-    let is_ours = |origin: &str| {
-        origin.strip_prefix("http://").is_some_and(|host| names.iter().any(|name| name == host))
-    };
-    if !names.contains(&request.host) {
-        Err(Refusal(403, "this program answers to localhost and 127.0.0.1 with its port alone"))
-    } else if request.origin.as_deref().is_some_and(|origin| !is_ours(origin)) {
-        Err(Refusal(403, "this program answers to its own page alone"))
-    } else {
-        Ok(())
+/// A connection that has to take all that is written within [`ANSWER_TIME`]. One that takes a little now and then would hold its
+/// place for hours.
+struct InTime<'a> {
+    stream: &'a mut TcpStream,
+    until: Instant,
+}
+
+impl<'a> InTime<'a> {
+    fn new(stream: &'a mut TcpStream) -> Self {
+        Self { stream, until: Instant::now() + ANSWER_TIME }
+    }
+}
+
+impl Write for InTime<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if Instant::now() > self.until {
+            Err(io::ErrorKind::TimedOut.into())
+        } else {
+            self.stream.write(bytes)
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.stream.flush()
     }
 }
 
@@ -311,7 +329,7 @@ fn allowed(request: &Request, names: &[String]) -> Result<(), Refusal> {
 fn refuse(stream: &mut TcpStream, Refusal(status, why): Refusal) {
     let said =
         request::answer(stream, status, "text/plain", why).and_then(|()| stream.shutdown(Shutdown::Write));
-    let until = Instant::now() + REQUEST_TIME;
+    let until = Instant::now() + FAREWELL;
     let mut block = [0; 4096];
     let mut left = 64;
     while said.is_ok()
@@ -327,9 +345,12 @@ fn refuse(stream: &mut TcpStream, Refusal(status, why): Refusal) {
 fn events(stream: &mut TcpStream, shared: &Shared) -> io::Result<()> {
     stream.set_nodelay(true)?;
     stream.write_all(request::events_head().as_bytes())?;
-    let client = Arc::new(Client::default());
+    let client = Arc::new(Client::new(stream.try_clone()?));
     {
         let mut state = locked(&shared.state);
+        if state.clients.len() >= MOST_LISTENERS {
+            state.clients.remove(0).give_up();
+        }
         // Whatever is sent from now on comes behind this.
         client.push(Item::Text(Arc::clone(&shared.hello)));
         let texts = [state.settings.clone(), (!state.row.is_empty()).then(|| state.began())];

@@ -1,5 +1,6 @@
 //! Requests of HTTP/1.1, as much of it as a page sends, bounded in size and time.
 
+use std::io::ErrorKind::{Interrupted, TimedOut, WouldBlock};
 use std::io::{self, Read, Write};
 use std::time::Instant;
 
@@ -16,7 +17,19 @@ pub(super) struct Request {
     pub(super) host: String,
     /// Where the page that sends it came from, if the browser says so.
     pub(super) origin: Option<String>,
+    pub(super) fetch: Fetch,
     pub(super) body: Vec<u8>,
+}
+
+/// Who asks for what, if the browser says so (W3C: Fetch Metadata Request Headers).
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Fetch {
+    /// `same-origin`, `same-site`, `cross-site`; `none` where somebody has typed the address.
+    pub(super) site: Option<String>,
+    /// `navigate` where the answer is to be shown as a whole.
+    pub(super) mode: Option<String>,
+    /// What it is for: `document`, `image`.
+    pub(super) dest: Option<String>,
 }
 
 /// Why a request is not answered as it wants: a status of HTTP, and words.
@@ -27,7 +40,7 @@ const MALFORMED: Refusal = Refusal(400, "this is no request of HTTP/1.1");
 const TOO_LARGE: Refusal = Refusal(413, "the request is too large");
 const TOO_SLOW: Refusal = Refusal(408, "the request took too long");
 
-/// Reads a request until a moment of the clock; a read of the stream ends by itself, too.
+/// Reads a request until a moment of the clock; a read of the stream ends by itself, and may come to nothing.
 ///
 /// # Errors
 /// What is malformed, too large or too slow.
@@ -65,8 +78,9 @@ fn more(stream: &mut impl Read, bytes: &mut Vec<u8>, until: Instant) -> Result<(
             bytes.extend(block.iter().take(count));
             Ok(())
         }
-        Err(error) if error.kind() == io::ErrorKind::Interrupted => Ok(()),
-        Err(_) => Err(TOO_SLOW),
+        // Nothing came; how long that may be is not for a single read to say.
+        Err(error) if [Interrupted, WouldBlock, TimedOut].contains(&error.kind()) => Ok(()),
+        Err(_) => Err(MALFORMED),
     }
 }
 
@@ -94,8 +108,11 @@ fn parse(head: &str) -> Result<(Request, usize), Refusal> {
     }
     let length = one("content-length")?.map_or(Ok(0), length)?;
     let host = one("host")?.ok_or(MALFORMED)?.to_ascii_lowercase();
-    let origin = one("origin")?.map(str::to_ascii_lowercase);
-    Ok((Request { method: method.to_owned(), path: path.to_owned(), host, origin, body: Vec::new() }, length))
+    let lower = |name: &str| Ok(one(name)?.map(str::to_ascii_lowercase));
+    let (method, path, origin) = (method.to_owned(), path.to_owned(), lower("origin")?);
+    let [site, mode, dest] = ["sec-fetch-site", "sec-fetch-mode", "sec-fetch-dest"].map(lower);
+    let fetch = Fetch { site: site?, mode: mode?, dest: dest? };
+    Ok((Request { method, path, host, origin, fetch, body: Vec::new() }, length))
 }
 
 fn field(line: &str) -> Option<(&str, &str)> {
