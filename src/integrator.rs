@@ -98,7 +98,7 @@ impl FromStr for Integrator {
     }
 }
 
-fn unknown(name: &str) -> BadOption {
+pub(crate) fn unknown(name: &str) -> BadOption {
     let names: Vec<&str> = NAMED.iter().map(|known| known.name).collect();
     let near = nearest(name, names.iter().copied());
     let hint = near.map_or("there are".to_owned(), |near| format!("is {near} meant? There are"));

@@ -102,7 +102,7 @@ impl<M: Runnable> Run<M> {
             Kind::Input => by_number::input::<M>(state, index),
             Kind::State => <M as Described>::state(state, index),
             Kind::Output => M::observed(state, index),
-            Kind::Start | Kind::Body => None,
+            Kind::Start | Kind::Body | Kind::Integrated | Kind::Rate => None,
         })
     }
 

@@ -2,11 +2,15 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+use std::ffi::OsString;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use plm::{Described, Dop853, Sim};
+
+#[path = "foreign/suppliers.rs"]
+mod suppliers;
 
 plm::mechanism! {
     /// A press: a loop with a slider, a stop with a spring that pushes at once, an input, a state, and a time that must
@@ -46,23 +50,49 @@ fn library() -> &'static Path {
     })
 }
 
-/// Compiles a program of `tests/c` with every warning an error, and gives where it is; nothing where the compiler is not there.
-fn compiled(compiler: &str, standard: &str, file: &str) -> Option<PathBuf> {
-    if Command::new(compiler).arg("--version").output().is_err() {
-        println!("skipped: there is no {compiler}");
-        return None;
+/// Is there such a program?
+fn is_there(program: &str) -> bool {
+    let is_there = Command::new(program).arg("--version").output().is_ok();
+    if !is_there {
+        println!("skipped: there is no {program}");
     }
-    let (source, folder) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(file), library());
-    let program = folder.join(format!("{compiler}-{file}.out"));
+    is_there
+}
+
+/// The line that compiles a program of `tests/c` with every warning an error, and where the program will be.
+fn compiler(compiler: &str, standard: &str, file: &str) -> (Command, PathBuf) {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(file);
+    let name = source.file_name().unwrap().to_string_lossy();
+    let program = library().join(format!("{compiler}-{name}.out"));
     let mut compile = Command::new(compiler);
-    compile
-        .args([standard, "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"])
-        .arg(folder)
-        .arg(source);
-    compile.arg(folder.join("libmachines.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
-    let said = compile.output().unwrap();
-    assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
+    compile.args([standard, "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]).arg(source);
+    compile.arg("-o").arg(&program);
+    (compile, program)
+}
+
+/// Compiles a program, with further words, and gives where it is; nothing where the compiler is not there.
+fn compiled_with(
+    [compiler_name, standard, file]: [&str; 3],
+    words: impl IntoIterator<Item = OsString>,
+) -> Option<PathBuf> {
+    let (mut compile, program) = is_there(compiler_name).then(|| compiler(compiler_name, standard, file))?;
+    let output = compile.args(words).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     Some(program)
+}
+
+/// The same, with the library of all tests.
+fn compiled(compiler: &str, standard: &str, file: &str) -> Option<PathBuf> {
+    let folder = library();
+    let library = [folder.join("libmachines.a").into()];
+    compiled_with([compiler, standard, file], included([folder]).chain(library).chain(SYSTEM.map(Into::into)))
+}
+
+/// What a static library needs of the system.
+const SYSTEM: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
+
+fn included<'a>(folders: impl IntoIterator<Item = &'a Path>) -> impl Iterator<Item = OsString> {
+    folders.into_iter().flat_map(|folder| [OsString::from("-I"), folder.into()])
 }
 
 /// What a program prints.
@@ -156,7 +186,20 @@ fn a_library_for_a_microcontroller_links_alone() {
     let files = library.for_target(TARGET).write(&folder).unwrap();
     let mut link = Command::new(linker);
     link.args(["-flavor", "gnu", "--gc-sections", "--entry", "arm_init"]);
-    for function in ["start", "step", "get", "set", "save", "restore", "text", "find"] {
+    let functions = [
+        "start_at",
+        "step",
+        "get",
+        "set",
+        "set_method",
+        "rates",
+        "linearise",
+        "save",
+        "restore",
+        "text",
+        "find",
+    ];
+    for function in functions {
         link.args(["--undefined", &format!("arm_{function}")]);
     }
     let said = link.arg(&files[0]).arg("-o").arg(folder.join("program")).output().unwrap();

@@ -5,24 +5,36 @@
 //! Whether a pointer is at memory of the caller, and whether another thread uses it, nobody can look at: that is the caller's
 //! part of every function here, and the reason why they are unsafe.
 
-use core::ffi::{CStr, c_char};
+mod linear;
+mod names;
+
+pub use self::linear::{directions, linearise, rates};
+pub use self::names::{count, find, name, status_text};
+
+use core::ffi::c_char;
 use core::mem::{align_of, size_of};
 use core::slice;
 
 use crate::saved::fnv;
-use crate::{Foreign, Kind, Object, Status, Text, Trouble};
+use plm_runtime::{Fault, Sim};
 
-/// An object in memory of the caller. Its bytes may be copied: the copy goes on as the original does.
+use crate::{By, Foreign, Kind, ObjectBy, Run, Status, Text, Trouble};
+
+/// An object in memory of the caller, with runs by the methods of `R`. Its bytes may be copied: the copy goes on as the original
+/// does.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct Block<M: Foreign> {
+pub struct BlockBy<M, R> {
     /// Tells objects of this mechanism from other memory.
     mark: u64,
-    object: Object<M>,
+    object: ObjectBy<M, R>,
     text: Text,
 }
 
-impl<M: Foreign> Block<M> {
+/// One with runs by the usual method alone.
+pub type Block<M> = BlockBy<M, Sim<M>>;
+
+impl<M: Foreign, R: Run<M>> BlockBy<M, R> {
     /// Bytes that it takes.
     pub const SIZE: usize = size_of::<Self>();
     /// What its address must be a multiple of.
@@ -36,14 +48,14 @@ impl<M: Foreign> Block<M> {
 ///
 /// # Safety
 /// `memory` is null, or at `size` bytes that belong to the caller and that nobody else uses.
-pub unsafe fn init<M: Foreign>(memory: *mut Block<M>, size: usize, mechanism: M) -> i32 {
+pub unsafe fn init<M: Foreign, R: Run<M>>(memory: *mut BlockBy<M, R>, size: usize, mechanism: M) -> i32 {
     if memory.is_null() {
         return Status::Null as i32;
     }
-    if size < Block::<M>::SIZE || !memory.is_aligned() {
+    if size < BlockBy::<M, R>::SIZE || !memory.is_aligned() {
         return Status::Memory as i32;
     }
-    let block = Block { mark: Block::<M>::MARK, object: Object::new(mechanism), text: Text::new() };
+    let block = BlockBy { mark: BlockBy::<M, R>::MARK, object: ObjectBy::new(mechanism), text: Text::new() };
     // SAFETY: it is not null, aligned, and of the caller for as many bytes; what was there before needs no drop.
     unsafe { memory.write(block) };
     Status::Ok as i32
@@ -53,9 +65,9 @@ pub unsafe fn init<M: Foreign>(memory: *mut Block<M>, size: usize, mechanism: M)
 ///
 /// # Safety
 /// `block` is null, or at memory of the caller as large as an object, that nobody else uses meanwhile.
-unsafe fn with<M: Foreign>(
-    block: *mut Block<M>,
-    work: impl FnOnce(&mut Object<M>) -> Result<(), Trouble>,
+unsafe fn with<M: Foreign, R: Run<M>>(
+    block: *mut BlockBy<M, R>,
+    work: impl FnOnce(&mut ObjectBy<M, R>) -> Result<(), Trouble>,
 ) -> i32 {
     // SAFETY: as this function's.
     let Some(block) = (unsafe { found(block) }) else { return missing(block) as i32 };
@@ -72,117 +84,161 @@ unsafe fn with<M: Foreign>(
 ///
 /// # Safety
 /// As of [`with`].
-unsafe fn found<'a, M: Foreign>(block: *mut Block<M>) -> Option<&'a mut Block<M>> {
+unsafe fn found<'a, M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>) -> Option<&'a mut BlockBy<M, R>> {
     if block.is_null() || !block.is_aligned() {
         return None;
     }
     // SAFETY: it is not null, aligned, and at memory of the caller; the mark is its first field.
     let mark = unsafe { block.cast::<u64>().read() };
     // SAFETY: the mark is written by `init` alone, with all the rest.
-    (mark == Block::<M>::MARK).then(|| unsafe { &mut *block })
+    (mark == BlockBy::<M, R>::MARK).then(|| unsafe { &mut *block })
 }
 
 /// Why there is no object.
-fn missing<M: Foreign>(block: *mut Block<M>) -> Status {
+fn missing<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>) -> Status {
     if block.is_null() { Status::Null } else { Status::NoObject }
 }
 
-/// [`Object::start`]
+/// [`ObjectBy::start`]
 ///
 /// # Safety
 /// As of [`step`].
-pub unsafe fn start<M: Foreign>(block: *mut Block<M>) -> i32 {
+pub unsafe fn start<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>) -> i32 {
     // SAFETY: the caller's part.
-    unsafe { with(block, Object::start) }
+    unsafe { with(block, ObjectBy::start) }
 }
 
-/// [`Object::step`]
+/// [`ObjectBy::start_at`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn start_at<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, time: M::S) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.start_at(time)) }
+}
+
+/// [`ObjectBy::step`]
 ///
 /// # Safety
 /// `block` is null, or at memory of the caller as large as an object, that nobody else uses meanwhile.
-pub unsafe fn step<M: Foreign>(block: *mut Block<M>, dt: f64) -> i32 {
+pub unsafe fn step<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, dt: M::S) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| object.step(dt)) }
 }
 
-/// [`Object::step_to`]
+/// [`ObjectBy::step_to`]
 ///
 /// # Safety
 /// As of [`step`].
-pub unsafe fn step_to<M: Foreign>(block: *mut Block<M>, until: f64) -> i32 {
+pub unsafe fn step_to<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, until: M::S) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| object.step_to(until)) }
 }
 
-/// [`Object::set_tolerance`]
+/// [`ObjectBy::step_alone`]
 ///
 /// # Safety
 /// As of [`step`].
-pub unsafe fn set_tolerance<M: Foreign>(block: *mut Block<M>, rtol: f64) -> i32 {
+pub unsafe fn step_alone<M: Foreign, R: Run<M>>(
+    block: *mut BlockBy<M, R>,
+    step: impl FnOnce(&mut M::State) -> Result<(), Fault>,
+) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.step_alone(step)) }
+}
+
+/// [`ObjectBy::set_method`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn set_method<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, method: i32) -> i32 {
+    // SAFETY: the caller's part.
+    unsafe { with(block, |object| object.set_method(By::of(method)?)) }
+}
+
+/// [`ObjectBy::set_tolerance`]
+///
+/// # Safety
+/// As of [`step`].
+pub unsafe fn set_tolerance<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, rtol: M::S) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| object.set_tolerance(rtol)) }
 }
 
-/// [`Object::set_longest_step`]
+/// [`ObjectBy::set_longest_step`]
 ///
 /// # Safety
 /// As of [`step`].
-pub unsafe fn set_longest_step<M: Foreign>(block: *mut Block<M>, step: f64) -> i32 {
+pub unsafe fn set_longest_step<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, step: M::S) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| object.set_longest_step(step)) }
 }
 
-/// [`Object::time`]
+/// [`ObjectBy::time`]
 ///
 /// # Safety
 /// As of [`step`]; `time` is null or at a number of the caller.
-pub unsafe fn time<M: Foreign>(block: *mut Block<M>, time: *mut f64) -> i32 {
+pub unsafe fn time<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, time: *mut M::S) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| put(time, object.time()?)) }
 }
 
-/// [`Object::get`]
+/// [`ObjectBy::get`]
 ///
 /// # Safety
 /// As of [`step`]; `value` is null or at a number of the caller.
-pub unsafe fn get<M: Foreign>(block: *mut Block<M>, kind: i32, index: usize, value: *mut f64) -> i32 {
+pub unsafe fn get<M: Foreign, R: Run<M>>(
+    block: *mut BlockBy<M, R>,
+    kind: i32,
+    index: usize,
+    value: *mut M::S,
+) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| put(value, object.get(Kind::of(kind)?, index)?)) }
 }
 
-/// [`Object::set`]
+/// [`ObjectBy::set`]
 ///
 /// # Safety
 /// As of [`step`].
-pub unsafe fn set<M: Foreign>(block: *mut Block<M>, kind: i32, index: usize, value: f64) -> i32 {
+pub unsafe fn set<M: Foreign, R: Run<M>>(
+    block: *mut BlockBy<M, R>,
+    kind: i32,
+    index: usize,
+    value: M::S,
+) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| object.set(Kind::of(kind)?, index, value)) }
 }
 
-/// [`Object::pose`]
+/// [`ObjectBy::pose`]
 ///
 /// # Safety
 /// As of [`step`]; `pose` is null or at six numbers of the caller.
-pub unsafe fn pose<M: Foreign>(block: *mut Block<M>, body: usize, pose: *mut [f64; 6]) -> i32 {
+pub unsafe fn pose<M: Foreign, R: Run<M>>(
+    block: *mut BlockBy<M, R>,
+    body: usize,
+    pose: *mut [M::S; 6],
+) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| put(pose, object.pose(body)?)) }
 }
 
-/// [`Object::saved_size`]
+/// [`ObjectBy::saved_size`]
 ///
 /// # Safety
 /// As of [`step`]; `size` is null or at a number of the caller.
-pub unsafe fn saved_size<M: Foreign>(block: *mut Block<M>, size: *mut usize) -> i32 {
+pub unsafe fn saved_size<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, size: *mut usize) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| put(size, object.saved_size())) }
 }
 
-/// [`Object::save`]
+/// [`ObjectBy::save`]
 ///
 /// # Safety
 /// As of [`step`]; `bytes` is null or at room of the caller for as many.
-pub unsafe fn save<M: Foreign>(block: *mut Block<M>, (bytes, size): (*mut u8, usize)) -> i32 {
-    let work = |object: &mut Object<M>| {
+pub unsafe fn save<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, (bytes, size): (*mut u8, usize)) -> i32 {
+    let work = |object: &mut ObjectBy<M, R>| {
         if bytes.is_null() {
             return Err(Status::Null.into());
         }
@@ -199,21 +255,21 @@ pub unsafe fn save<M: Foreign>(block: *mut Block<M>, (bytes, size): (*mut u8, us
     unsafe { with(block, work) }
 }
 
-/// [`Object::saved`]
+/// [`ObjectBy::saved`]
 ///
 /// # Safety
 /// As of [`step`]; `bytes` is null or at as many of the caller.
-pub unsafe fn restore<M: Foreign>(
-    block: *mut Block<M>,
+pub unsafe fn restore<M: Foreign, R: Run<M>>(
+    block: *mut BlockBy<M, R>,
     declared: M,
     (bytes, size): (*const u8, usize),
 ) -> i32 {
-    let work = |object: &mut Object<M>| {
+    let work = |object: &mut ObjectBy<M, R>| {
         if bytes.is_null() {
             return Err(Status::Null.into());
         }
         // SAFETY: it is not null, and the caller's.
-        *object = Object::saved(declared, unsafe { slice::from_raw_parts(bytes, size) })?;
+        *object = ObjectBy::saved(declared, unsafe { slice::from_raw_parts(bytes, size) })?;
         Ok(())
     };
     // SAFETY: the caller's part.
@@ -224,63 +280,9 @@ pub unsafe fn restore<M: Foreign>(
 ///
 /// # Safety
 /// As of [`step`].
-pub unsafe fn text<M: Foreign>(block: *mut Block<M>) -> *const c_char {
+pub unsafe fn text<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>) -> *const c_char {
     // SAFETY: the caller's part.
     unsafe { found(block) }.map_or(c"".as_ptr(), |block| block.text.as_ptr())
-}
-
-/// The words of a status; of a number that is none the empty text.
-pub fn status_text(status: i32) -> *const c_char {
-    let words = Status::ALL.into_iter().find(|own| *own as i32 == status).map(|status| status.words().1);
-    words.unwrap_or(c"").as_ptr()
-}
-
-/// How many there are of a kind; 0 where there is no such kind.
-pub fn count<M: Foreign>(declared: &M, kind: i32) -> usize {
-    Kind::of(kind).map_or(0, |kind| kind.count(declared))
-}
-
-/// Writes a name with a zero at its end into `size` bytes at `name`; where they are too few it is cut off.
-///
-/// # Safety
-/// `name` is null or at `size` bytes of the caller.
-pub unsafe fn name<M: Foreign>(
-    declared: &M,
-    kind: i32,
-    index: usize,
-    (name, size): (*mut c_char, usize),
-) -> i32 {
-    let own = match Kind::of(kind).and_then(|kind| kind.name(declared, index)) {
-        Ok(own) => own,
-        Err(trouble) => return trouble.status() as i32,
-    };
-    if name.is_null() {
-        return Status::Null as i32;
-    }
-    let Some(room) = size.checked_sub(1) else { return Status::Memory as i32 };
-    let length = (0..=room.min(own.len())).rev().find(|end| own.is_char_boundary(*end)).unwrap_or(0);
-    // SAFETY: `length` is less than `size`, and no longer than the name.
-    unsafe {
-        name.copy_from_nonoverlapping(own.as_ptr().cast(), length);
-        name.add(length).write(0);
-    }
-    if length == own.len() { Status::Ok as i32 } else { Status::Memory as i32 }
-}
-
-/// Writes the number of a name.
-///
-/// # Safety
-/// `name` is null or at a text of the caller that ends with a zero, `index` null or at a number of the caller.
-pub unsafe fn find<M: Foreign>(declared: &M, kind: i32, name: *const c_char, index: *mut usize) -> i32 {
-    if name.is_null() {
-        return Status::Null as i32;
-    }
-    // SAFETY: the caller's part.
-    let name = unsafe { CStr::from_ptr(name) };
-    let found = Kind::of(kind).and_then(|kind| kind.find(declared, name.to_bytes()));
-    // SAFETY: the caller's part.
-    let written = found.and_then(|found| unsafe { put(index, found) });
-    written.map_or_else(|trouble| trouble.status() as i32, |()| Status::Ok as i32)
 }
 
 /// Writes a value where the caller wants it.

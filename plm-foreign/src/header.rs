@@ -4,19 +4,20 @@ use core::fmt::{self, Write};
 
 use plm_runtime::described::Quantity;
 
-use crate::border::Block;
-use crate::source::{Si, fill};
-use crate::{Foreign, Kind, Names, Status};
+use crate::source::{Entry, Si, replace};
+use crate::{By, Called, Foreign, Kind, Matrix, Names, Number, Status};
 
 /// The functions, for a mechanism with this prefix.
 const FUNCTIONS: &str = include_str!("header.h.txt");
+/// One of a step by itself.
+const STEP: &str = include_str!("header_step.h.txt");
 
 /// Writes the header of a mechanism; `declared` is one as it was declared.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn header<M: Foreign>(declared: &M, to: &mut impl Write) -> fmt::Result {
-    let (tables, upper) = (M::TABLES, Names::upper(M::TABLES.name));
+pub fn header<M: Foreign>(declared: &M, entry: Entry<'_>, to: &mut impl Write) -> fmt::Result {
+    let (tables, upper) = (M::TABLES, Names::upper(entry.name));
     writeln!(to, "/* {}", tables.name)?;
     for line in tables.docs.lines() {
         writeln!(to, "   {}", Comment(line))?;
@@ -32,25 +33,57 @@ pub fn header<M: Foreign>(declared: &M, to: &mut impl Write) -> fmt::Result {
         to,
         "/* Of the library beside this file, for memory that is known when C is compiled; `init` looks at it. */"
     )?;
-    writeln!(
-        to,
-        "#define {upper}_SIZE {}u\n#define {upper}_ALIGN {}u\n",
-        Block::<M>::SIZE,
-        Block::<M>::ALIGN
-    )?;
-    fill(FUNCTIONS, tables.name, to)?;
+    let (size, align) = entry.room::<M>();
+    writeln!(to, "#define {upper}_SIZE {size}u\n#define {upper}_ALIGN {align}u\n")?;
+    let (name, steps, methods) = (entry.name, Steps(entry.name, M::S::C, M::STEPS), Methods(entry));
+    let words = [("PREFIX", &name as &dyn fmt::Display), ("REAL", &M::S::C), ("STEPS", &steps)];
+    let [prefix, real, steps] = words;
+    replace(FUNCTIONS, &[prefix, real, steps, ("METHODS", &methods)], to)?;
     let quantity = |rows: &'static [Quantity], k: usize| rows.get(k).map_or(Unit::None, Unit::Of);
-    list(declared, (Kind::Parameter, "PARAMETER"), |k| quantity(tables.parameters, k), to)?;
-    list(declared, (Kind::Input, "INPUT"), |k| quantity(tables.inputs, k), to)?;
-    list(declared, (Kind::State, "STATE"), |k| quantity(tables.states, k), to)?;
-    let of_output = |k: usize| M::OBSERVED.get(k).map_or(Unit::None, |(_, unit)| Unit::Named(unit));
-    list(declared, (Kind::Output, "OUTPUT"), of_output, to)?;
-    list(declared, (Kind::Start, "START"), of_start::<M>, to)?;
-    list(declared, (Kind::Body, "BODY"), |_| Unit::None, to)?;
+    let mut list = |kind, unit: &dyn Fn(usize) -> Unit| list(declared, (kind, entry.name), unit, &mut *to);
+    list(Kind::Parameter, &|k| quantity(tables.parameters, k))?;
+    list(Kind::Input, &|k| quantity(tables.inputs, k))?;
+    list(Kind::State, &|k| quantity(tables.states, k))?;
+    list(Kind::Output, &|k| M::OBSERVED.get(k).map_or(Unit::None, |(_, unit)| Unit::Named(unit)))?;
+    list(Kind::Start, &of_start::<M>)?;
+    list(Kind::Body, &|_| Unit::None)?;
     writeln!(to, "\n#ifdef __cplusplus\n}}\n#endif\n\n#endif")
 }
 
-/// What the headers of all mechanisms have in common.
+/// The steps by themselves that a declaration orders.
+struct Steps<'a>(&'a str, &'static str, &'static [&'static str]);
+
+impl fmt::Display for Steps<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(prefix, real, steps) = self;
+        if steps.is_empty() {
+            return Ok(());
+        }
+        f.write_str(
+            "/* Steps of `h`, s, that the declaration orders, by themselves: no memory is taken, and the operations are the same in
+   each. Conditions switch at the end of a step. After an error the run is as it was. */\n",
+        )?;
+        steps
+            .iter()
+            .try_for_each(|step| replace(STEP, &[("PREFIX", prefix), ("REAL", real), ("STEP", step)], f))?;
+        f.write_str("\n")
+    }
+}
+
+/// The methods of a library, one a line.
+struct Methods<'a>(Entry<'a>);
+
+impl fmt::Display for Methods<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.methods.iter().try_for_each(|by| {
+            let Called { c, words, .. } = by.called();
+            writeln!(f, "     PLM_{c}: {words}")
+        })
+    }
+}
+
+/// What the headers of all mechanisms have in common. What came later has a guard of its own, so that headers of two versions
+/// fit into one file.
 fn common(to: &mut impl Write) -> fmt::Result {
     writeln!(
         to,
@@ -66,12 +99,31 @@ fn common(to: &mut impl Write) -> fmt::Result {
             comma(Some(&status) != Status::ALL.last())
         )?;
     }
-    writeln!(to, "}};\n\n/* What an index belongs to. */\nenum plm_kind {{")?;
-    for (kind, name) in Kind::ALL.into_iter().zip(["PARAMETER", "INPUT", "STATE", "OUTPUT", "START", "BODY"])
-    {
-        writeln!(to, "    PLM_{name} = {}{}", kind as i32, comma(kind != Kind::Body))?;
+    let (kinds, later) = Kind::ALL.split_at(6);
+    writeln!(to, "}};\n\n/* What an index belongs to. */")?;
+    constants("plm_kind", kinds.iter().map(|kind| (kind.word(), *kind as i32)), to)?;
+    writeln!(to, "#endif\n\n#ifndef PLM_METHOD\n#define PLM_METHOD\n/* Further kinds. */")?;
+    constants("plm_integrated", later.iter().map(|kind| (kind.word(), *kind as i32)), to)?;
+    writeln!(to, "\n/* Methods of integration; the functions below say which a library has. */")?;
+    constants("plm_method", By::ALL.into_iter().map(|by| (by.called().c, by as i32)), to)?;
+    writeln!(to, "\n/* Matrices of a linearisation. */")?;
+    let matrices = Matrix::ALL.into_iter().zip(["A", "B", "C", "D", "BASIS"]);
+    constants("plm_matrix", matrices.map(|(matrix, word)| (word, matrix as i32)), to)?;
+    writeln!(to, "#endif\n")
+}
+
+/// An enumeration.
+fn constants(
+    name: &str,
+    words: impl ExactSizeIterator<Item = (&'static str, i32)>,
+    to: &mut impl Write,
+) -> fmt::Result {
+    let last = words.len().saturating_sub(1);
+    writeln!(to, "enum {name} {{")?;
+    for (k, (word, number)) in words.enumerate() {
+        writeln!(to, "    PLM_{word} = {number}{}", comma(k < last))?;
     }
-    writeln!(to, "}};\n#endif\n")
+    writeln!(to, "}};")
 }
 
 /// What stands behind a name.
@@ -110,15 +162,15 @@ fn of_start<M: Foreign>(index: usize) -> Unit {
 /// The numbers of a kind by name.
 fn list<M: Foreign>(
     declared: &M,
-    (kind, word): (Kind, &str),
-    unit: impl Fn(usize) -> Unit,
+    (kind, prefix): (Kind, &str),
+    unit: &dyn Fn(usize) -> Unit,
     to: &mut impl Write,
 ) -> fmt::Result {
     let (count, mut index, mut outcome) = (kind.count(declared), 0, Ok(()));
     if count == 0 {
         return Ok(());
     }
-    let (lower, upper) = (Names::lower(M::TABLES.name), Names::upper(M::TABLES.name));
+    let (lower, upper, word) = (Names::lower(prefix), Names::upper(prefix), kind.word());
     writeln!(to, "\nenum {lower}_{} {{", Names::lower(word))?;
     kind.names(declared, &mut |name| {
         let (own, mut same) = (Names::upper(name), 0);

@@ -1,6 +1,6 @@
 //! What an object has by number.
 
-use plm_runtime::StartValues;
+use plm_runtime::{StartValues, System, Vector};
 
 use crate::{Foreign, Status, Trouble};
 
@@ -20,12 +20,25 @@ pub enum Kind {
     Start = 4,
     /// A body: has a name and a pose.
     Body = 5,
+    /// What is integrated, SI: coordinates, their velocities, first-order states; can be read. Of a loop it is another
+    /// coordinate now and then.
+    Integrated = 6,
+    /// The rate of each of these, SI; can be read.
+    Rate = 7,
 }
 
 impl Kind {
     /// All kinds, in the order of their numbers.
-    pub const ALL: [Self; 6] =
-        [Self::Parameter, Self::Input, Self::State, Self::Output, Self::Start, Self::Body];
+    pub const ALL: [Self; 8] = [
+        Self::Parameter,
+        Self::Input,
+        Self::State,
+        Self::Output,
+        Self::Start,
+        Self::Body,
+        Self::Integrated,
+        Self::Rate,
+    ];
 
     /// The kind with this number.
     ///
@@ -33,6 +46,20 @@ impl Kind {
     /// [`Status::NoSuch`]
     pub fn of(number: i32) -> Result<Self, Trouble> {
         Self::ALL.into_iter().find(|kind| *kind as i32 == number).ok_or(Status::NoSuch.into())
+    }
+
+    /// Its name in C, behind `PLM_`.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "PARAMETER",
+            Self::Input => "INPUT",
+            Self::State => "STATE",
+            Self::Output => "OUTPUT",
+            Self::Start => "START",
+            Self::Body => "BODY",
+            Self::Integrated => "INTEGRATED",
+            Self::Rate => "RATE",
+        }
     }
 
     /// Gives `each` the names of this kind, in their order; `declared` is any mechanism of the type.
@@ -47,6 +74,11 @@ impl Kind {
                 copy.starts_mut().each(&mut |name, _| each(name));
             }
             Self::Body => M::TABLES.bodies.iter().for_each(|body| each(body.name)),
+            Self::Integrated | Self::Rate => {
+                for index in 0..<M as System>::X::LEN {
+                    each(declared.name_of_state(index));
+                }
+            }
         }
     }
 

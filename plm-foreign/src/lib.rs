@@ -13,27 +13,35 @@ extern crate alloc;
 
 #[allow(unsafe_code, reason = "pointers of other languages")]
 pub mod border;
+mod cpp;
 #[cfg(feature = "fmi")]
 pub mod fmi;
 pub mod header;
 mod kind;
+mod number;
 mod object;
+mod run;
 mod saved;
 mod source;
 mod status;
 mod text;
 
+pub use cpp::cpp_header;
 pub use header::header;
 pub use kind::Kind;
-pub use object::Object;
-pub use source::{Names, Si, source};
+pub use number::Number;
+pub use object::{Object, ObjectBy};
+pub use plm_runtime::linearised::{Linearised, Matrix};
+pub use run::{By, Called, Choice, Chosen, Either, Run};
+pub use source::{Entry, Names, Si, source};
 pub use status::{Status, Trouble};
 pub use text::Text;
 
+use plm_runtime::Statics;
+use plm_runtime::linearised::Linearisable;
 use plm_runtime::words::InWords;
-use plm_runtime::{Described, Statics};
 
-/// What can be handed to other languages: every mechanism in `f64`.
-pub trait Foreign: Described<S = f64, U: InWords> + Statics {}
+/// What can be handed to other languages: every mechanism in `f64` or `f32`.
+pub trait Foreign: Linearisable<S: Number, U: InWords> + Statics {}
 
-impl<M: Described<S = f64, U: InWords> + Statics> Foreign for M {}
+impl<M: Linearisable<S: Number, U: InWords> + Statics> Foreign for M {}

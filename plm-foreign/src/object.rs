@@ -1,53 +1,80 @@
 //! A mechanism with a run of it, by number, without pointers.
 
+use plm_runtime::linearised::Linearised;
 use plm_runtime::words::{InWords, Words, mechanism};
-use plm_runtime::{Dop853, Fault, Moment, Sim, StartValues};
+use plm_runtime::{Cause, Fault, Moment, Scalar, Sim, StartValues, System, Vector};
 
-use crate::{Foreign, Kind, Status, Trouble, saved};
+use crate::{By, Choice, Foreign, Kind, Run, Status, Trouble, saved};
 
-/// A mechanism as it is set up, and a run of it once it is started.
+/// A mechanism as it is set up, and a run of it once it is started, by one of the methods of `R`.
 ///
 /// A copy goes on as the original does, to the bit. What fails changes nothing.
 #[derive(Clone, Copy)]
-pub struct Object<M: Foreign> {
+pub struct ObjectBy<M, R> {
     mechanism: M,
-    sim: Option<Sim<M>>,
-    /// Relative tolerance and longest step of its runs.
-    options: (f64, f64),
+    run: Option<R>,
+    choice: Choice,
+    /// A parameter was set since the run has looked at them.
+    is_changed: bool,
 }
 
-impl<M: Foreign> Object<M> {
-    /// A mechanism that is not started.
+/// One by the usual method alone.
+pub type Object<M> = ObjectBy<M, Sim<M>>;
+
+impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
+    /// A mechanism that is not started; its method is the first of `R`.
     pub fn new(mechanism: M) -> Self {
-        let Dop853 { rtol, longest_step, .. } = Dop853::<M>::default();
-        Self { mechanism, sim: None, options: (rtol, longest_step) }
+        let choice = Choice { by: R::USUAL, rtol: f64::NAN, longest_step: f64::INFINITY };
+        Self { mechanism, run: None, choice, is_changed: false }
     }
 
-    /// The relative tolerance of steps, from now on and in runs that follow; 1e-9 at first. The absolute one of each state is this times
-    /// its typical size.
+    /// The method of integration, from now on and in runs that follow. A run goes on from where it is, without what another
+    /// method remembers.
+    ///
+    /// # Errors
+    /// [`Status::Choice`]: the library does not have it.
+    pub fn set_method(&mut self, by: By) -> Result<(), Trouble> {
+        self.choose(Choice { by, ..self.choice }, R::has(by))
+    }
+
+    /// The relative tolerance of steps, from now on and in runs that follow; that of the method at first (1e-9, or 1e-8). The
+    /// absolute one of each state is this times its typical size. Methods with steps of fixed length have none.
     ///
     /// # Errors
     /// [`Status::Choice`]: it is not above 0, or above 0.1.
-    pub fn set_tolerance(&mut self, rtol: f64) -> Result<(), Trouble> {
-        self.choose((rtol, self.options.1), rtol > 0.0 && rtol <= 0.1)
+    pub fn set_tolerance(&mut self, rtol: M::S) -> Result<(), Trouble> {
+        let rtol = rtol.to_f64();
+        self.choose(Choice { rtol, ..self.choice }, rtol > 0.0 && rtol <= 0.1)
     }
 
-    /// The longest step, s, from now on and in runs that follow; infinite at first.
+    /// The longest step, s, from now on and in runs that follow; infinite at first. Methods with steps of fixed length make one
+    /// step an interval then.
     ///
     /// # Errors
     /// [`Status::Choice`]: it is not above 0.
-    pub fn set_longest_step(&mut self, step: f64) -> Result<(), Trouble> {
-        self.choose((self.options.0, step), step > 0.0)
+    pub fn set_longest_step(&mut self, step: M::S) -> Result<(), Trouble> {
+        let longest_step = step.to_f64();
+        self.choose(Choice { longest_step, ..self.choice }, longest_step > 0.0)
     }
 
-    fn choose(&mut self, options: (f64, f64), is_good: bool) -> Result<(), Trouble> {
+    fn choose(&mut self, choice: Choice, is_good: bool) -> Result<(), Trouble> {
         if !is_good {
             return Err(Status::Choice.into());
         }
-        self.options = options;
-        if let Some(sim) = &mut self.sim {
-            (sim.method_mut().rtol, sim.method_mut().longest_step) = options;
+        if let Some(run) = &mut self.run {
+            if run.by() == choice.by {
+                run.take(&choice);
+            } else {
+                let mut looked_at = *run;
+                if self.is_changed {
+                    // A new run takes the parameters that it finds for those that were looked at.
+                    looked_at.step_to(looked_at.state().time())?;
+                }
+                *run = R::new(*looked_at.state(), &choice).ok_or(Status::Choice)?;
+                self.is_changed = false;
+            }
         }
+        self.choice = choice;
         Ok(())
     }
 
@@ -57,20 +84,23 @@ impl<M: Foreign> Object<M> {
     /// # Errors
     /// As [`start_state`](plm_runtime::Mechanism::start_state); a run before stays.
     pub fn start(&mut self) -> Result<(), Trouble> {
-        self.start_at(0.0)
+        self.start_at(M::S::ZERO)
     }
 
     /// The same at a time, s.
     ///
     /// # Errors
-    /// As [`start`](Self::start).
-    pub fn start_at(&mut self, time: f64) -> Result<(), Trouble> {
-        let (held, x) = match &self.sim {
+    /// As [`start`](Self::start); [`Status::NotFinite`]
+    pub fn start_at(&mut self, time: M::S) -> Result<(), Trouble> {
+        if !time.is_finite() {
+            return Err(Status::NotFinite.into());
+        }
+        let (held, x) = match &self.run {
             None => self.mechanism.start_state(time)?,
             Some(before) => self.mechanism.start_with_inputs(time, &before.state().held())?,
         };
-        let method = Dop853::new(self.options.0).with_longest_step(self.options.1);
-        self.sim = Some(Sim::new(M::State::new(self.mechanism, held, time, x), method));
+        let state = M::State::new(self.mechanism, held, time, x);
+        (self.run, self.is_changed) = (Some(R::new(state, &self.choice).ok_or(Status::Choice)?), false);
         Ok(())
     }
 
@@ -78,48 +108,77 @@ impl<M: Foreign> Object<M> {
     ///
     /// # Errors
     /// As [`Sim::step`]; the run is then as it was before the call.
-    pub fn step(&mut self, dt: f64) -> Result<(), Trouble> {
-        self.advance(|sim| sim.step(dt))
+    pub fn step(&mut self, dt: M::S) -> Result<(), Trouble> {
+        self.advance(|run| run.step(dt))
     }
 
     /// Runs until the time `until`, s, and ends exactly there.
     ///
     /// # Errors
     /// As [`Sim::step_to`]; the run is then as it was before the call.
-    pub fn step_to(&mut self, until: f64) -> Result<(), Trouble> {
-        self.advance(|sim| sim.step_to(until))
+    pub fn step_to(&mut self, until: M::S) -> Result<(), Trouble> {
+        self.advance(|run| run.step_to(until))
     }
 
-    fn advance(&mut self, step: impl FnOnce(&mut Sim<M>) -> Result<(), Fault>) -> Result<(), Trouble> {
-        let sim = self.sim.as_mut().ok_or(Status::NotStarted)?;
-        let before = *sim;
-        step(sim).map_err(|fault| {
-            *sim = before;
-            fault.into()
-        })
+    fn advance(&mut self, step: impl FnOnce(&mut R) -> Result<(), Fault>) -> Result<(), Trouble> {
+        let run = self.run.as_mut().ok_or(Status::NotStarted)?;
+        let before = *run;
+        if let Err(fault) = step(run) {
+            *run = before;
+            return Err(fault.into());
+        }
+        self.is_changed = false;
+        Ok(())
+    }
+
+    /// Makes a step by itself, which the declaration orders (`emit: step(...)`): `state.step_rk4(h)`. Parameters that were set
+    /// since the last step are looked at before it.
+    ///
+    /// # Errors
+    /// As the step; the run is then as it was before the call.
+    pub fn step_alone(
+        &mut self,
+        step: impl FnOnce(&mut M::State) -> Result<(), Fault>,
+    ) -> Result<(), Trouble> {
+        if self.is_changed {
+            return self.advance(|run| {
+                run.step_to(run.state().time())?;
+                step(run.state_mut())
+            });
+        }
+        // The state stays as it was where the step cannot be made.
+        Ok(step(self.run.as_mut().ok_or(Status::NotStarted)?.state_mut())?)
     }
 
     /// The time of the run, s.
     ///
     /// # Errors
     /// [`Status::NotStarted`]
-    pub fn time(&self) -> Result<f64, Trouble> {
-        Ok(self.sim()?.state().time())
+    pub fn time(&self) -> Result<M::S, Trouble> {
+        Ok(self.state()?.time())
     }
 
     /// A number, SI.
     ///
     /// # Errors
     /// [`Status::NoSuch`]; [`Status::NotStarted`] of inputs, states and outputs.
-    pub fn get(&self, kind: Kind, index: usize) -> Result<f64, Trouble> {
+    pub fn get(&self, kind: Kind, index: usize) -> Result<M::S, Trouble> {
         let found = match kind {
             Kind::Parameter => self.mechanism.parameter(index),
             Kind::Input => {
-                let mut held = self.sim()?.state().held();
+                let mut held = self.state()?.held();
                 M::input(M::inputs(&mut held), index).copied()
             }
-            Kind::State => M::state(self.sim()?.state(), index),
-            Kind::Output => M::observed(self.sim()?.state(), index),
+            Kind::State => M::state(self.state()?, index),
+            Kind::Output => M::observed(self.state()?, index),
+            Kind::Integrated => {
+                let x = self.state()?.x();
+                (index < <M as System>::X::LEN).then(|| x.at(index))
+            }
+            Kind::Rate => {
+                let rates = self.rates()?;
+                (index < <M as System>::X::LEN).then(|| rates.at(index))
+            }
             Kind::Start => {
                 let (mut copy, mut found) = (self.mechanism, None);
                 each_start(&mut copy, index, |value| found = Some(*value));
@@ -134,26 +193,31 @@ impl<M: Foreign> Object<M> {
     ///
     /// # Errors
     /// [`Status::NotFinite`]; [`Status::ReadOnly`] of states and outputs; [`Status::NoSuch`]; [`Status::NotStarted`] of inputs.
-    pub fn set(&mut self, kind: Kind, index: usize, value: f64) -> Result<(), Trouble> {
+    pub fn set(&mut self, kind: Kind, index: usize, value: M::S) -> Result<(), Trouble> {
         if !value.is_finite() {
             return Err(Status::NotFinite.into());
         }
         let found = match kind {
             Kind::Parameter => self.set_parameter(index, value),
-            Kind::Input => set_input(self.sim.as_mut().ok_or(Status::NotStarted)?, index, value),
+            Kind::Input => {
+                set_input::<M>(self.run.as_mut().ok_or(Status::NotStarted)?.state_mut(), index, value)
+            }
             Kind::Start => each_start(&mut self.mechanism, index, |start| *start = value),
-            Kind::State | Kind::Output | Kind::Body => return Err(Status::ReadOnly.into()),
+            Kind::State | Kind::Output | Kind::Body | Kind::Integrated | Kind::Rate => {
+                return Err(Status::ReadOnly.into());
+            }
         };
         if found { Ok(()) } else { Err(Status::NoSuch.into()) }
     }
 
-    fn set_parameter(&mut self, index: usize, value: f64) -> bool {
+    fn set_parameter(&mut self, index: usize, value: M::S) -> bool {
         let found = self.mechanism.set_parameter(index, value);
-        if let Some(sim) = self.sim.as_mut().filter(|_| found) {
-            let state = sim.state();
+        if let Some(run) = self.run.as_mut().filter(|_| found) {
+            let state = run.state();
             let (mut mechanism, held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
             mechanism.set_parameter(index, value);
-            **sim = M::State::new(mechanism, held, time, x);
+            *run.state_mut() = M::State::new(mechanism, held, time, x);
+            self.is_changed = true;
         }
         found
     }
@@ -162,9 +226,34 @@ impl<M: Foreign> Object<M> {
     ///
     /// # Errors
     /// [`Status::NotStarted`], [`Status::NoSuch`]
-    pub fn pose(&self, body: usize) -> Result<[f64; 6], Trouble> {
-        let pose = M::pose(self.sim()?.state(), body).ok_or(Status::NoSuch)?;
+    pub fn pose(&self, body: usize) -> Result<[M::S; 6], Trouble> {
+        let pose = M::pose(self.state()?, body).ok_or(Status::NoSuch)?;
         Ok([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega])
+    }
+
+    /// The rates of all that is integrated, SI.
+    ///
+    /// # Errors
+    /// [`Status::NotStarted`]; when they are not determined.
+    pub fn rates(&self) -> Result<M::X, Trouble> {
+        let state = self.state()?;
+        let (mechanism, held) = (state.mechanism(), state.held());
+        let mut rates = *state.x();
+        if !mechanism.is_regular(&held) {
+            return Err(Fault::new(state.time().to_f64(), Cause::NotRegular).into());
+        }
+        if !mechanism.rate(state.time(), &held, state.x(), &mut rates).is_good() {
+            mechanism.rate_by_rank(state.time(), &held, state.x(), &mut rates)?;
+        }
+        Ok(rates)
+    }
+
+    /// The mechanism near this moment as a linear system.
+    ///
+    /// # Errors
+    /// [`Status::NotStarted`]; as [`Linearised::new`].
+    pub fn linearised(&self) -> Result<Linearised<'_, M>, Trouble> {
+        Ok(Linearised::new(self.state()?)?)
     }
 
     /// Bytes of the run, saved; other ones once it has started.
@@ -181,15 +270,27 @@ impl<M: Foreign> Object<M> {
         saved::write::<M, _>(self, bytes)
     }
 
-    /// A run as it was saved, of a mechanism as declared: it goes on with the same bits, on every machine.
+    /// A run as it was saved, of any mechanism of the type: it goes on with the same bits, on every machine. Nothing is assembled.
     ///
     /// # Errors
-    /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
+    /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`], the last too where it is by a method that is
+    /// not among those of `R`.
     pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Trouble> {
+        let mut object = Self::to_be_read(declared);
+        let outcome = saved::read::<M>(&mut object, bytes);
+        if R::has(object.choice.by) { outcome.map(|()| object) } else { Err(Status::OtherMechanism.into()) }
+    }
+
+    /// One into which everything can be read: with a run at no moment, which was never assembled.
+    pub(crate) fn to_be_read(declared: M) -> Self {
         let mut object = Self::new(declared);
-        object.start()?;
-        saved::read::<M>(&mut object, bytes)?;
-        Ok(object)
+        object.run = R::new(object.blank(), &object.choice);
+        object
+    }
+
+    /// A state at no moment.
+    fn blank(&self) -> M::State {
+        M::State::new(self.mechanism, self.mechanism.unstarted(), M::S::ZERO, M::X::fill(M::S::ZERO))
     }
 
     /// The mechanism as it is set up.
@@ -197,37 +298,52 @@ impl<M: Foreign> Object<M> {
         &self.mechanism
     }
 
+    /// The mechanism at the moment of the run.
+    ///
+    /// # Errors
+    /// [`Status::NotStarted`]
+    pub fn state(&self) -> Result<&M::State, Trouble> {
+        Ok(self.run.as_ref().ok_or(Status::NotStarted)?.state())
+    }
+}
+
+impl<M: Foreign> Object<M> {
     /// The run.
     ///
     /// # Errors
     /// [`Status::NotStarted`]
     pub fn sim(&self) -> Result<&Sim<M>, Trouble> {
-        self.sim.as_ref().ok_or(Status::NotStarted.into())
+        self.run.as_ref().ok_or(Status::NotStarted.into())
     }
 
     /// The run, to be changed.
     #[cfg(feature = "fmi")]
     pub(crate) fn sim_mut(&mut self) -> Result<&mut Sim<M>, Trouble> {
-        self.sim.as_mut().ok_or(Status::NotStarted.into())
+        self.run.as_mut().ok_or(Status::NotStarted.into())
     }
 }
 
-/// The mechanism as it is set up, the options, whether it has started, and the run if it has: into a started one all can be read.
-impl<M: Foreign> InWords for Object<M> {
+/// The mechanism as it is set up, the method and its options, whether it has started, and the run if it has: into one that has a
+/// run all can be read.
+impl<M: Foreign, R: Run<M>> InWords for ObjectBy<M, R> {
     fn each(&mut self, words: &mut impl Words) {
         mechanism(&mut self.mechanism, words);
-        words.numbers([&mut self.options.0, &mut self.options.1]);
-        let mut has_started = self.sim.is_some();
+        self.choice.each(words);
+        words.flag(&mut self.is_changed);
+        let mut has_started = self.run.is_some();
         words.flag(&mut has_started);
-        match &mut self.sim {
-            Some(sim) if has_started => sim.each(words),
-            sim => *sim = None,
+        if let Some(other) = self.run.filter(|run| run.by() != self.choice.by) {
+            self.run = R::new(*other.state(), &self.choice);
+        }
+        match &mut self.run {
+            Some(run) if has_started => run.each(words),
+            run => *run = None,
         }
     }
 }
 
 /// Gives `each` the start value with this number; false if there is none.
-fn each_start<M: Foreign>(mechanism: &mut M, index: usize, mut each: impl FnMut(&mut f64)) -> bool {
+fn each_start<M: Foreign>(mechanism: &mut M, index: usize, mut each: impl FnMut(&mut M::S)) -> bool {
     let (mut at, mut found) = (0, false);
     mechanism.starts_mut().each(&mut |_, start| {
         if at == index {
@@ -239,11 +355,10 @@ fn each_start<M: Foreign>(mechanism: &mut M, index: usize, mut each: impl FnMut(
     found
 }
 
-fn set_input<M: Foreign>(sim: &mut Sim<M>, index: usize, value: f64) -> bool {
-    let state = sim.state();
+fn set_input<M: Foreign>(state: &mut M::State, index: usize, value: M::S) -> bool {
     let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
     let Some(input) = M::input(M::inputs(&mut held), index) else { return false };
     *input = value;
-    **sim = M::State::new(mechanism, held, time, x);
+    *state = M::State::new(mechanism, held, time, x);
     true
 }

@@ -1,6 +1,6 @@
 //! Saved runs: bytes for files and for other processes.
 //!
-//! Words of 64 bits, little end first: `plm run` and a zero; the version of the format; a number of the declaration; how many
+//! Words of 64 bits, little end first: `plm run` and a zero; the version of the format; a number of the declaration and of the kind of its numbers; how many
 //! words follow; these, as [`InWords`] shows them; and a sum of all bytes before it (FNV-1a, which no change of a single byte
 //! leaves as it was).
 
@@ -9,7 +9,7 @@ use plm_runtime::words::{InWords, Words};
 use crate::{Foreign, Status, Trouble};
 
 const NAME: u64 = u64::from_le_bytes(*b"plm run\0");
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 /// Bytes of a word.
 const WORD: usize = 8;
 /// Words before those of the run, and all that are not of it.
@@ -24,6 +24,11 @@ pub(crate) const fn fnv(mut bytes: &[u8]) -> u64 {
         bytes = rest;
     }
     hash
+}
+
+/// A number of a declaration, and of the numbers that it is for.
+fn declaration<M: Foreign>() -> u64 {
+    fnv(M::DECLARATION.as_bytes()) ^ (size_of::<M::S>() as u64).rotate_left(32)
 }
 
 /// Bytes of a saved run.
@@ -44,7 +49,7 @@ pub(crate) fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -
     let (front, sum) = bytes.split_last_chunk_mut::<WORD>().ok_or(Status::Memory)?;
     let count = (front.len() / WORD).saturating_sub(HEAD);
     let mut writer = Writer(&mut *front);
-    for mut word in [NAME, VERSION, fnv(M::DECLARATION.as_bytes()), count as u64] {
+    for mut word in [NAME, VERSION, declaration::<M>(), count as u64] {
         writer.word(&mut word);
     }
     run.clone().each(&mut writer);
@@ -59,14 +64,14 @@ pub(crate) fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -
 pub(crate) fn read<M: Foreign>(run: &mut impl InWords, bytes: &[u8]) -> Result<(), Trouble> {
     let (front, sum) = bytes.split_last_chunk::<WORD>().ok_or(Status::Damaged)?;
     let mut reader = Reader { rest: front, missing: 0 };
-    let [name, version, declaration, count] = core::array::from_fn(|_| reader.next());
+    let [name, version, own, count] = core::array::from_fn(|_| reader.next());
     if name != NAME || fnv(front) != u64::from_le_bytes(*sum) {
         return Err(Status::Damaged.into());
     }
     if version != VERSION {
         return Err(Status::OtherVersion.into());
     }
-    if declaration != fnv(M::DECLARATION.as_bytes()) {
+    if own != declaration::<M>() {
         return Err(Status::OtherMechanism.into());
     }
     if reader.rest.len() as u64 != count.wrapping_mul(WORD as u64) {

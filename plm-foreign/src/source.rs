@@ -4,7 +4,7 @@ use core::fmt;
 
 use plm_runtime::described::Quantity;
 
-use crate::Foreign;
+use crate::{By, Foreign, Number};
 
 /// `DoublePendulum` in the writings of C: `double_pendulum`, and `DOUBLE_PENDULUM`. What is no letter or digit of ASCII
 /// becomes `_`.
@@ -90,30 +90,87 @@ fn power(f: &mut fmt::Formatter<'_>, exponent: i8) -> fmt::Result {
 
 /// The functions of C.
 const C: &str = include_str!("c.rs.txt");
+/// One of a step by itself.
+const STEP: &str = include_str!("c_step.rs.txt");
+
+/// What a mechanism is called in a library, and by which methods it runs there.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry<'a> {
+    /// What its functions begin with: `press`.
+    pub name: &'a str,
+    /// The methods, the usual one first.
+    pub methods: &'a [By],
+}
+
+impl Entry<'_> {
+    /// Bytes of an object, which are enough, and what its address is a multiple of.
+    pub(crate) fn room<M: Foreign>(&self) -> (usize, usize) {
+        let sizes = self.methods.iter().map(|by| by.room::<M>());
+        let (size, align) = sizes.fold((0, 1), |all, (size, align)| (size.max(all.0), align.max(all.1)));
+        // Where there are several methods, the one that is there is told by a word for each at most.
+        let told = if self.methods.len() > 1 { self.methods.len() * align } else { 0 };
+        (size + told, align)
+    }
+}
 
 /// Source of a library: the mechanism of a declaration, and its functions of C.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn source<M: Foreign>(to: &mut impl fmt::Write) -> fmt::Result {
+pub fn source<M: Foreign>(entry: Entry<'_>, to: &mut impl fmt::Write) -> fmt::Result {
     write!(to, "plm::mechanism! {{\n{}\n}}\n", M::DECLARATION)?;
-    fill(C, M::TABLES.name, to)
-}
-
-/// Writes a text with the names of a mechanism for `NAME`, `PREFIX`.
-pub(crate) fn fill(text: &str, name: &str, to: &mut impl fmt::Write) -> fmt::Result {
-    for (k, piece) in text.split("PREFIX").enumerate() {
-        if k > 0 {
-            write!(to, "{}", Names::lower(name))?;
-        }
-        for (j, piece) in piece.split("NAME").enumerate() {
-            if j > 0 {
-                to.write_str(name)?;
-            }
-            to.write_str(piece)?;
-        }
+    let (name, real, runs) =
+        (M::TABLES.name, M::S::RUST, Runs { entry, own: M::TABLES.name, real: M::S::RUST });
+    let words: [Word<'_>; 4] = [("PREFIX", &entry.name), ("NAME", &name), ("REAL", &real), ("RUNS", &runs)];
+    replace(C, &words, to)?;
+    for step in M::STEPS {
+        replace(STEP, &[("PREFIX", &entry.name), ("REAL", &real), ("STEP", step)], to)?;
     }
     Ok(())
+}
+
+/// The type of runs by several methods.
+struct Runs<'a> {
+    entry: Entry<'a>,
+    own: &'a str,
+    real: &'a str,
+}
+
+impl fmt::Display for Runs<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { entry: Entry { methods, .. }, own, real } = self;
+        for (k, by) in methods.iter().enumerate() {
+            let is_last = k + 1 == methods.len();
+            f.write_str(if is_last { "" } else { "plm::foreign::Either<" })?;
+            write!(f, "plm::runtime::Sim<{own}<{real}>, plm::runtime::method::")?;
+            let own = format_args!("{own}<{real}>");
+            replace(by.called().kind, &[("OWN", &own), ("REAL", real)], f)?;
+            f.write_str(if is_last { ">" } else { ">, " })?;
+        }
+        (1..methods.len()).try_for_each(|_| f.write_str(">"))
+    }
+}
+
+/// A word of a text, and what stands in its place.
+pub(crate) type Word<'a> = (&'static str, &'a dyn fmt::Display);
+
+/// Writes a text with the names of a mechanism for `NAME`, `PREFIX`.
+#[cfg(feature = "fmi")]
+pub(crate) fn fill(text: &str, name: &str, to: &mut impl fmt::Write) -> fmt::Result {
+    replace(text, &[("PREFIX", &Names::lower(name)), ("NAME", &name)], to)
+}
+
+/// Writes a text with other words in the places of some.
+pub(crate) fn replace(mut text: &str, words: &[Word<'_>], to: &mut impl fmt::Write) -> fmt::Result {
+    loop {
+        let places = words.iter().filter_map(|(word, other)| Some((text.find(word)?, word.len(), other)));
+        let Some((place, length, other)) = places.min_by_key(|(place, ..)| *place) else {
+            return to.write_str(text);
+        };
+        let (before, rest) = text.split_at(place);
+        write!(to, "{before}{other}")?;
+        text = rest.get(length..).unwrap_or_default();
+    }
 }
 
 #[cfg(test)]

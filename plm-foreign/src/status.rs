@@ -47,7 +47,7 @@ pub enum Status {
     OtherVersion = 17,
     /// A saved run of another mechanism.
     OtherMechanism = 18,
-    /// An option of the method that cannot be.
+    /// A method that the library does not have, or an option of it that cannot be.
     Choice = 19,
 }
 
@@ -105,7 +105,7 @@ impl Status {
                 "OTHER_MECHANISM",
                 c"the run was saved of another mechanism, of one declared otherwise, or for another use",
             ),
-            Self::Choice => ("CHOICE", c"a tolerance is above 0 and at most 0.1, a longest step above 0"),
+            Self::Choice => ("CHOICE", c"a tolerance is above 0 and at most 0.1, a longest step above 0, a method one of the library"),
         }
     }
 }

@@ -96,14 +96,14 @@ fn a_saved_run_goes_on_in_another_object() {
 fn wrong_pointers_are_told() {
     let mut memory = memory();
     let object: *mut Block<Pendulum> = memory.as_mut_ptr().cast();
-    let (size, null) = (Block::<Pendulum>::SIZE, null_mut());
+    let (size, null) = (Block::<Pendulum>::SIZE, null_mut::<Block<Pendulum>>());
     #[allow(clippy::cast_ptr_alignment, reason = "that is what is told")]
     let askew = object.cast::<u8>().wrapping_add(4).cast::<Block<Pendulum>>();
     let code = |status: Status| status as i32;
     unsafe {
         assert_eq!(border::step(object, 0.1), code(Status::NoObject));
         assert_eq!(border::step(askew, 0.1), code(Status::NoObject));
-        assert_eq!(border::step::<Pendulum>(null, 0.1), code(Status::Null));
+        assert_eq!(border::step(null, 0.1), code(Status::Null));
         assert_eq!(border::init(null, size, Pendulum::new()), code(Status::Null));
         assert_eq!(border::init(askew, size, Pendulum::new()), code(Status::Memory));
         assert_eq!(border::init(object, size - 1, Pendulum::new()), code(Status::Memory));
@@ -111,7 +111,7 @@ fn wrong_pointers_are_told() {
         assert_eq!(border::get(object, Kind::Parameter as i32, 0, null_mut()), code(Status::Null));
         assert_eq!(border::step(object, 0.1), code(Status::NotStarted));
         assert_eq!(CStr::from_ptr(border::text(object)), c"the mechanism has not been started");
-        assert_eq!(CStr::from_ptr(border::text::<Pendulum>(null)), c"");
+        assert_eq!(CStr::from_ptr(border::text(null)), c"");
     }
 }
 
@@ -135,7 +135,7 @@ fn names_are_written_and_found() {
 /// Start values count at the next start; inputs stay.
 #[test]
 fn a_new_start_keeps_inputs() {
-    fn of<M: Foreign>(object: &plm_foreign::Object<M>, kind: Kind) -> f64 {
+    fn of<M: Foreign<S = f64>>(object: &plm_foreign::Object<M>, kind: Kind) -> f64 {
         object.get(kind, 0).unwrap()
     }
     let mut object = plm_foreign::Object::new(Pendulum::new());

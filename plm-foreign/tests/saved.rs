@@ -1,7 +1,10 @@
 //! Saved runs go on to the bit; bytes that were changed are refused.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
-use plm_foreign::{Foreign, Kind, Object, Status};
+use plm::runtime::method::{Gauss, RadauIia5, Ros34Pw2};
+use plm::runtime::{Scalar, StartValues};
+use plm::{Adams, Dop853, Dopri5, Rk4, SemiImplicitEuler, Sim, Vern9};
+use plm_foreign::{By, Either, Foreign, Kind, Object, ObjectBy, Run, Status};
 
 plm::mechanism! {
     /// A loop no link of which goes round, so that each chart is flat somewhere; with a first-order state.
@@ -55,38 +58,69 @@ plm::mechanism! {
     }
 }
 
-/// The bits of all outputs, and the time.
-fn bits<M: Foreign>(object: &Object<M>) -> Vec<u64> {
-    let outputs = (0..M::OBSERVED.len()).map(|k| object.get(Kind::Output, k).unwrap().to_bits());
-    outputs.chain([object.time().unwrap().to_bits()]).collect()
+plm::mechanism! {
+    /// It cannot be assembled as declared; with a reach of 1 m it can.
+    Wide {
+        gravity: 9.81 m/s^2;
+        param reach: m = 5 m;
+        input drive: N*m = 0 N*m;
+        ground { port o: (0, 0) m; port p: (reach, 0); }
+        body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port pin: (0.2, 0) m; start angle: 80 deg, locked; }
+        body coupler { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.9, 0) m; start angle: 20 deg; }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port pin: (0.6, 0) m; start angle: 70 deg; }
+        revolute a(ground.o, crank.o) { drive: drive; }
+        revolute b(crank.pin, coupler.a);
+        revolute c(coupler.b, rocker.pin);
+        revolute d(rocker.o, ground.p);
+        output crank.angle, rocker.angle;
+    }
 }
 
-fn saved<M: Foreign>(object: &Object<M>) -> Vec<u8> {
+/// The bits of all outputs, and the time.
+fn bits<M: Foreign, R: Run<M>>(object: &ObjectBy<M, R>) -> Vec<u64> {
+    let outputs = (0..M::OBSERVED.len()).map(|k| object.get(Kind::Output, k).unwrap());
+    outputs.chain([object.time().unwrap()]).map(|number| number.to_f64().to_bits()).collect()
+}
+
+fn saved<M: Foreign, R: Run<M>>(object: &ObjectBy<M, R>) -> Vec<u8> {
     let mut bytes = vec![0; object.saved_size()];
     object.save(&mut bytes).unwrap();
     bytes
 }
 
-/// At every tenth step the run is saved, and what was saved is stepped beside it from there on.
-fn goes_on<M: Foreign>(declared: M, value: f64) -> [u64; 3] {
-    let mut object = Object::new(declared);
+/// At every tenth step the run is saved, and what was saved is stepped beside it from there on. As a stranger it is restored
+/// from a mechanism with no start at all.
+fn goes_on_by<M: Foreign, R: Run<M>>(declared: M, value: f64, step: f64) -> ObjectBy<M, R> {
+    let (mut object, mut stranger) = (ObjectBy::<M, R>::new(declared), declared);
+    stranger.starts_mut().each(&mut |_, start| (start.value, start.locked) = (M::S::lit(f64::NAN), true));
+    object.set_longest_step(M::S::lit(step)).unwrap();
     object.start().unwrap();
     let mut copy = object;
     for k in 0..300 {
         if k % 10 == 0 {
-            copy = Object::saved(declared, &saved(&object)).unwrap();
+            let bytes = saved(&object);
+            copy = ObjectBy::saved(stranger, &bytes).unwrap();
+            assert_eq!(saved(&copy), bytes, "step {k}");
         }
         for each in [&mut object, &mut copy] {
             match k {
-                75 => each.set(Kind::Input, 0, value).unwrap(),
-                155 => each.set(Kind::Parameter, 0, 1.5 * each.get(Kind::Parameter, 0).unwrap()).unwrap(),
+                75 => each.set(Kind::Input, 0, M::S::lit(value)).unwrap(),
+                155 => {
+                    let now = each.get(Kind::Parameter, 0).unwrap();
+                    each.set(Kind::Parameter, 0, M::S::lit(1.5) * now).unwrap();
+                }
                 _ => {}
             }
-            each.step(0.013).unwrap();
+            each.step(M::S::lit(0.013)).unwrap();
         }
         assert_eq!(bits(&object), bits(&copy), "step {k}");
         assert_eq!(saved(&object), saved(&copy), "step {k}");
     }
+    object
+}
+
+fn goes_on<M: Foreign>(declared: M, value: f64) -> [u64; 3] {
+    let object: Object<M> = goes_on_by(declared, value, f64::INFINITY);
     let stats = object.sim().unwrap().stats();
     [stats.charts, stats.near_singular, stats.switches]
 }
@@ -97,6 +131,101 @@ fn a_saved_run_goes_on_to_the_bit() {
     let [_, near_singular, _] = goes_on(Parallelogram::new(), 0.3);
     let [_, _, switches] = goes_on(Hopper::new(), 1.0);
     assert!(charts > 2 && near_singular > 3 && switches > 5, "{charts} {near_singular} {switches}");
+}
+
+/// By every method; the loop changes charts, the ball switches.
+#[test]
+fn a_saved_run_of_every_method_goes_on_to_the_bit() {
+    fn both<A, B>()
+    where
+        A: Run<TripleRocker>,
+        B: Run<Hopper>,
+    {
+        goes_on_by::<_, A>(TripleRocker::new(), -2.0, 0.002);
+        goes_on_by::<_, B>(Hopper::new(), 1.0, 0.002);
+    }
+    type On<M, I> = Sim<M, I>;
+    both::<On<_, Vern9<_>>, On<_, Vern9<_>>>();
+    both::<On<_, Adams<_>>, On<_, Adams<_>>>();
+    both::<On<_, Dopri5<_>>, On<_, Dopri5<_>>>();
+    both::<On<_, RadauIia5<_>>, On<_, RadauIia5<_>>>();
+    both::<On<_, Rk4<_>>, On<_, Rk4<_>>>();
+    both::<On<_, SemiImplicitEuler<_>>, On<_, SemiImplicitEuler<_>>>();
+    both::<On<_, Gauss<_, 3>>, On<_, Gauss<_, 3>>>();
+    both::<On<_, Ros34Pw2<_>>, On<_, Ros34Pw2<_>>>();
+}
+
+#[test]
+fn a_saved_run_of_single_precision_goes_on_to_the_bit() {
+    goes_on_by::<_, Sim<Hopper<f32>, Rk4<f32>>>(Hopper::<f32>::of(), 1.0, 0.002);
+    goes_on_by::<_, Sim<TripleRocker<f32>, Dop853<_>>>(TripleRocker::<f32>::of(), -2.0, 0.01);
+    let mut object = Object::new(Hopper::<f32>::of());
+    object.start().unwrap();
+    let other = Object::saved(Hopper::new(), &saved(&object)).err().map(|trouble| trouble.status());
+    assert_eq!(other, Some(Status::OtherMechanism));
+}
+
+/// The declared mechanism is not started for it: this one cannot be.
+#[test]
+fn a_run_is_restored_where_the_declared_mechanism_cannot_be_assembled() {
+    assert_eq!(Object::new(Wide::new()).start().unwrap_err().status(), Status::Assembly);
+    let mut object = Object::new(Wide::new());
+    object.set(Kind::Parameter, 0, 1.0).unwrap();
+    let before = saved(&object);
+    object.start().unwrap();
+    object.step(0.1).unwrap();
+    let mut again = Object::saved(Wide::new(), &saved(&object)).unwrap();
+    for each in [&mut object, &mut again] {
+        each.step(0.3).unwrap();
+    }
+    assert_eq!(bits(&object), bits(&again));
+    again = Object::saved(Wide::new(), &before).unwrap();
+    assert_eq!(again.step(0.1).unwrap_err().status(), Status::NotStarted);
+    again.start().unwrap();
+}
+
+/// The same of an FMU.
+#[cfg(feature = "fmi")]
+#[test]
+fn a_state_of_an_fmu_is_read_where_the_declared_mechanism_cannot_be_assembled() {
+    use plm_foreign::fmi::{Call, Instance, Interface, Variable};
+    let mut instance = Instance::new(Wide::new(), Interface::CoSimulation { has_events: false });
+    let fresh = instance.clone();
+    instance.set(Variable::Parameter(0), 1.0).unwrap();
+    instance.pass(Call::EnterInitializationMode);
+    instance.renew().unwrap();
+    instance.pass(Call::ExitInitializationMode);
+    instance.step_to(0.1, false).unwrap();
+    let mut bytes = vec![0; instance.saved_size()];
+    instance.save(&mut bytes).unwrap();
+    let mut again = fresh.saved(&bytes).unwrap();
+    let ends = [&mut instance, &mut again].map(|each| {
+        each.step_to(0.4, false).unwrap();
+        each.get(Variable::Output(0)).unwrap().to_bits()
+    });
+    assert_eq!(ends[0], ends[1]);
+}
+
+#[test]
+fn a_run_is_restored_by_its_method_where_there_is_one() {
+    type Two = Either<Sim<Hopper, Dop853<Hopper>>, Sim<Hopper, Rk4<f64>>>;
+    let mut object = ObjectBy::<Hopper, Two>::new(Hopper::new());
+    assert_eq!(object.set_method(By::Ros34Pw2).unwrap_err().status(), Status::Choice);
+    object.set_method(By::Rk4).unwrap();
+    object.set_longest_step(1e-3).unwrap();
+    object.start().unwrap();
+    object.step(0.2).unwrap();
+    let mut again = ObjectBy::<Hopper, Two>::saved(Hopper::new(), &saved(&object)).unwrap();
+    let other = Object::saved(Hopper::new(), &saved(&object)).err().map(|trouble| trouble.status());
+    assert_eq!(other, Some(Status::OtherMechanism));
+    for each in [&mut object, &mut again] {
+        each.step(0.05).unwrap();
+        each.set(Kind::Parameter, 0, 6000.0).unwrap();
+        each.set_method(By::Dop853).unwrap();
+        each.step(0.05).unwrap();
+    }
+    assert_eq!(bits(&object), bits(&again));
+    object.set(Kind::Parameter, 0, 5000.0).unwrap();
 }
 
 #[test]

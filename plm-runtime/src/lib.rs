@@ -22,6 +22,7 @@
 //! | [`described`] | bodies, parts, parameters and all that is observed, by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`linearised`] | a mechanism near a moment as a linear system |
 //! | [`tube`] | numbers over an interval of time |
 //! | [`twofold`] | numbers of twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
@@ -48,6 +49,7 @@ pub mod lanes;
 pub mod limits;
 pub mod linalg;
 pub mod linear;
+pub mod linearised;
 pub mod mechanism;
 pub mod method;
 mod observed;

@@ -2,12 +2,16 @@
 //!
 //! It stands in a folder of the caller's and is built again only where something changed.
 
+mod sealed;
+
 use std::ffi::OsString;
 use std::fmt;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+pub use self::sealed::Linkage;
 
 use crate::error::{Error, write_file};
 
@@ -16,7 +20,7 @@ use crate::error::{Error, write_file};
 pub enum Output {
     /// A module of WebAssembly, small.
     Module,
-    /// A static library of this machine, fast.
+    /// A static library of this machine, fast, and a shared one beside it ([`Package::build_library`]): both are of the same code.
     Static,
     /// A shared library of this machine, fast.
     Shared,
@@ -80,7 +84,7 @@ impl Output {
         match self {
             Self::Module => ("cdylib", "\"s\"", "true"),
             // Of a static library the linker needs the symbols.
-            Self::Static => ("staticlib", "3", "\"debuginfo\""),
+            Self::Static => ("staticlib\", \"cdylib", "3", "\"debuginfo\""),
             Self::Shared | Self::Extension => ("cdylib", "3", "true"),
         }
     }
@@ -88,6 +92,17 @@ impl Output {
     /// The target for which it is built; this machine where none is named.
     fn target(self) -> Option<&'static str> {
         (self == Self::Module).then_some("wasm32-unknown-unknown")
+    }
+
+    /// What tells the linker the name by which programs look for a shared library; else it would be the path at which it lay.
+    fn soname(self, name: &str) -> Vec<String> {
+        let file = Self::Shared.file(name);
+        let word = match (self, std::env::consts::OS) {
+            (Self::Static | Self::Shared, "linux") => format!("-Wl,-soname,{file}"),
+            (Self::Static | Self::Shared, "macos") => format!("-Wl,-install_name,@rpath/{file}"),
+            _ => return Vec::new(),
+        };
+        ["--".to_owned(), "-C".to_owned(), format!("link-arg={word}")].into()
     }
 
     /// The name of the file that cargo writes.
@@ -118,9 +133,10 @@ impl Package<'_> {
         self.write(folder).map_err(|error| error.to_string())?;
         let (own, target) = (folder.with_file_name("target"), self.bare.or(self.output.target()));
         let mut cargo = command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
+        cargo.args(["rustc", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(&own);
         cargo.args(target.iter().flat_map(|target| ["--target", target]));
+        cargo.args(self.bare.map_or_else(|| self.output.soname(self.name), |_| Vec::new()));
         let output = cargo.output().map_err(|error| format!("cargo cannot be run: {error}"))?;
         if !output.status.success() {
             return Err(explained(&String::from_utf8_lossy(&output.stderr), target));
@@ -170,6 +186,7 @@ impl Package<'_> {
     /// Writes it; what is as it was keeps its time.
     fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
         let (kind, level, strip) = self.output.manifest();
+        let kind = if self.bare.is_some() { "staticlib" } else { kind };
         let (plm, features) = (self.plm.display().to_string(), self.features);
         let (version, library, panic, further) = match self.output {
             // A panic becomes an exception.
@@ -202,7 +219,8 @@ impl Package<'_> {
 const PYO3: &str = "pyo3 = { version = \"0.30\", features = [\"abi3-py39\"] }\n";
 
 /// The version of the package that cargo runs.
-fn version() -> String {
+#[must_use]
+pub fn version() -> String {
     std::env::var("CARGO_PKG_VERSION").unwrap_or_else(|_| "0.0.0".to_owned())
 }
 

@@ -10,6 +10,7 @@ use std::{env, format};
 
 use plm_foreign::fmi::{self, Exchanged};
 use plm_foreign::{Foreign, Names};
+use plm_runtime::Scalar;
 use plm_view::package::{Output, Package, archive, renew};
 
 use super::Library;
@@ -33,7 +34,8 @@ impl fmt::Display for NoDefault {
 
 impl Error for NoDefault {}
 
-/// Writes a static library of a mechanism, and its header for C and C++, into a folder; gives the two files.
+/// Writes a static library of a mechanism, its headers for C and C++, and what pkg-config and CMake read, into a folder; gives the
+/// files, the library first. [`Library`] has more to choose.
 ///
 /// cargo builds it in `target/plm/packages`. It has the mechanism as declared: what was set in this one is not in it.
 ///
@@ -64,7 +66,7 @@ pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box
 pub(super) fn declared<M: Foreign>(mechanism: &M) -> M {
     let mut own = *mechanism;
     for (index, parameter) in M::TABLES.parameters.iter().enumerate() {
-        own.set_parameter(index, parameter.default.unwrap_or(f64::NAN));
+        own.set_parameter(index, Scalar::lit(parameter.default.unwrap_or(f64::NAN)));
     }
     *own.starts_mut() = own.declared_starts();
     own

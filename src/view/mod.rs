@@ -4,6 +4,7 @@ mod arguments;
 mod described;
 mod foreign;
 mod library;
+mod linking;
 mod options;
 mod program;
 mod recorder;

@@ -8,12 +8,13 @@ use std::str::FromStr;
 use std::string::String;
 use std::vec::Vec;
 
+use plm_foreign::By;
 use plm_runtime::described::Quantity;
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
 use super::arguments::{Arguments, Known};
 use super::recorder::Recorder;
-use crate::integrator::{Integrator, METHODS};
+use crate::integrator::{Integrator, METHODS, unknown};
 use crate::live::by_number;
 use crate::mistake::{BadOption, nearest};
 
@@ -49,6 +50,8 @@ pub struct Options {
     pub c: Option<PathBuf>,
     /// `--target NAME`: what that library is for, without an operating system, as rustc calls it.
     pub target: Option<String>,
+    /// `--methods NAMES`: by which methods a mechanism runs in that library, the usual one first; none for that of every library.
+    pub methods: Vec<By>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
     /// `--python FOLDER`: a wheel of the mechanism.
@@ -70,7 +73,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 15] = [
+const USUAL: [Known; 16] = [
     Known::value(
         "view",
         "FILE",
@@ -87,6 +90,11 @@ const USUAL: [Known; 15] = [
         "a static library of the mechanism as declared, and its header, for C and C++",
     ),
     Known::value("target", "NAME", "of --c: for a machine without std, such as thumbv7em-none-eabihf"),
+    Known::value(
+        "methods",
+        "NAMES",
+        "of --c: the methods that it has, by comma, the usual one first (Dop853)",
+    ),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
     Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
     Known::value("until", "TIME", "when the run ends, s"),
@@ -168,6 +176,7 @@ impl Options {
             out: path("out"),
             c: path("c"),
             target: given.text("target")?,
+            methods: methods(given.text("methods")?.as_deref())?,
             fmu: path("fmu"),
             python: path("python"),
             until: time("until", &given)?,
@@ -199,6 +208,9 @@ impl Options {
         }
         if self.target.is_some() && self.c.is_none() {
             return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
+        }
+        if !self.methods.is_empty() && self.c.is_none() {
+            return Err(BadOption("--methods are those of --c FOLDER: with --c".into()));
         }
         Ok(self)
     }
@@ -242,6 +254,15 @@ impl Options {
 fn in_si(value: f64, factor: f64) -> f64 {
     let parts = (1.0 / factor).round();
     if parts > 1.0 && 1.0 / parts == factor { value / parts } else { value * factor }
+}
+
+/// Methods by their names.
+fn methods(text: Option<&str>) -> Result<Vec<By>, BadOption> {
+    let named = |name: &str| {
+        let known = By::ALL.into_iter().find(|by| by.called().rust.eq_ignore_ascii_case(name));
+        known.ok_or_else(|| unknown(name))
+    };
+    text.iter().flat_map(|text| text.split(',')).map(|name| named(name.trim())).collect()
 }
 
 /// The number of a quantity by its name, and its factor to SI.
@@ -306,7 +327,7 @@ mod tests {
     use std::string::ToString;
     use std::vec;
 
-    use super::{Integrator, Options};
+    use super::{By, Integrator, Options};
 
     #[test]
     fn every_option_is_read() {
@@ -320,6 +341,8 @@ mod tests {
         assert_eq!(options.input, [("force".to_string(), 2.0), ("turn".to_string(), 1.0)]);
         assert_eq!((options.every, options.method), (Some(0.01), Some(Integrator::Rk4(1e-3))));
         assert!(Options::parse(["--c", "folder", "--fmu", "file"]).is_ok());
+        let options = Options::parse(["--c", "folder", "--methods", "Rk4, dop853"]).unwrap();
+        assert_eq!(options.methods, [By::Rk4, By::Dop853]);
         assert_eq!(Options::parse(["--serve"]).unwrap().serve, Some(0));
         assert_eq!(Options::parse(["--serve=8080"]).unwrap().serve, Some(8080));
     }
@@ -341,6 +364,8 @@ mod tests {
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
             (vec!["--python", "a", "--until", "1"], "without --until"),
             (vec!["--fmu", "a", "--target", "thumbv7em-none-eabihf"], "with --c"),
+            (vec!["--fmu", "a", "--methods", "Rk4"], "with --c"),
+            (vec!["--c", "a", "--methods", "Rk4,Rk5"], "is Rk4 meant?"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
             assert!(found.contains(said), "{found}");

@@ -93,7 +93,7 @@ impl<M: Exchanged> Program<M> {
             return Ok(());
         }
         if let Some(folder) = &options.c {
-            let library = Library::new(M::TABLES.name).with(&self.mechanism)?;
+            let library = Library::new(M::TABLES.name).by(&options.methods).with(&self.mechanism)?;
             let library = options.target.iter().fold(library, |library, target| library.for_target(target));
             told(&library.write(folder)?);
         }

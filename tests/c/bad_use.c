@@ -14,7 +14,7 @@ int main(void) {
     size_t size = press_size(), index;
     unsigned char *memory = malloc(size + 16), *copy = malloc(size);
     press *self = (press *)memory;
-    double value, pose[6];
+    double value, pose[6], room[100];
     char name[4];
     if (!memory || !copy) {
         return 1;
@@ -32,6 +32,9 @@ int main(void) {
     printf("text: %s\n", press_text(self));
     tell("time before start", press_time(self, &value));
     tell("input before start", press_set(self, PLM_INPUT, 0, 1.0));
+    tell("rates before start", press_rates(self, room, press_count(PLM_RATE)));
+    tell("linearisation before start", press_linearise(self, PLM_A, room, 4));
+    tell("start at NaN", press_start_at(self, NAN));
     tell("start", press_start(self));
     tell("step", press_step(self, 0.1));
     memcpy(copy, memory, size);
@@ -50,6 +53,17 @@ int main(void) {
     tell("null for a time", press_time(self, NULL));
     tell("null for a pose", press_pose(self, 0, NULL));
     tell("body beyond the last", press_pose(self, 3, pose));
+    tell("rate that is set", press_set(self, PLM_RATE, 0, 1.0));
+    tell("rate beyond the last", press_get(self, PLM_RATE, 99, &value));
+    tell("null for rates", press_rates(self, NULL, press_count(PLM_RATE)));
+    tell("room for more rates", press_rates(self, room, press_count(PLM_RATE) + 1));
+    tell("null for directions", press_directions(self, NULL));
+    tell("matrix that is none", press_linearise(self, 5, room, 1));
+    tell("null for a matrix", press_linearise(self, PLM_A, NULL, 9));
+    tell("room for another matrix", press_linearise(self, PLM_A, room, 10));
+    tell("method that is none", press_set_method(self, -1));
+    tell("method that the library does not have", press_set_method(self, PLM_RK4));
+    tell("null object for a matrix", press_linearise(NULL, PLM_A, room, 9));
     tell("unknown name", press_find(PLM_OUTPUT, "no such", &index));
     tell("null name", press_find(PLM_OUTPUT, NULL, &index));
     tell("null index", press_find(PLM_PARAMETER, "stiff", NULL));

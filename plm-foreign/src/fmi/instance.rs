@@ -308,7 +308,7 @@ impl<M: Exchanged> Instance<M> {
     /// As [`Object::saved`].
     pub fn saved(&self, bytes: &[u8]) -> Result<Self, Trouble> {
         let mut saved = Self::new(self.declared, self.interface);
-        saved.object.start()?;
+        saved.object = Object::to_be_read(self.declared);
         saved::read::<M>(&mut saved, bytes)?;
         self.is_like(&saved).map(|()| saved)
     }

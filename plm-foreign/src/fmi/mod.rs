@@ -21,14 +21,14 @@ pub use variable::Variable;
 
 use core::fmt;
 
-use plm_runtime::{Described, Linear};
+use plm_runtime::System;
 
 use crate::Foreign;
 
 /// What can be an FMU: every mechanism in `f64`.
-pub trait Exchanged: Foreign + Linear<Lifted<1>: Described> {}
+pub trait Exchanged: Foreign + System<S = f64> {}
 
-impl<M: Foreign + Linear<Lifted<1>: Described>> Exchanged for M {}
+impl<M: Foreign + System<S = f64>> Exchanged for M {}
 
 /// The functions of FMI, for a mechanism called `NAME`.
 const FMI: &str = include_str!("fmi.rs.txt");

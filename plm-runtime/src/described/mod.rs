@@ -64,6 +64,9 @@ pub trait Described: Mechanism + Ports {
     /// Files that it names, and where they were when it was compiled.
     const FILES: &'static [(&'static str, &'static str)];
 
+    /// Steps by themselves that it orders, as it names them: `rk4`, which is `State::step_rk4`.
+    const STEPS: &'static [&'static str] = &[];
+
     /// The number with this index among all that the tables point at.
     #[doc(hidden)]
     fn figure(&self, t: Number<Self>, index: usize) -> Option<Number<Self>>;

@@ -6,8 +6,8 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use plm_foreign::{Foreign, Si};
-use plm_runtime::StartValues;
 use plm_runtime::described::Quantity;
+use plm_runtime::{Scalar, StartValues};
 
 use crate::view::foreign::declared;
 
@@ -66,7 +66,7 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
         format!("\n\nParameters:\n{}", parameters.concat())
     };
     let (mut starts, mut declared) = (Vec::new(), declared(mechanism).declared_starts());
-    declared.each(&mut |name, value| starts.push(start::<M>(starts.len(), name, value.value)));
+    declared.each(&mut |name, value| starts.push(start::<M>(starts.len(), name, value.value.to_f64())));
     let outputs: Vec<String> = M::OBSERVED.iter().map(|(name, unit)| output::<M>(name, unit)).collect();
     let bodies: Vec<String> = M::TABLES.bodies.iter().map(|body| format!("{},", text(body.name))).collect();
     let rows = |rows: &[Quantity]| tuple(&rows.iter().map(quantity).collect::<Vec<String>>());

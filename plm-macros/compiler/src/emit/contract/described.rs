@@ -8,6 +8,7 @@ use quote::format_ident;
 use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, compact, number, quoted};
+use crate::model::Step;
 use crate::tables::{Figure, Figures};
 
 /// `Described`.
@@ -21,12 +22,14 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
     let files = emission.list(emission.model.files.iter().map(file));
+    let steps = steps(emission);
     quote! {
         impl<S: Real> rt::Described for #name<S> {
             const TABLES: &'static described::Tables = &#tables;
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = #declaration;
             const FILES: &'static [(&'static str, &'static str)] = &[#files];
+            #steps
 
             #figure
 
@@ -57,6 +60,14 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             #instant
         }
     }
+}
+
+/// The steps that the declaration orders, where there are some.
+fn steps(emission: &Emission) -> Option<TokenStream> {
+    let steps = &emission.model.steps;
+    let ordered = |step| Step::NAMES.iter().find(|(_, known)| known == step).map(|(name, _)| name);
+    let names = emission.text(quoted(steps.iter().filter_map(ordered)));
+    (!steps.is_empty()).then(|| quote!(const STEPS: &'static [&'static str] = &[#names];))
 }
 
 /// The numbers of the tables: constants, and those that are worked out, in blocks as everything that is long.

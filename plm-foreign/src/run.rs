@@ -1,0 +1,338 @@
+//! Runs by a method that is chosen while a program runs, among those that its library has.
+
+use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
+use plm_runtime::words::{InWords, Words};
+use plm_runtime::{Adams, Dop853, Dopri5, Fault, Method, Rk4, Scalar, SemiImplicitEuler, Sim, Vern9};
+
+use crate::border::BlockBy;
+use crate::{Foreign, Status, Trouble};
+
+/// A method of integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum By {
+    /// [`Dop853`]
+    Dop853 = 0,
+    /// [`Vern9`]
+    Vern9 = 1,
+    /// [`Adams`]
+    Adams = 2,
+    /// [`Dopri5`]
+    Dopri5 = 3,
+    /// [`RadauIia5`]
+    RadauIia5 = 4,
+    /// [`Rk4`]
+    Rk4 = 5,
+    /// [`SemiImplicitEuler`]
+    SemiImplicitEuler = 6,
+    /// [`Gauss`] of two stages
+    Gauss2 = 7,
+    /// [`Gauss`] of three stages
+    Gauss3 = 8,
+    /// [`Ros34Pw2`]
+    Ros34Pw2 = 9,
+}
+
+/// What a method is called.
+pub struct Called {
+    /// In Rust, and by `--method`.
+    pub rust: &'static str,
+    /// In C, behind `PLM_`.
+    pub c: &'static str,
+    /// Its type, for numbers `REAL` of a mechanism `OWN`.
+    pub(crate) kind: &'static str,
+    /// What it is.
+    pub(crate) words: &'static str,
+}
+
+impl By {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 10] = [
+        Self::Dop853,
+        Self::Vern9,
+        Self::Adams,
+        Self::Dopri5,
+        Self::RadauIia5,
+        Self::Rk4,
+        Self::SemiImplicitEuler,
+        Self::Gauss2,
+        Self::Gauss3,
+        Self::Ros34Pw2,
+    ];
+
+    /// What it is called.
+    pub fn called(self) -> Called {
+        let (rust, c, kind, words) = match self {
+            Self::Dop853 => ("Dop853", "DOP853", "Dop853<OWN>", "order 8, steps by their error"),
+            Self::Vern9 => ("Vern9", "VERN9", "Vern9<OWN>", "order 9, steps by their error"),
+            Self::Adams => ("Adams", "ADAMS", "Adams<OWN>", "order 1 to 13, steps by their error"),
+            Self::Dopri5 => ("Dopri5", "DOPRI5", "Dopri5<OWN>", "order 5, steps by their error"),
+            Self::RadauIia5 => (
+                "RadauIia5",
+                "RADAU_IIA5",
+                "RadauIia5<OWN>",
+                "order 5, steps by their error, for what is stiff",
+            ),
+            Self::Rk4 => ("Rk4", "RK4", "Rk4<REAL>", "order 4, steps of fixed length"),
+            Self::SemiImplicitEuler => (
+                "SemiImplicitEuler",
+                "SEMI_IMPLICIT_EULER",
+                "SemiImplicitEuler<REAL>",
+                "order 1, steps of fixed length",
+            ),
+            Self::Gauss2 => {
+                ("Gauss2", "GAUSS2", "Gauss<OWN, 2>", "order 4, symplectic, steps of fixed length")
+            }
+            Self::Gauss3 => {
+                ("Gauss3", "GAUSS3", "Gauss<OWN, 3>", "order 6, symplectic, steps of fixed length")
+            }
+            Self::Ros34Pw2 => (
+                "Ros34Pw2",
+                "ROS34PW2",
+                "Ros34Pw2<REAL>",
+                "order 3, steps of fixed length, for what is stiff",
+            ),
+        };
+        Called { rust, c, kind, words }
+    }
+
+    /// Bytes of an object with runs by this method alone, and what its address is a multiple of.
+    pub(crate) fn room<M: Foreign>(self) -> (usize, usize) {
+        fn of<M: Foreign, I: Chosen<M>>() -> (usize, usize) {
+            (BlockBy::<M, Sim<M, I>>::SIZE, BlockBy::<M, Sim<M, I>>::ALIGN)
+        }
+        match self {
+            Self::Dop853 => of::<M, Dop853<M>>(),
+            Self::Vern9 => of::<M, Vern9<M>>(),
+            Self::Adams => of::<M, Adams<M>>(),
+            Self::Dopri5 => of::<M, Dopri5<M>>(),
+            Self::RadauIia5 => of::<M, RadauIia5<M>>(),
+            Self::Rk4 => of::<M, Rk4<M::S>>(),
+            Self::SemiImplicitEuler => of::<M, SemiImplicitEuler<M::S>>(),
+            Self::Gauss2 => of::<M, Gauss<M, 2>>(),
+            Self::Gauss3 => of::<M, Gauss<M, 3>>(),
+            Self::Ros34Pw2 => of::<M, Ros34Pw2<M::S>>(),
+        }
+    }
+
+    /// The method with this number.
+    ///
+    /// # Errors
+    /// [`Status::Choice`]
+    pub fn of(number: i32) -> Result<Self, Trouble> {
+        Self::ALL.into_iter().find(|by| *by as i32 == number).ok_or(Status::Choice.into())
+    }
+}
+
+/// A method with its options.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// The method.
+    pub by: By,
+    /// Relative tolerance, where steps are chosen by their error; not a number where the method's own is taken.
+    pub rtol: f64,
+    /// Longest step, s; of a method with steps of fixed length that length, or infinite: one step an interval.
+    pub longest_step: f64,
+}
+
+impl InWords for Choice {
+    fn each(&mut self, words: &mut impl Words) {
+        let mut number = self.by as u64;
+        words.word(&mut number);
+        let read = i32::try_from(number).ok().and_then(|number| By::of(number).ok());
+        self.by = read.unwrap_or(self.by);
+        words.numbers([&mut self.rtol, &mut self.longest_step]);
+    }
+}
+
+/// A method that can be chosen.
+pub trait Chosen<M: Foreign>: Method<M> + InWords {
+    /// Which it is.
+    const BY: By;
+
+    /// With options, before its first step.
+    fn of(choice: &Choice) -> Self;
+
+    /// Takes other options.
+    fn take(&mut self, choice: &Choice);
+}
+
+/// Methods that choose their steps by an error.
+macro_rules! by_error {
+    ($($method:ident)*) => {$(
+        impl<M: Foreign> Chosen<M> for $method<M> {
+            const BY: By = By::$method;
+
+            fn of(choice: &Choice) -> Self {
+                let mut method = Self::default();
+                Chosen::<M>::take(&mut method, choice);
+                method
+            }
+
+            fn take(&mut self, choice: &Choice) {
+                let own = Self::default().rtol;
+                self.rtol = if choice.rtol.is_nan() { own } else { M::S::lit(choice.rtol) };
+                self.longest_step = M::S::lit(choice.longest_step);
+            }
+        }
+    )*};
+}
+
+/// Methods with steps of fixed length.
+macro_rules! of_length {
+    ($($by:ident $method:ty;)*) => {$(
+        impl<M: Foreign> Chosen<M> for $method {
+            const BY: By = By::$by;
+
+            fn of(choice: &Choice) -> Self {
+                Self::new(M::S::lit(choice.longest_step))
+            }
+
+            fn take(&mut self, choice: &Choice) {
+                self.longest_step = M::S::lit(choice.longest_step);
+            }
+        }
+    )*};
+}
+
+by_error!(Dop853 Vern9 Adams Dopri5 RadauIia5);
+of_length! {
+    Rk4 Rk4<M::S>;
+    SemiImplicitEuler SemiImplicitEuler<M::S>;
+    Gauss2 Gauss<M, 2>;
+    Gauss3 Gauss<M, 3>;
+    Ros34Pw2 Ros34Pw2<M::S>;
+}
+
+/// A run by one of several methods.
+pub trait Run<M: Foreign>: Copy + InWords {
+    /// The usual method, with which an object begins.
+    const USUAL: By;
+
+    /// Is this method among them?
+    fn has(by: By) -> bool;
+
+    /// A run from a state; none where the method is not among these.
+    fn new(state: M::State, choice: &Choice) -> Option<Self>;
+
+    /// The method of this run.
+    fn by(&self) -> By;
+
+    /// The mechanism at the current moment.
+    fn state(&self) -> &M::State;
+
+    /// The same, to be changed; the next step looks at what was.
+    fn state_mut(&mut self) -> &mut M::State;
+
+    /// Takes other options of its method.
+    fn take(&mut self, choice: &Choice);
+
+    /// [`Sim::step`]
+    ///
+    /// # Errors
+    /// As [`Sim::step`].
+    fn step(&mut self, dt: M::S) -> Result<(), Fault>;
+
+    /// [`Sim::step_to`]
+    ///
+    /// # Errors
+    /// As [`Sim::step_to`].
+    fn step_to(&mut self, until: M::S) -> Result<(), Fault>;
+}
+
+impl<M: Foreign, I: Chosen<M>> Run<M> for Sim<M, I> {
+    const USUAL: By = I::BY;
+
+    fn has(by: By) -> bool {
+        by == I::BY
+    }
+
+    fn new(state: M::State, choice: &Choice) -> Option<Self> {
+        (choice.by == I::BY).then(|| Sim::new(state, I::of(choice)))
+    }
+
+    fn by(&self) -> By {
+        I::BY
+    }
+
+    fn state(&self) -> &M::State {
+        Sim::state(self)
+    }
+
+    fn state_mut(&mut self) -> &mut M::State {
+        self
+    }
+
+    fn take(&mut self, choice: &Choice) {
+        self.method_mut().take(choice);
+    }
+
+    fn step(&mut self, dt: M::S) -> Result<(), Fault> {
+        Sim::step(self, dt)
+    }
+
+    fn step_to(&mut self, until: M::S) -> Result<(), Fault> {
+        Sim::step_to(self, until)
+    }
+}
+
+/// A run by a method of `A`, or by one of `B`: so a list of methods becomes a type, and a library has the code of no other.
+#[derive(Clone, Copy)]
+pub enum Either<A, B> {
+    /// The first.
+    This(A),
+    /// One of the others.
+    That(B),
+}
+
+/// The same of whichever it is.
+macro_rules! whichever {
+    ($either:expr, $run:ident => $value:expr) => {
+        match $either {
+            Self::This($run) => $value,
+            Self::That($run) => $value,
+        }
+    };
+}
+
+impl<M: Foreign, A: Run<M>, B: Run<M>> Run<M> for Either<A, B> {
+    const USUAL: By = A::USUAL;
+
+    fn has(by: By) -> bool {
+        A::has(by) || B::has(by)
+    }
+
+    fn new(state: M::State, choice: &Choice) -> Option<Self> {
+        A::new(state, choice).map(Self::This).or_else(|| B::new(state, choice).map(Self::That))
+    }
+
+    fn by(&self) -> By {
+        whichever!(self, run => run.by())
+    }
+
+    fn state(&self) -> &M::State {
+        whichever!(self, run => run.state())
+    }
+
+    fn state_mut(&mut self) -> &mut M::State {
+        whichever!(self, run => run.state_mut())
+    }
+
+    fn take(&mut self, choice: &Choice) {
+        whichever!(self, run => run.take(choice));
+    }
+
+    fn step(&mut self, dt: M::S) -> Result<(), Fault> {
+        whichever!(self, run => run.step(dt))
+    }
+
+    fn step_to(&mut self, until: M::S) -> Result<(), Fault> {
+        whichever!(self, run => run.step_to(until))
+    }
+}
+
+impl<A: InWords, B: InWords> InWords for Either<A, B> {
+    fn each(&mut self, words: &mut impl Words) {
+        whichever!(self, run => run.each(words));
+    }
+}
