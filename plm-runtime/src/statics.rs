@@ -44,6 +44,10 @@ pub trait Statics: Mechanism {
     /// As those of [`start_state`](Mechanism::start_state).
     fn start_with_inputs(&self, t: Self::S, held: &Self::U) -> Result<(Self::U, Self::X), Fault>;
 
+    /// What is held where nothing is assembled: the inputs as declared, every condition on one side, no turns, the first chart
+    /// without a memory. What was saved of a run is read into it.
+    fn unstarted(&self) -> Self::U;
+
     /// The start values as they are set: those of each body (x, y, angle, vx, vy, omega), then first-order states.
     fn starts_mut(&mut self) -> &mut Self::Starts;
 

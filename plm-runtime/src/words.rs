@@ -6,6 +6,7 @@
 use crate::charts::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
 use crate::described::Described;
 use crate::held::Held;
+use crate::scalar::Real;
 use crate::start::StartValues;
 use crate::statics::Statics;
 use crate::vector::Vector;
@@ -15,15 +16,15 @@ pub trait Words {
     /// Takes this word, or gives it its value.
     fn word(&mut self, word: &mut u64);
 
-    /// A number.
-    fn number(&mut self, number: &mut f64) {
-        let mut bits = number.to_bits();
+    /// A number, `f64` or one that rounds to that and back as it is.
+    fn number<S: Real>(&mut self, number: &mut S) {
+        let mut bits = number.to_f64().to_bits();
         self.word(&mut bits);
-        *number = f64::from_bits(bits);
+        *number = S::lit(f64::from_bits(bits));
     }
 
     /// Several numbers.
-    fn numbers<'a>(&mut self, numbers: impl IntoIterator<Item = &'a mut f64>) {
+    fn numbers<'a, S: Real>(&mut self, numbers: impl IntoIterator<Item = &'a mut S>) {
         numbers.into_iter().for_each(|number| self.number(number));
     }
 
@@ -34,8 +35,22 @@ pub trait Words {
         *flag = word != 0;
     }
 
+    /// A count.
+    fn count(&mut self, count: &mut u32) {
+        let mut word = u64::from(*count);
+        self.word(&mut word);
+        *count = word as u32;
+    }
+
+    /// A number of things.
+    fn index(&mut self, index: &mut usize) {
+        let mut word = *index as u64;
+        self.word(&mut word);
+        *index = word as usize;
+    }
+
     /// The components of a vector.
-    fn vector<X: Vector<f64>>(&mut self, vector: &mut X) {
+    fn vector<S: Real, X: Vector<S>>(&mut self, vector: &mut X) {
         for index in 0..X::LEN {
             let mut number = vector.at(index);
             self.number(&mut number);
@@ -63,7 +78,7 @@ impl InWords for () {
 }
 
 /// Shows the parameters of a mechanism and its start values with their locks.
-pub fn mechanism<M: Described<S = f64> + Statics>(mechanism: &mut M, words: &mut impl Words) {
+pub fn mechanism<M: Described + Statics>(mechanism: &mut M, words: &mut impl Words) {
     for index in 0..M::TABLES.parameters.len() {
         if let Some(parameter) = mechanism.parameter_mut(index) {
             words.number(parameter);
@@ -76,7 +91,7 @@ pub fn mechanism<M: Described<S = f64> + Statics>(mechanism: &mut M, words: &mut
 }
 
 /// Switches, turns, loops. The inputs have a type of the mechanism's own: they are shown by [`Ports`](crate::Ports).
-impl<I, const W: usize, const T: usize, L: InWords> InWords for Held<I, [f64; W], [i32; T], L> {
+impl<S: Real, I, const W: usize, const T: usize, L: InWords> InWords for Held<I, [S; W], [i32; T], L> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers(&mut self.switches);
         for turns in &mut self.turns {
@@ -89,11 +104,11 @@ impl<I, const W: usize, const T: usize, L: InWords> InWords for Held<I, [f64; W]
 }
 
 /// The chart, and what is remembered in it; or pose and velocity. What is not held is zero.
-impl<const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> InWords
-    for OfLoops<Memory<f64, Y, T, A, F>, [f64; NQ]>
+impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> InWords
+    for OfLoops<Memory<S, Y, T, A, F>, [S; NQ]>
 {
     fn each(&mut self, words: &mut impl Words) {
-        let (mut place, mut memory, mut pose) = (0, Memory::nothing(), ([0.0; NQ], [0.0; NQ]));
+        let (mut place, mut memory, mut pose) = (0, Memory::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
         match *self {
             OfLoops::InChart { chart, memory: held } => (place, memory) = (chart as u64 + 1, held),
             OfLoops::Free { q, v } => pose = (q, v),
@@ -109,7 +124,9 @@ impl<const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: u
     }
 }
 
-impl<const Y: usize, const T: usize, const A: usize, const F: usize> InWords for Memory<f64, Y, T, A, F> {
+impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize> InWords
+    for Memory<S, Y, T, A, F>
+{
     fn each(&mut self, words: &mut impl Words) {
         for Reach { last, reach } in self.coordinates.iter_mut().chain([&mut self.time]) {
             words.numbers([last, reach]);

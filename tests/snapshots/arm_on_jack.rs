@@ -613,6 +613,10 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Real> ArmOnJack<S> {
+            fn holding_(input: Input<S>) -> Held<S> {
+                rt::Held { input, switches: [S::lit(1.0); 8], turns: [0; 1], of_loops: () }
+            }
+
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
                 rt::Mechanism::check(self, t)?;
                 let assembly = absolute::assemble(self, t)?;
@@ -625,7 +629,7 @@ mod plm_arm_on_jack_ {
                 x[7] = self.start.line2_inlet_pressure.value;
                 x[8] = self.start.valve_servo_value.value;
                 x[9] = self.start.valve_servo_swing.value;
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 8], turns: [0; 1], of_loops: () };
+                let mut held = Self::holding_(input);
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 rt::System::pass(self, t, &mut held);
                 rt::events::switch_where_due(self, t, &mut held, &x);
@@ -1457,6 +1461,10 @@ mod plm_arm_on_jack_ {
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
+            }
+
+            fn unstarted(&self) -> Self::U {
+                Self::holding_(self.declared_input())
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

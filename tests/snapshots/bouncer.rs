@@ -513,11 +513,15 @@ mod plm_bouncer_ {
         }
 
         impl<S: Real> Bouncer<S> {
+            fn holding_(input: Input<S>) -> Held<S> {
+                rt::Held { input, switches: [S::lit(1.0); 4], turns: [0; 0], of_loops: () }
+            }
+
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 4]), Fault> {
                 rt::Mechanism::check(self, t)?;
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 4], turns: [0; 0], of_loops: () };
+                let mut held = Self::holding_(input);
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 rt::System::pass(self, t, &mut held);
                 rt::events::switch_where_due(self, t, &mut held, &x);
@@ -1005,6 +1009,10 @@ mod plm_bouncer_ {
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
+            }
+
+            fn unstarted(&self) -> Self::U {
+                Self::holding_(self.declared_input())
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

@@ -607,10 +607,14 @@ mod plm_chain_ {
         }
 
         impl<S: Real> Chain<S> {
+            fn holding_(input: Input<S>) -> Held<S> {
+                rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 5], of_loops: () }
+            }
+
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 10];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 5], of_loops: () };
+                let mut held = Self::holding_(input);
                 self.project(t, &assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
@@ -1545,6 +1549,10 @@ mod plm_chain_ {
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
+            }
+
+            fn unstarted(&self) -> Self::U {
+                Self::holding_(self.declared_input())
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

@@ -1012,6 +1012,18 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Real> PlateOnThreePins<S> {
+            fn holding_(input: Input<S>) -> Held<S> {
+                rt::Held {
+                    input,
+                    switches: [S::lit(1.0); 0],
+                    turns: [0; 1],
+                    of_loops: rt::charts::OfLoops::InChart {
+                        chart: 0,
+                        memory: rt::charts::Remembered::nothing(),
+                    },
+                }
+            }
+
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 0]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 0];
@@ -1022,15 +1034,7 @@ mod plm_plate_on_three_pins_ {
                     );
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
-                let mut held = rt::Held {
-                    input,
-                    switches: [S::lit(1.0); 0],
-                    turns: [0; 1],
-                    of_loops: rt::charts::OfLoops::InChart {
-                        chart: 0,
-                        memory: rt::charts::Remembered::nothing(),
-                    },
-                };
+                let mut held = Self::holding_(input);
                 rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);
                 Ok((held, x))
             }
@@ -2196,6 +2200,10 @@ mod plm_plate_on_three_pins_ {
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
+            }
+
+            fn unstarted(&self) -> Self::U {
+                Self::holding_(self.declared_input())
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

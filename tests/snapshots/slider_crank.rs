@@ -551,10 +551,14 @@ mod plm_slider_crank_ {
         }
 
         impl<S: Real> SliderCrank<S> {
+            fn holding_(input: Input<S>) -> Held<S> {
+                rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 2], of_loops: () }
+            }
+
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 18]), Fault> {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 18];
-                let mut held = rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 2], of_loops: () };
+                let mut held = Self::holding_(input);
                 absolute::join(&assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
@@ -1305,6 +1309,10 @@ mod plm_slider_crank_ {
 
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
+            }
+
+            fn unstarted(&self) -> Self::U {
+                Self::holding_(self.declared_input())
             }
 
             fn starts_mut(&mut self) -> &mut Starts<S> {

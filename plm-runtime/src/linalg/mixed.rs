@@ -3,6 +3,7 @@
 use super::complex::{Both, Complex, Entry};
 use super::resolvent::{Dense, Derivatives};
 use crate::scalar::Real;
+use crate::words::Words;
 
 /// One of two forms of derivatives; the second holds the full matrix.
 #[derive(Clone, Copy, Debug)]
@@ -81,5 +82,17 @@ impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivativ
             Mixed::Full(full) => full.full(),
             Mixed::Sparse(_) => None,
         }
+    }
+
+    /// Both forms, of which one holds nothing.
+    fn in_words(&mut self, words: &mut impl Words) {
+        let (mut is_full, mut sparse, mut full) = match *self {
+            Mixed::Sparse(sparse) => (false, sparse, B::zeros()),
+            Mixed::Full(full) => (true, A::zeros(), full),
+        };
+        words.flag(&mut is_full);
+        sparse.in_words(words);
+        full.in_words(words);
+        *self = if is_full { Mixed::Full(full) } else { Mixed::Sparse(sparse) };
     }
 }

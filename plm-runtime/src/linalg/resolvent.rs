@@ -4,6 +4,7 @@ use super::complex::{Both, Complex, Entry};
 use super::lu::Lu;
 use crate::scalar::Real;
 use crate::vector::Vector;
+use crate::words::Words;
 
 /// Vectors over which there are square matrices.
 pub trait Dense<S: Real>: Vector<S> {
@@ -63,6 +64,8 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
     }
     /// The matrix J, where it is held as such.
     fn full(&mut self) -> Option<&mut X::Matrix>;
+    /// Shows all numbers, always as many.
+    fn in_words(&mut self, words: &mut impl Words);
 }
 
 /// lambda I - J, decomposed in the unknowns that q' = v leaves.
@@ -157,5 +160,11 @@ impl<S: Real, const N: usize> Derivatives<S, [S; N]> for [[S; N]; N] {
     #[inline]
     fn full(&mut self) -> Option<&mut [[S; N]; N]> {
         Some(self)
+    }
+
+    fn in_words(&mut self, words: &mut impl Words) {
+        for row in self {
+            words.numbers(row);
+        }
     }
 }

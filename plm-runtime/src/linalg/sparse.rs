@@ -6,6 +6,7 @@ use super::complex::{Both, Complex, Entry};
 use super::resolvent::{Dense, Derivatives};
 use crate::scalar::Real;
 use crate::vector::Vector;
+use crate::words::Words;
 
 /// What a coefficient of an augmented system multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,6 +179,10 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
 
     fn full(&mut self) -> Option<&mut X::Matrix> {
         None
+    }
+
+    fn in_words(&mut self, words: &mut impl Words) {
+        words.numbers(&mut self.coefficients);
     }
 }
 

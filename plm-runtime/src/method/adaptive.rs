@@ -82,7 +82,7 @@ pub(super) struct Steady<S> {
     doubted: bool,
 }
 
-impl InWords for Steady<f64> {
+impl<S: Real> InWords for Steady<S> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.last.0, &mut self.last.1]);
         words.flag(&mut self.doubted);

@@ -47,7 +47,7 @@ pub struct FixedStep<S, F> {
     /// The last step was unhealthy.
     pub(crate) careful: bool,
     /// Steps until the next look at the drift.
-    until_check: u32,
+    pub(super) until_check: u32,
     formula: PhantomData<F>,
 }
 

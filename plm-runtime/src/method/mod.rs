@@ -32,6 +32,7 @@ mod rates;
 mod rk4;
 mod ros34pw2;
 mod vern9;
+mod words;
 
 pub use adams::Adams;
 pub use dop853::{Dop853, DormandPrince853};

@@ -5,6 +5,7 @@ use crate::described::Described;
 use crate::mechanism::Moment;
 use crate::method::Method;
 use crate::ports::Ports;
+use crate::scalar::Scalar;
 use crate::statics::Statics;
 use crate::system::System;
 use crate::words::{InWords, Words, mechanism};
@@ -14,7 +15,7 @@ use crate::words::{InWords, Words, mechanism};
 /// within it, are not shown.
 impl<M, I> InWords for Sim<M, I>
 where
-    M: Described<S = f64> + Statics + System<U: InWords>,
+    M: Described + Statics + System<U: InWords>,
     I: Method<M> + InWords,
 {
     fn each(&mut self, words: &mut impl Words) {
@@ -34,7 +35,7 @@ where
         };
         self.method.each(words);
         self.watch.each(words);
-        words.perhaps(&mut self.limits.energy_jump, 0.0, Words::number);
+        words.perhaps(&mut self.limits.energy_jump, M::S::ZERO, Words::number);
         words.flag(&mut self.limits.change_points);
         words.numbers([&mut self.clock.time, &mut self.clock.rest, &mut self.longest_step]);
         words.numbers([&mut self.start_time, &mut self.latest]);

@@ -30,7 +30,7 @@ pub(super) struct Coefficients<S> {
     /// psi_i, the length of the last i steps, s.
     pub(super) psi: [S; ROOM],
     /// alpha_i = h / psi_i.
-    alpha: [S; ROOM],
+    pub(super) alpha: [S; ROOM],
     /// By these the differences of the last step become those of the next.
     pub(super) beta: [S; ROOM],
     /// sigma_i, by which error estimates differ from those of equal steps.
@@ -40,11 +40,11 @@ pub(super) struct Coefficients<S> {
     /// Of the double integral over the step, g_(i,2): what accelerations do to coordinates.
     pub(super) twice: [S; ROOM],
     /// The row of integrals g_(i,q), over q, from which the next step's begin.
-    kept: [S; ROOM],
+    pub(super) kept: [S; ROOM],
     /// The length of the last step, s.
-    last: S,
+    pub(super) last: S,
     /// The order of the last step.
-    order: usize,
+    pub(super) order: usize,
     /// How many steps in a row have the same length.
     pub(super) equal: usize,
 }

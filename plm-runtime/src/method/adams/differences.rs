@@ -11,11 +11,11 @@ use crate::vector::Vector;
 /// phi_1 to phi_(k+2) for steps of order k. What an accepted step adds to all of them is added with the next prediction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Differences<M: System> {
-    rows: [M::X; MOST + 2],
+    pub(super) rows: [M::X; MOST + 2],
     /// The last difference: it is still to be added.
     pub(super) last: M::X,
     /// To so many rows.
-    due: usize,
+    pub(super) due: usize,
 }
 
 impl<M: System<S: Real>> Differences<M> {

@@ -4,6 +4,7 @@ mod between;
 mod coefficients;
 mod differences;
 mod order;
+mod words;
 
 use self::coefficients::Coefficients;
 use self::differences::Differences;

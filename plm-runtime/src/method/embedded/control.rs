@@ -42,7 +42,7 @@ impl<S: Real> Control<S> {
     }
 }
 
-impl InWords for Control<f64> {
+impl<S: Real> InWords for Control<S> {
     fn each(&mut self, words: &mut impl Words) {
         words.number(&mut self.last_error);
         words.flag(&mut self.rejected);

@@ -1,19 +1,20 @@
 //! An embedded pair as words.
 
 use super::{Embedded, Pair};
+use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
 /// The options, and what decides the next step. Not the last step, whose stages serve states within it.
-impl<M: System<S = f64>, P: Pair> InWords for Embedded<M, P> {
+impl<M: System<S: Real>, P: Pair> InWords for Embedded<M, P> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.rtol, &mut self.longest_step]);
         words.word(&mut self.most_steps);
-        words.perhaps(&mut self.proposal, 0.0, Words::number);
+        words.perhaps(&mut self.proposal, M::S::ZERO, Words::number);
         self.control.each(words);
         self.steady.each(words);
-        words.perhaps(&mut self.rate, M::X::fill(0.0), Words::vector);
+        words.perhaps(&mut self.rate, M::X::fill(M::S::ZERO), Words::vector);
         words.flag(&mut self.careful);
         words.number(&mut self.projection.residue);
         words.flag(&mut self.by_error);

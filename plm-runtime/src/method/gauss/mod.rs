@@ -11,6 +11,7 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
 use crate::vector::Vector;
+use crate::words::{InWords, Words};
 
 /// Gauss collocation with 2 (order 4) or 3 stages (order 6) and steps of equal length: symplectic and time-reversible.
 ///
@@ -206,5 +207,20 @@ where
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
+    }
+}
+
+/// The options, and what one step leaves for the next: the rates of its stages, and what its sums rounded off.
+impl<M: System<S: Real>, const STAGES: usize> InWords for Gauss<M, STAGES> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.numbers([&mut self.longest_step, &mut self.tolerance]);
+        let blank = ([M::X::fill(M::S::ZERO); STAGES], M::S::ZERO);
+        words.perhaps(&mut self.last, blank, |words, (rates, h)| {
+            for rate in rates {
+                words.vector(rate);
+            }
+            words.number(h);
+        });
+        words.vector(&mut self.rounded);
     }
 }

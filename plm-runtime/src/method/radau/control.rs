@@ -9,7 +9,7 @@ use crate::scalar::Real;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Control<S> {
     /// Length and error of the last accepted step.
-    last: Option<(S, S)>,
+    pub(super) last: Option<(S, S)>,
     /// The step was rejected before: do not grow at once.
     pub(super) rejected: bool,
 }

@@ -10,14 +10,14 @@ use crate::vector::Vector;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dense<S, X> {
     /// The end of the step.
-    end: S,
-    h: S,
+    pub(super) end: S,
+    pub(super) h: S,
     /// The state at the end, before it was settled.
-    to: X,
+    pub(super) to: X,
     /// The state at the end.
-    settled: X,
+    pub(super) settled: X,
     /// Divided differences.
-    differences: [X; 3],
+    pub(super) differences: [X; 3],
 }
 
 impl<S: Real, X: Vector<S>> Dense<S, X> {

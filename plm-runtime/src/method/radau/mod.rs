@@ -4,6 +4,7 @@ mod control;
 mod dense;
 mod newton;
 mod tableau;
+mod words;
 
 use core::fmt;
 

@@ -20,7 +20,7 @@ pub(super) struct Factors<M: Linear> {
     /// Length of the steps that they are for.
     pub(super) h: M::S,
     /// Were they found, for the derivatives as they are?
-    known: bool,
+    pub(super) known: bool,
     real: Resolvent<M, M::S>,
     complex: Resolvent<M, Complex<M::S>>,
 }
@@ -44,12 +44,24 @@ impl<M: Linear> Factors<M> {
     /// For steps of `h`; false if a matrix is singular.
     pub(super) fn decompose(&mut self, course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> bool {
         course.stats.factorisations += 1;
+        self.h = h;
+        self.found(by_x)
+    }
+
+    fn found(&mut self, by_x: &M::Derivatives) -> bool {
+        let h = self.h;
         let over_h = |value: f64| M::S::lit(value) / h;
         let pair = Complex { re: over_h(ALPHA), im: over_h(BETA) };
-        self.h = h;
         self.known = by_x.decompose(over_h(GAMMA), M::NQ, &mut self.real)
             && by_x.decompose(pair, M::NQ, &mut self.complex);
         self.known
+    }
+
+    /// The same again, for the steps that they are for, where they were found.
+    pub(super) fn again(&mut self, by_x: &M::Derivatives) {
+        if self.known {
+            self.found(by_x);
+        }
     }
 
     /// (gamma/h I - J)^-1 r.
@@ -86,7 +98,7 @@ impl<M: Linear> Factors<M> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Convergence<S> {
     /// theta / (1 - theta), kept from step to step: how much is still to come after a correction.
-    rest: S,
+    pub(super) rest: S,
     /// The last ratio of two corrections.
     pub(super) theta: S,
 }

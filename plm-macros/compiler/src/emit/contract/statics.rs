@@ -94,6 +94,9 @@ constraints, rates of the first-order states, without accelerations.",
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
+            fn unstarted(&self) -> Self::U {
+                Self::holding_(self.declared_input())
+            }
             fn starts_mut(&mut self) -> &mut Starts<S> {
                 &mut self.start
             }

@@ -231,9 +231,11 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
     let (check, carried) = (check(emission), carried(emission));
     let states = &fields.states;
     let numbers = (*second_order..).take(states.len()).map(number);
-    let begin = begin(emission);
+    let (begin, holding) = (begin(emission), holding(emission));
     quote! {
         impl<S: Real> #name<S> {
+            #holding
+
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; #length]), Fault> {
                 #check
                 let assembly = absolute::assemble(self, t)?;
@@ -247,17 +249,30 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
     }
 }
 
+/// What is held with inputs, before anything is known of a state.
+fn holding(emission: &Emission) -> TokenStream {
+    let of_loops = match emission.form {
+        Form::Loops(_) => {
+            quote!(rt::charts::OfLoops::InChart { chart: 0, memory: rt::charts::Remembered::nothing() })
+        }
+        Form::Tree(_) | Form::Absolute => quote!(()),
+    };
+    let [count, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
+    quote! {
+        fn holding_(input: Input<S>) -> Held<S> {
+            rt::Held { input, switches: [S::lit(1.0); #count], turns: [0; #turns], of_loops: #of_loops }
+        }
+    }
+}
+
 /// From the assembled pose to the state, and the sides of conditions that apply there.
 fn begin(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let pass = (!model.switches.is_empty()).then(|| quote!(rt::System::pass(self, t, &mut held);));
     let switch = (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &x);));
-    let (mut of_loops, mut repeats) = (quote!(()), None);
+    let mut repeats = None;
     let enter = match emission.form {
         Form::Loops(reduced) => {
-            of_loops = quote! {
-                rt::charts::OfLoops::InChart { chart: 0, memory: rt::charts::Remembered::nothing() }
-            };
             // Charts count on all rows: where some repeat others they would leave out a freedom.
             repeats = (!reduced.is_redundant()).then(|| {
                 quote! {
@@ -274,10 +289,9 @@ fn begin(emission: &Emission) -> TokenStream {
         Form::Tree(_) => quote!(self.project(t, &assembly.q, &assembly.v, &mut x);),
         Form::Absolute => quote!(absolute::join(&assembly.q, &assembly.v, &mut x);),
     };
-    let [count, turns] = [model.switches.len(), model.turns.len()].map_each(number);
     quote! {
         #repeats
-        let mut held = rt::Held { input, switches: [S::lit(1.0); #count], turns: [0; #turns], of_loops: #of_loops };
+        let mut held = Self::holding_(input);
         #enter
         #pass
         #switch
