@@ -18,7 +18,7 @@ pub mod fmi;
 pub mod header;
 mod kind;
 mod object;
-mod saved;
+pub mod saved;
 mod source;
 mod status;
 mod text;
