@@ -3,7 +3,7 @@
 
 use plm::foreign::{Kind, Status};
 use plm::python::{Run, Runnable, method};
-use plm::{Cause, Fault};
+use plm::{Cause, Described, Fault};
 
 plm::mechanism! {
     /// A loop no link of which goes round, so that each chart is flat somewhere; with a first-order state.
@@ -272,4 +272,43 @@ fn a_record_has_events_and_whatever_is_read() {
     let (at, what) = record.events[0];
     assert!((at - (root - 1.5 * tau) / g).abs() < 1e-8 && what == "floor", "{:?}", record.events);
     assert_eq!(record.events[2], (0.37, "kick"));
+}
+
+/// The mechanism of the page of the book.
+mod of_the_page {
+    plm::mechanism! {
+        /// A bar on a pin.
+        pub Pendulum {
+            gravity: 9.81 m/s^2;
+            /// Of the bearing.
+            param friction: N*m*s/rad = 0.1 N*m*s/rad;
+            /// Of the motor.
+            input drive: N*m = 0;
+            ground { port o: (0, 0) m; }
+            body bar { mass: 2 kg; inertia: 0.1 kg*m^2; port pivot: (0, 0.4) m; start angle: 30 deg, locked; }
+            revolute hinge(ground.o, bar.pivot) { damping: friction; drive: drive; }
+            require below: bar.angle < 270 deg;
+            output bar.angle in deg, hinge.force;
+        }
+    }
+}
+
+/// Python has the bits of Rust (tests/python.rs): what the page shows of a step is looked at here, where Python may not be.
+#[test]
+fn the_page_of_the_book_shows_the_number_of_rust() {
+    use of_the_page::Pendulum;
+    let page = include_str!("../docs/src/running/python.md");
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let block = page.split("```rust,no_run").nth(1).and_then(|rest| rest.split("fn main").next()).unwrap();
+    assert!(
+        words(include_str!("python_run.rs")).contains(&words(block)),
+        "the page has another mechanism: {block}"
+    );
+    let mut run =
+        Run::start(Pendulum::new(), method("dop853", None, None).unwrap(), (&[(0, 0.3)], &[]), 0.0).unwrap();
+    run.step(0.1, &mut |_| true).unwrap();
+    let angle = Pendulum::<f64>::OBSERVED.iter().position(|(name, _)| *name == "bar.angle").unwrap();
+    let angle = run.get(Kind::Output, angle).unwrap();
+    let shown = format!(">>> m = Pendulum(friction=0.3)\n>>> m.step(0.1)\n>>> m[\"bar.angle\"]\n{angle:?}\n");
+    assert!(page.contains(&shown), "the page does not show\n{shown}");
 }
