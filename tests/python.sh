@@ -11,8 +11,7 @@ export CARGO_TERM_COLOR=never
 plm=$PWD
 target=$(mkdir -p "${CARGO_TARGET_DIR:-target}" && cd "${CARGO_TARGET_DIR:-target}" && pwd)
 environment=$target/python
-packages=(maturin numpy mypy)
-if [ "${1:-}" = --book ]; then packages+=(matplotlib); fi
+packages=(maturin numpy mypy matplotlib)
 if ! "${PYTHON:-python3}" -m venv --clear "$environment" ||
     ! "$environment/bin/pip" install --quiet --disable-pip-version-check "${packages[@]}"; then
     printf 'NOT CHECKED: Python with %s cannot be had on this machine\n' "${packages[*]}"

@@ -137,6 +137,19 @@ refused(ValueError, "not a saved run", lambda: m.restore(flipped))
 expect(m.time == 0.7, "what is refused changes nothing")
 
 
+def accepted(data):
+    try:
+        m.restore(data)
+    except ValueError:
+        return False
+    return True
+
+
+damaged = [data[:k] + bytes([data[k] ^ 1 << k % 8]) + data[k + 1 :] for k in range(len(data))]
+shorter = [data[:k] for k in range(len(data))]
+expect(accepted(data) and not any(map(accepted, damaged + shorter)), f"each of {len(data)} bytes counts")
+
+
 class Logged(Gantry):
     """A class of a user's own, with attributes."""
 
@@ -158,6 +171,10 @@ m = Gantry(load=2.0)
 table, results = m._repr_html_(), m.run(0.5)
 expect("<td>bar.angle</td>" in table and "<td>rad</td>" in table and "At the start." in table, "a mechanism is a table")
 expect("<td>trolley.x</td>" in results._repr_html_() and "1001 rows, 1 event" in results._repr_html_(), "so are results")
+linear = m.linearise(outputs=["trolley.x"])
+text = [line.split() for line in str(linear).splitlines()]
+expect(text[0] == ["A", *names] and text[2][0] == "(bar.angle)'" and float(text[2][4]) == 1.0, "a linear system is text")
+expect(["C", *names] in text and ["trolley.x", "1", "0", "0", "0", "0"] in text, "with names on rows and columns")
 expect("<th>bar.omega</th>" in m.linearise()._repr_html_() and "(bar.omega)&#x27;" in m.jacobian()._repr_html_(), "and matrices")
 try:
     import matplotlib

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 
 def table(title: str, heads: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
@@ -14,13 +14,37 @@ def table(title: str, heads: Sequence[str], rows: Iterable[Sequence[object]]) ->
     return f"<table><caption>{_cell(title)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def matrix(title: str, numbers: Any, rows: Sequence[str], columns: Sequence[str]) -> str:
-    """A matrix with the names of its rows and columns."""
-    return table(title, ("", *columns), [(name, *map(float, row)) for name, row in zip(rows, numbers)])
+# A matrix with its title, and the names of its rows and columns.
+Named = Tuple[str, Any, Tuple[str, ...], Tuple[str, ...]]
+
+
+def matrices(named: Iterable[Named]) -> str:
+    """Matrices in HTML; none that is empty."""
+    return "".join(
+        table(title, ("", *columns), [(name, *map(float, row)) for name, row in zip(rows, matrix)])
+        for title, matrix, rows, columns in named
+        if matrix.size
+    )
+
+
+def lines(named: Iterable[Named]) -> str:
+    """The same in lines of text."""
+    texts = []
+    for title, matrix, rows, columns in named:
+        if matrix.size:
+            cells = [(title, *columns), *((name, *map(_text, map(float, row))) for name, row in zip(rows, matrix))]
+            widths = [max(map(len, column)) for column in zip(*cells)]
+            rest = [[cell.rjust(width) for cell, width in zip(row[1:], widths[1:])] for row in cells]
+            texts.append("\n".join("  ".join((row[0].ljust(widths[0]), *cell)) for row, cell in zip(cells, rest)))
+    return "\n\n".join(texts)
+
+
+def _text(cell: object) -> str:
+    return f"{cell:.6g}" if isinstance(cell, float) else str(cell)
 
 
 def _cell(cell: object) -> str:
-    return html.escape(f"{cell:.6g}" if isinstance(cell, float) else str(cell))
+    return html.escape(_text(cell))
 
 
 def plot(

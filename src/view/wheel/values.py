@@ -121,18 +121,20 @@ class Linearisation(NamedTuple):
     #: Names of the rows of `basis`.
     coordinates: tuple[str, ...]
 
-    def _repr_html_(self) -> str:
-        states, rates = self.states, tuple(f"({name})'" for name in self.states)
-        return "".join(
-            _show.matrix(name, matrix, rows, columns)
-            for name, matrix, rows, columns in (
-                ("A", self.A, rates, states),
-                ("B", self.B, rates, self.inputs),
-                ("C", self.C, self.outputs, states),
-                ("D", self.D, self.outputs, self.inputs),
-            )
-            if matrix.size
+    def _named(self) -> tuple[_show.Named, ...]:
+        states, rates = self.states, _rates(self.states)
+        return (
+            ("A", self.A, rates, states),
+            ("B", self.B, rates, self.inputs),
+            ("C", self.C, self.outputs, states),
+            ("D", self.D, self.outputs, self.inputs),
         )
+
+    def __str__(self) -> str:
+        return _show.lines(self._named())
+
+    def _repr_html_(self) -> str:
+        return _show.matrices(self._named())
 
 
 class Jacobian(NamedTuple):
@@ -147,18 +149,20 @@ class Jacobian(NamedTuple):
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
-    def _repr_html_(self) -> str:
-        rates = tuple(f"({name})'" for name in self.states)
-        return "".join(
-            _show.matrix(title, matrix, rows, columns)
-            for title, matrix, rows, columns in (
-                ("rates by states", self.rates_by_states, rates, self.states),
-                ("rates by inputs", self.rates_by_inputs, rates, self.inputs),
-                ("outputs by states", self.outputs_by_states, self.outputs, self.states),
-                ("outputs by inputs", self.outputs_by_inputs, self.outputs, self.inputs),
-            )
-            if matrix.size
+    def _named(self) -> tuple[_show.Named, ...]:
+        states, rates = self.states, _rates(self.states)
+        return (
+            ("rates by states", self.rates_by_states, rates, states),
+            ("rates by inputs", self.rates_by_inputs, rates, self.inputs),
+            ("outputs by states", self.outputs_by_states, self.outputs, states),
+            ("outputs by inputs", self.outputs_by_inputs, self.outputs, self.inputs),
         )
+
+    def __str__(self) -> str:
+        return _show.lines(self._named())
+
+    def _repr_html_(self) -> str:
+        return _show.matrices(self._named())
 
 
 class Tables(NamedTuple):
@@ -178,6 +182,10 @@ def unknown(what: str, name: object, known: Iterable[str]) -> str:
     near = difflib.get_close_matches(str(name), list(known), 3, 0.7)
     hint = "; did you mean " + " or ".join(map(repr, near)) + "?" if near else ""
     return f"there is no {what} {name!r}{hint}"
+
+
+def _rates(states: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(f"({name})'" for name in states)
 
 
 def _range(column: Array) -> tuple[float, ...]:
