@@ -51,7 +51,7 @@ pub struct Options {
     pub target: Option<String>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
-    /// `--python FOLDER`: a wheel of the mechanism.
+    /// `--python FOLDER`: a wheel and a source distribution of the mechanism.
     pub python: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
@@ -88,7 +88,11 @@ const USUAL: [Known; 15] = [
     ),
     Known::value("target", "NAME", "of --c: for a machine without std, such as thumbv7em-none-eabihf"),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
-    Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
+    Known::value(
+        "python",
+        "FOLDER",
+        "a wheel and a source distribution of the mechanism as declared, for Python (needs maturin)",
+    ),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
     Known::value(
