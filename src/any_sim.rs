@@ -52,6 +52,33 @@ impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
         each!(self, sim => work.on(sim))
     }
 
+    /// The place of its method among those of [`Integrator`](crate::integrator::Integrator).
+    #[cfg(all(feature = "foreign", feature = "analysis"))]
+    pub(crate) fn place(&self) -> usize {
+        match self {
+            Self::Dop853(_) => 0,
+            Self::Vern9(_) => 1,
+            Self::Adams(_) => 2,
+            Self::Dopri5(_) => 3,
+            Self::RadauIia5(_) => 4,
+            Self::Rk4(_) => 5,
+            Self::SemiImplicitEuler(_) => 6,
+            Self::Gauss2(_) => 7,
+            Self::Gauss3(_) => 8,
+            Self::Ros34Pw2(_) => 9,
+        }
+    }
+
+    /// Shows the words of the run.
+    #[cfg(all(feature = "foreign", feature = "analysis"))]
+    pub(crate) fn show(&mut self, words: &mut impl plm_runtime::words::Words)
+    where
+        M: plm_foreign::Foreign,
+    {
+        use plm_runtime::words::InWords as _;
+        each!(self, sim => sim.each(words));
+    }
+
     /// The mechanism at the current moment.
     #[cfg(feature = "analysis")]
     pub(crate) fn state(&self) -> &M::State {

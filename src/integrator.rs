@@ -6,7 +6,9 @@ use std::str::FromStr;
 use std::vec::Vec;
 
 use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{Adams, Dop853, Dopri5, Fault, Linear, Mechanism, Rk4, SemiImplicitEuler, System, Vern9};
+use plm_runtime::{
+    Adams, Dop853, Dopri5, Fault, Linear, Mechanism, Moment, Rk4, SemiImplicitEuler, Sim, System, Vern9,
+};
 
 use crate::any_sim::AnySim;
 use crate::mistake::{BadOption, nearest};
@@ -105,16 +107,32 @@ pub(crate) fn unknown(name: &str) -> BadOption {
     BadOption(format!("there is no method `{name}`; {hint} {}", names.join(", ")))
 }
 
+#[cfg(all(feature = "foreign", feature = "analysis"))]
 impl Integrator {
-    /// Has it a longest step, not a tolerance?
-    #[cfg(feature = "analysis")]
-    pub(crate) fn is_fixed(self) -> bool {
-        !matches!(
-            self,
-            Self::Dop853(_) | Self::Vern9(_) | Self::Adams(_) | Self::Dopri5(_) | Self::RadauIia5(_)
-        )
+    /// The names of all methods.
+    pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+        NAMED.iter().map(|known| known.name)
     }
 
+    /// The name of a method in whatever case, and whether it has a longest step, not a tolerance.
+    pub(crate) fn named(name: &str) -> Option<(&'static str, bool)> {
+        let known = NAMED.iter().find(|known| known.name.eq_ignore_ascii_case(name))?;
+        Some((known.name, known.tolerance.is_none()))
+    }
+
+    /// A method by its place among all, with some tolerance or longest step.
+    pub(crate) fn at(place: usize) -> Option<Self> {
+        NAMED.get(place).map(|known| (known.make)(1e-3))
+    }
+
+    /// A method with its tolerance or its longest step; none where there is no such method, or where it needs a step.
+    pub(crate) fn by_name(name: &str, value: Option<f64>) -> Option<Self> {
+        let known = NAMED.iter().find(|known| known.name.eq_ignore_ascii_case(name))?;
+        value.or(known.tolerance).map(known.make)
+    }
+}
+
+impl Integrator {
     /// Assembles a mechanism at a time, s, and gives its run by this method.
     ///
     /// # Errors
@@ -123,20 +141,29 @@ impl Integrator {
     where
         M: Mechanism + Linear + System<S = f64>,
     {
-        Ok(match self {
-            Self::Dop853(rtol) => AnySim::Dop853(mechanism.start_at(time, Dop853::new(rtol))?),
-            Self::Vern9(rtol) => AnySim::Vern9(mechanism.start_at(time, Vern9::new(rtol))?),
-            Self::Adams(rtol) => AnySim::Adams(mechanism.start_at(time, Adams::new(rtol))?),
-            Self::Dopri5(rtol) => AnySim::Dopri5(mechanism.start_at(time, Dopri5::new(rtol))?),
-            Self::RadauIia5(rtol) => AnySim::RadauIia5(mechanism.start_at(time, RadauIia5::new(rtol))?),
-            Self::Rk4(h) => AnySim::Rk4(mechanism.start_at(time, Rk4::new(h))?),
+        let (held, x) = mechanism.start_state(time)?;
+        Ok(self.of(M::State::new(mechanism, held, time, x)))
+    }
+
+    /// A run by this method that begins at a moment.
+    pub(crate) fn of<M>(self, state: M::State) -> AnySim<M>
+    where
+        M: Mechanism + Linear + System<S = f64>,
+    {
+        match self {
+            Self::Dop853(rtol) => AnySim::Dop853(Sim::new(state, Dop853::new(rtol))),
+            Self::Vern9(rtol) => AnySim::Vern9(Sim::new(state, Vern9::new(rtol))),
+            Self::Adams(rtol) => AnySim::Adams(Sim::new(state, Adams::new(rtol))),
+            Self::Dopri5(rtol) => AnySim::Dopri5(Sim::new(state, Dopri5::new(rtol))),
+            Self::RadauIia5(rtol) => AnySim::RadauIia5(Sim::new(state, RadauIia5::new(rtol))),
+            Self::Rk4(h) => AnySim::Rk4(Sim::new(state, Rk4::new(h))),
             Self::SemiImplicitEuler(h) => {
-                AnySim::SemiImplicitEuler(mechanism.start_at(time, SemiImplicitEuler::new(h))?)
+                AnySim::SemiImplicitEuler(Sim::new(state, SemiImplicitEuler::new(h)))
             }
-            Self::Gauss2(h) => AnySim::Gauss2(mechanism.start_at(time, Gauss::new(h))?),
-            Self::Gauss3(h) => AnySim::Gauss3(mechanism.start_at(time, Gauss::new(h))?),
-            Self::Ros34Pw2(h) => AnySim::Ros34Pw2(mechanism.start_at(time, Ros34Pw2::new(h))?),
-        })
+            Self::Gauss2(h) => AnySim::Gauss2(Sim::new(state, Gauss::new(h))),
+            Self::Gauss3(h) => AnySim::Gauss3(Sim::new(state, Gauss::new(h))),
+            Self::Ros34Pw2(h) => AnySim::Ros34Pw2(Sim::new(state, Ros34Pw2::new(h))),
+        }
     }
 }
 

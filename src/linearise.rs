@@ -117,14 +117,48 @@ where
     A: AsMoment<State = T>,
     T: Moment<M: Linearisable<State = T>>,
 {
-    let state = of.as_moment();
+    let Derivatives { a, b, c, d, constraints } = derivatives(of.as_moment())?;
+    let basis = free_directions(&constraints);
+    let transposed = basis.transpose();
+    Ok(Linearisation {
+        a: &transposed * a * &basis,
+        b: &transposed * b,
+        c: c * &basis,
+        d,
+        basis,
+        inputs: <T::M as Ports>::INPUTS,
+        outputs: <T::M as Ports>::OUTPUTS,
+    })
+}
+
+/// Derivatives at a state in all its coordinates, velocities and first-order states.
+pub(crate) struct Derivatives {
+    /// Of the rates by the states.
+    pub(crate) a: DMatrix<f64>,
+    /// Of the rates by the inputs.
+    pub(crate) b: DMatrix<f64>,
+    /// Of the outputs, in their units, by the states.
+    pub(crate) c: DMatrix<f64>,
+    /// Of the outputs, in their units, by the inputs.
+    pub(crate) d: DMatrix<f64>,
+    /// Of what must vanish by the states.
+    constraints: DMatrix<f64>,
+}
+
+/// The derivatives at a state.
+///
+/// # Errors
+/// As [`linearise`].
+pub(crate) fn derivatives<T>(state: &T) -> Result<Derivatives, Fault>
+where
+    T: Moment<M: Linearisable<State = T>>,
+{
     let size = <<T::M as System>::X as plm_runtime::Vector<f64>>::LEN;
     if !state.mechanism().is_regular(&state.held()) {
         return Err(Fault::new(state.time(), Cause::Singular { rows: size }));
     }
     let a = by_state(state, size)?;
-    let inputs = <T::M as Ports>::INPUTS;
-    let outputs = <T::M as Ports>::OUTPUTS;
+    let (inputs, outputs) = (<T::M as Ports>::INPUTS, <T::M as Ports>::OUTPUTS);
     let (b, d) = (0..inputs.len())
         .map(|j| along(state, Direction::Input(j)))
         .fold((DMatrix::zeros(size, 0), DMatrix::zeros(outputs.len(), 0)), |(b, d), change| {
@@ -137,17 +171,7 @@ where
             (append(c, &change.outputs), Some(append(rows, &change.constraints)))
         },
     );
-    let basis = free_directions(&rows.unwrap_or_else(|| DMatrix::zeros(0, size)));
-    let transposed = basis.transpose();
-    Ok(Linearisation {
-        a: &transposed * a * &basis,
-        b: &transposed * b,
-        c: c * &basis,
-        d,
-        basis,
-        inputs,
-        outputs,
-    })
+    Ok(Derivatives { a, b, c, d, constraints: rows.unwrap_or_else(|| DMatrix::zeros(0, size)) })
 }
 
 /// The derivatives of the rate by the state.

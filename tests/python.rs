@@ -109,8 +109,9 @@ fn a_wheel_is_what_python_expects_with_the_numbers_of_rust() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("python");
     let (site, wheels) = (folder.join("site"), folder.join("wheels"));
     let files = plm::view::wheel(&Gantry::new(f64::NAN), &wheels).unwrap();
-    let wheel = files[0].to_string_lossy();
+    let [wheel, source] = [0, 1].map(|k| files[k].to_string_lossy());
     assert!(wheel.contains("gantry-") && wheel.contains("-cp39-abi3-"), "{wheel}");
+    assert!(source.ends_with(".tar.gz"), "{source}");
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--upgrade", "--target"];
     expect(&python, &site, &[install.as_slice(), &[&site.to_string_lossy(), &wheel]].concat());
     let rows = [
@@ -123,6 +124,8 @@ fn a_wheel_is_what_python_expects_with_the_numbers_of_rust() {
         std::fs::write(folder.join(format!("{name}.csv")), rows).unwrap();
     }
     expect(&python, &site, &["check.py", &folder.to_string_lossy()]);
+    expect(&python, &site, &["more.py", &folder.to_string_lossy()]);
+    expect(&python, &site, &["package.py", &wheel, &source, env!("CARGO_MANIFEST_DIR")]);
     if Command::new(&python).args(["-c", "import mypy"]).status().is_ok_and(|status| status.success()) {
         expect(&python, &site, &["-m", "mypy", "--strict", "use.py"]);
         expect(&python, &site, &["-m", "mypy.stubtest", "gantry"]);

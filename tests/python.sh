@@ -11,8 +11,7 @@ export CARGO_TERM_COLOR=never
 plm=$PWD
 target=$(mkdir -p "${CARGO_TARGET_DIR:-target}" && cd "${CARGO_TARGET_DIR:-target}" && pwd)
 environment=$target/python
-packages=(maturin numpy mypy)
-if [ "${1:-}" = --book ]; then packages+=(matplotlib); fi
+packages=(maturin numpy mypy matplotlib)
 if ! "${PYTHON:-python3}" -m venv --clear "$environment" ||
     ! "$environment/bin/pip" install --quiet --disable-pip-version-check "${packages[@]}"; then
     printf 'NOT CHECKED: Python with %s cannot be had on this machine\n' "${packages[*]}"
@@ -27,16 +26,14 @@ book() {
     local folder
     folder=$(mktemp -d)
     trap 'rm -rf "$folder"' RETURN
-    cargo new --quiet --name pendulum "$folder/pendulum"
-    block rust,no_run >"$folder/pendulum/src/main.rs"
+    ln -s "$plm" "$folder/plm"
+    # Commands and the session of Python, as they stand there.
+    CARGO_TARGET_DIR=$folder/target python "$plm/tests/python/page.py" "$plm/docs/src/running/python.md" "$folder"
     cp docs/src/running/python/notebook.py "$folder/pendulum"
     cd "$folder/pendulum"
-    cargo add --quiet plm-planar --path "$plm" --rename plm --features view
-    CARGO_TARGET_DIR=$folder/target cargo run --quiet -- --python wheels
-    pip install --quiet --disable-pip-version-check wheels/pendulum-*.whl
     # Letters stay letters, and no day stands in the picture.
     printf 'svg.fonttype: none\nsvg.hashsalt: plm\nfont.family: sans-serif\n' >matplotlibrc
-    SOURCE_DATE_EPOCH=0 MPLBACKEND=svg python notebook.py | tee said.txt
+    SOURCE_DATE_EPOCH=0 MPLBACKEND=svg .venv/bin/python notebook.py | tee said.txt
     cp pendulum.svg "$plm/docs/src/images/python.svg"
     cd "$plm"
     if ! block text | cmp - "$folder/pendulum/said.txt"; then

@@ -21,7 +21,7 @@ mod kind;
 mod number;
 mod object;
 mod run;
-mod saved;
+pub mod saved;
 mod source;
 mod status;
 mod text;

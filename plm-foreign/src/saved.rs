@@ -32,7 +32,7 @@ fn declaration<M: Foreign>() -> u64 {
 }
 
 /// Bytes of a saved run.
-pub(crate) fn size<T: InWords>(mut run: T) -> usize {
+pub fn size<T: InWords>(mut run: T) -> usize {
     let mut counter = Counter(0);
     run.each(&mut counter);
     WORD * (FRAME + counter.0)
@@ -42,7 +42,7 @@ pub(crate) fn size<T: InWords>(mut run: T) -> usize {
 ///
 /// # Errors
 /// [`Status::Memory`]
-pub(crate) fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -> Result<(), Trouble> {
+pub fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -> Result<(), Trouble> {
     if bytes.len() != size(run.clone()) {
         return Err(Status::Memory.into());
     }
@@ -61,7 +61,7 @@ pub(crate) fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -
 ///
 /// # Errors
 /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
-pub(crate) fn read<M: Foreign>(run: &mut impl InWords, bytes: &[u8]) -> Result<(), Trouble> {
+pub fn read<M: Foreign>(run: &mut impl InWords, bytes: &[u8]) -> Result<(), Trouble> {
     let (front, sum) = bytes.split_last_chunk::<WORD>().ok_or(Status::Damaged)?;
     let mut reader = Reader { rest: front, missing: 0 };
     let [name, version, own, count] = core::array::from_fn(|_| reader.next());

@@ -15,6 +15,16 @@ pub struct Held<I, W, T, L> {
     pub of_loops: L,
 }
 
+/// What whoever knows a mechanism by its contracts alone may ask of what is held.
+pub trait Discrete {
+    /// Loops are solved in charts, so that what is held belongs to a pose.
+    const CHARTED: bool;
+}
+
+impl<I, W, T, L> Discrete for Held<I, W, T, L> {
+    const CHARTED: bool = size_of::<L>() > 0;
+}
+
 /// What is held of the loops of several simulations, packed into one.
 pub trait Loops<S>: Copy {
     /// The same in other numbers.

@@ -185,6 +185,12 @@ pub trait System {
     fn name_of_state(&self, index: usize) -> &'static str {
         self.part_of_state(index)
     }
+
+    /// The name of the state with this index in the chart that `u` holds.
+    fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
+        let _ = u;
+        self.name_of_state(index)
+    }
 }
 
 /// A rate apart from the way that is taken: states are copied, so that those of that way stay in registers.

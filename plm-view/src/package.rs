@@ -2,12 +2,12 @@
 //!
 //! It stands in a folder of the caller's and is built again only where something changed.
 
+mod python;
 mod sealed;
 
 use std::ffi::OsString;
 use std::fmt;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -146,48 +146,21 @@ impl Package<'_> {
         fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// Builds a wheel of it and of further texts, name and contents, in a folder; gives its name and its bytes. maturin packs
-    /// it, which knows what each system wants of a wheel.
-    ///
-    /// # Errors
-    /// [`Unbuilt`]: maturin is not there, with the line that installs it, or fails, with what it and cargo say. Or a file
-    /// cannot be written or read.
-    pub fn wheel(&self, folder: &Path, texts: &[(String, String)]) -> Result<(String, Vec<u8>), Unbuilt> {
-        self.try_wheel(folder, texts).map_err(|why| Unbuilt { what: self.output.what(), why })
-    }
-
-    fn try_wheel(&self, folder: &Path, texts: &[(String, String)]) -> Result<(String, Vec<u8>), String> {
-        self.write(folder).map_err(|error| error.to_string())?;
-        for (name, text) in texts {
-            renew(&folder.join(name), text.as_bytes()).map_err(|error| error.to_string())?;
-        }
-        let wheels = folder.join("wheels");
-        // One of another version may lie there.
-        let _ = fs::remove_dir_all(&wheels);
-        let mut maturin = command("maturin".into());
-        maturin.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
-        maturin.arg("--target-dir").arg(folder.with_file_name("target")).arg("--out").arg(&wheels);
-        let output = maturin.output().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => {
-                "maturin is missing; this line installs it: pip install maturin".to_owned()
-            }
-            _ => format!("maturin cannot be run: {error}"),
-        })?;
-        if !output.status.success() {
-            return Err(String::from_utf8_lossy(&output.stderr).trim().to_owned());
-        }
-        let unread = |error| format!("{}: {error}", wheels.display());
-        let wheel = fs::read_dir(&wheels).map_err(unread)?.next().ok_or("maturin has written no wheel")?;
-        let wheel = wheel.map_err(unread)?;
-        let bytes = fs::read(wheel.path()).map_err(unread)?;
-        Ok((wheel.file_name().to_string_lossy().into_owned(), bytes))
-    }
-
     /// Writes it; what is as it was keeps its time.
     fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
+        self.write_with(folder, &self.plm.display().to_string(), "")
+    }
+
+    /// Writes it with plm at a path, and further lines of its workspace.
+    fn write_with(
+        &self,
+        folder: &Path,
+        plm: &str,
+        workspace: &str,
+    ) -> Result<(), Box<dyn std::error::Error>> {
         let (kind, level, strip) = self.output.manifest();
         let kind = if self.bare.is_some() { "staticlib" } else { kind };
-        let (plm, features) = (self.plm.display().to_string(), self.features);
+        let features = self.features;
         let (version, library, panic, further) = match self.output {
             // A panic becomes an exception.
             Output::Extension => (version(), "name = \"_native\"\n", "unwind", PYO3),
@@ -200,7 +173,7 @@ impl Package<'_> {
              [lib]\n{library}crate-type = [\"{kind}\"]\n\n\
              [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"{panic}\"\nstrip = {strip}\n\n\
              [profile.release.build-override]\nstrip = false\n\n\
-             [workspace]\n\n[dependencies]\n\
+             [workspace]\n{workspace}\n[dependencies]\n\
              plm = {{ package = \"plm-planar\", path = {plm:?}, default-features = {has_std}, \
              features = {features:?} }}\n{further}",
             self.name

@@ -54,7 +54,7 @@ pub struct Options {
     pub methods: Vec<By>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
-    /// `--python FOLDER`: a wheel of the mechanism.
+    /// `--python FOLDER`: a wheel and a source distribution of the mechanism.
     pub python: Option<PathBuf>,
     /// `--until TIME`, s.
     pub until: Option<f64>,
@@ -96,7 +96,11 @@ const USUAL: [Known; 16] = [
         "of --c: the methods that it has, by comma, the usual one first (Dop853)",
     ),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
-    Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
+    Known::value(
+        "python",
+        "FOLDER",
+        "a wheel and a source distribution of the mechanism as declared, for Python (needs maturin)",
+    ),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
     Known::value(

@@ -6,7 +6,8 @@ from typing import Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from gantry import Fault, Gantry, Linearisation, Pose, Results
+import gantry
+from gantry import Event, Fault, Gantry, Jacobian, Linearisation, Pose, Results, Snapshot
 
 m = Gantry(load=2.0, mass=3.0, start={"bar.angle": 0.5}, method="dop853", tolerance=1e-8)
 m.push = 3.0
@@ -16,16 +17,25 @@ results: Results = m.run(2.0, every=0.1, outputs=["bar.angle"], progress=lambda 
 angles: NDArray[np.float64] = results["bar.angle"]
 linear: Linearisation = m.linearise()
 a: NDArray[np.float64] = linear.A
+names: tuple[str, ...] = linear.states + linear.coordinates + m.state_names
+jacobian: Jacobian = m.jacobian(inputs=[])
+m.state = m.state + 0.1 * m.rates()
 pose: Pose = m.pose("bar")
+events: tuple[Event, ...] = results.events
+known: bool = "bar.angle" in m
+version: str = gantry.__version__
 unit: str = m.outputs["bar.angle"].unit
-m.restore(m.save())
+saved: Snapshot = m.save()
+m.restore(saved)
+m.restore(bytes(saved))
+m.level = 3.0
 other: Gantry = copy.copy(m)
 try:
     m.run(1.0)
 except Fault as fault:
     kept: Optional[Results] = fault.results
 
-m.level = 3.0  # type: ignore[misc]
+m.time = 3.0  # type: ignore[misc]
 m.pusch  # type: ignore[attr-defined]
 m.pusch = 3.0  # type: ignore[attr-defined]
 Gantry()  # type: ignore[call-arg]

@@ -636,6 +636,20 @@ mod plm_four_bar_ {
                     None => "",
                 }
             }
+
+            fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
+                let names: &[&str] = const {
+                    &[
+                        "crank.angle",
+                        "crank.omega",
+                        "rocker.angle",
+                        "rocker.omega",
+                        "coupler.angle",
+                        "coupler.omega",
+                    ]
+                };
+                rt::charts::name_of::<Self>(u, index, (names, 2)).unwrap_or(self.name_of_state(index))
+            }
         }
 
         #[doc(hidden)]

@@ -219,6 +219,19 @@ fn regular<S: Real>() -> S {
     square(if S::EPSILON < S::lit(1e-12) { POOR } else { POOR_SINGLE })
 }
 
+/// The name of a coordinate or its rate in the chart that is held, of `count` names for each chart; none of other states, and
+/// without a chart.
+pub fn name_of<M: Charted>(
+    held: &M::U,
+    index: usize,
+    (names, count): (&[&'static str], usize),
+) -> Option<&'static str> {
+    match held.of_loops {
+        OfLoops::InChart { chart, .. } if index < count => names.get(chart * count + index).copied(),
+        _ => None,
+    }
+}
+
 /// The part that closes the loop which is nearest to flat at a pose.
 pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'static str {
     flattest::<M>(0, &system.remember_pose(0, t, q, v).0)

@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+import copy
 import inspect
 import keyword
-import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Optional, Union
 
 import numpy as np
 
-from ._values import Array, Linearisation, Pose, Quantity, Results, Tables, unknown
+from . import _show
+from ._checks import Line, chosen, finite, matrix, optional, text
+from ._values import Array, Event, Jacobian, Linearisation, Pose, Quantity, Results, Tables, unknown
 
 # Kinds of numbers, as plm counts them.
 PARAMETER, INPUT, STATE, OUTPUT, START, BODY = range(6)
+SETTABLE = (PARAMETER, INPUT, STATE)
 
 
 class Snapshot:
-    """A mechanism as it was at one moment: `Mechanism.save`."""
+    """A mechanism as it was at one moment: `Mechanism.save`. `bytes(snapshot)` are for files; it can be pickled."""
 
-    __slots__ = ("_of", "_native")
+    __slots__ = ("_of", "_saved")
 
-    def __init__(self, of: type[Mechanism], native: Any) -> None:
-        self._of, self._native = of, native
+    def __init__(self, of: type[Mechanism], saved: Any) -> None:
+        # A run, or its bytes.
+        self._of, self._saved = of, saved
+
+    def __bytes__(self) -> bytes:
+        return self._saved if isinstance(self._saved, bytes) else bytes(self._saved.save())
+
+    def __reduce__(self) -> Any:
+        return Snapshot, (self._of, bytes(self))
 
 
 class Mechanism:
@@ -33,6 +43,7 @@ class Mechanism:
     _native: ClassVar[Any]
     _tables: ClassVar[Tables]
     _numbers: ClassVar[dict[str, tuple[int, int]]]
+    _rows: ClassVar[dict[str, Quantity]]
 
     def __init_subclass__(cls) -> None:
         if "_tables" not in vars(cls):
@@ -40,12 +51,15 @@ class Mechanism:
             return
         tables = cls._tables
         numbers: dict[str, tuple[int, int]] = {}
+        named: dict[str, Quantity] = {}
         kinds = (PARAMETER, tables.parameters), (INPUT, tables.inputs), (OUTPUT, tables.outputs), (STATE, tables.states)
         for kind, rows in kinds:
             for index, row in enumerate(rows):
-                if numbers.setdefault(row.name, (kind, index)) == (kind, index) and _is_free(row.name):
-                    setattr(cls, row.name, _property(row, kind in (PARAMETER, INPUT)))
-        cls._numbers = numbers
+                if row.name not in numbers:
+                    numbers[row.name], named[row.name] = (kind, index), row
+                    if _is_free(row.name):
+                        setattr(cls, row.name, _property(row, kind in SETTABLE))
+        cls._numbers, cls._rows = numbers, named
         own = list(inspect.signature(Mechanism.__init__).parameters.values())
         given = [_keyword(row) for row in tables.parameters if _is_keyword(row.name)]
         init: Any = _init()
@@ -64,6 +78,9 @@ class Mechanism:
         parameters: Optional[Mapping[str, float]] = None,
         **given: float,
     ) -> None:
+        twice = [name for name in parameters or () if name in given]
+        if twice:
+            raise TypeError(f"parameter {twice[0]!r} is given twice: as a keyword and in parameters")
         tables, given = self._tables, {**given, **(parameters or {})}
         known = [row.name for row in tables.parameters]
         for name in given:
@@ -78,10 +95,10 @@ class Mechanism:
             if name not in names:
                 raise KeyError(unknown("start value", name, names))
         self._run = self._native.start(
-            (method, tolerance, longest_step),
-            [(known.index(name), _finite(name, value)) for name, value in given.items()],
-            [(names.index(name), _finite(name, value)) for name, value in (start or {}).items()],
-            _finite("time", time),
+            (text("method", method), optional("tolerance", tolerance), optional("longest_step", longest_step)),
+            [(known.index(name), finite(name, value)) for name, value in given.items()],
+            [(names.index(name), finite(name, value)) for name, value in (start or {}).items()],
+            finite("time", time),
         )
 
     @property
@@ -94,17 +111,24 @@ class Mechanism:
         return float(self._run.get(*self._number(name)))
 
     def set(self, name: str, value: float) -> None:
-        """Sets a parameter or an input, SI; an input is held until it is set again."""
+        """Sets a parameter, an input or a first-order state, SI; an input is held until it is set again."""
         kind, index = self._number(name)
-        if kind not in (PARAMETER, INPUT):
-            raise AttributeError(f"`{name}` can be read, not set")
-        self._run.set(kind, index, _finite(name, value))
+        if kind not in SETTABLE:
+            raise AttributeError(f"{name!r} is an output: it can be read, not set")
+        self._run.set(kind, index, finite(name, value))
 
     def __getitem__(self, name: str) -> float:
         return self.get(name)
 
     def __setitem__(self, name: str, value: float) -> None:
         self.set(name, value)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._numbers
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of parameters, inputs, outputs and states."""
+        return iter(self._numbers)
 
     # Types find such mistakes by themselves, and better.
     if not TYPE_CHECKING:
@@ -126,6 +150,9 @@ class Mechanism:
 
     def step(self, dt: float) -> None:
         """Runs for `dt`, s, and ends exactly there. After a fault the run is as it was before."""
+        dt = finite("dt", dt)
+        if dt < 0:
+            raise ValueError(f"dt must not be negative: {dt}")
         self._run.step(dt)
 
     def run(
@@ -135,71 +162,146 @@ class Mechanism:
         outputs: Optional[Iterable[str]] = None,
         progress: Union[bool, Callable[[float], object], None] = None,
     ) -> Results:
-        """Runs until the time `until`, s, and gives the time and outputs every `every`, s: 1000 times if that is not said.
+        """Runs until the time `until`, s, and gives the time and quantities every `every`, s: 1000 times if that is not said.
 
-        `outputs` are names of `self.outputs`, those that were declared if nothing is said. `progress` is called now and then
-        with the time, or shows a line if it is True.
+        `outputs` are names of outputs, inputs, states or parameters, the outputs that were declared if nothing is said. What
+        switched on the way are the `events` of the results. `progress` is called now and then with the time, or shows a line
+        if it is True.
 
         What ends the run early, a `Fault`, Ctrl+C, what `progress` raises, has the rows before as `results`; the run is
         then where the last row is, and can be gone on with.
         """
-        rows = self._tables.outputs
         wanted = [row.name for row in self._tables.declared] if outputs is None else outputs
         if isinstance(wanted, str):
             raise TypeError(f"outputs must be a list of names, as in outputs=[{wanted!r}]")
-        named = [self._output(name) for name in wanted]
-        begin = self.time
+        # The time has its column anyway, and each name one.
+        names = [name for name in dict.fromkeys(wanted) if name != "time"]
+        begin, until = self.time, finite("until", until)
+        if until < begin:
+            raise ValueError(f"until must not be before the time of the run, {begin} s: {until}")
         # At the present time there is one row.
-        every = (until - begin) / 1000 or 1.0 if every is None else every
-        line = _Line(begin, until) if progress is True else None
-        shown = line or progress or None
-        columns, error = self._run.run((until, every), named, shown)
+        every = (until - begin) / 1000 or 1.0 if every is None else finite("every", every)
+        if every <= 0:
+            raise ValueError(f"every must be positive: {every}")
+        numbers = [self._number(name) for name in names]
+        line = Line(begin, until) if progress is True else None
+        columns, events, error = self._run.run((until, every), numbers, line or progress or None)
         if line:
             line.end()
-        arrays = [np.frombuffer(column, dtype=np.float64) for column in columns]
-        units = {"time": "s", **{rows[index].name: rows[index].unit for index in named}}
-        results = Results(dict(zip(units, arrays)), units)
+        units = {"time": "s", **{name: self._rows[name].unit for name in names}}
+        arrays = (np.frombuffer(column, dtype=np.float64) for column in columns)
+        results = Results(dict(zip(units, arrays)), units, (Event(*event) for event in events))
         if error is not None:
             error.results = results
             raise error
         return results
 
+    @property
+    def state(self) -> Array:
+        """What is integrated, SI: coordinates, their velocities, first-order states, as `state_names` names them.
+
+        Angles count from the last whole turn. The coordinates of a loop are others from time to time. A state that is set has its
+        loops closed on their present side.
+        """
+        return np.frombuffer(self._run.state(), dtype=np.float64)
+
+    @state.setter
+    def state(self, numbers: Union[Sequence[float], Array]) -> None:
+        names = self.state_names
+        if len(numbers) != len(names):
+            raise ValueError(f"the state has {len(names)} numbers, not {len(numbers)}: {', '.join(names)}")
+        self._run.set_state([finite(name, number) for name, number in zip(names, numbers)])
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """The names of the numbers of `state`, which are those of the rows and columns of matrices too."""
+        return tuple(self._run.state_names())
+
+    def rates(self) -> Array:
+        """The rates of the numbers of `state`, SI."""
+        return np.frombuffer(self._run.rates(), dtype=np.float64)
+
+    def jacobian(self, inputs: Optional[Sequence[str]] = None, outputs: Optional[Sequence[str]] = None) -> Jacobian:
+        """The derivatives of rates and declared outputs by the numbers of `state` and by inputs, or some of them."""
+        matrices = [matrix(*rows) for rows in self._run.jacobian()]
+        return Jacobian(*self._of_chosen(matrices, self.state_names, inputs, outputs))
+
     def linearise(
         self, inputs: Optional[Sequence[str]] = None, outputs: Optional[Sequence[str]] = None
     ) -> Linearisation:
         """The mechanism near its present state as a linear system, of the inputs and the declared outputs, or some of them."""
-        a, b, c, d, basis = (_matrix(*matrix) for matrix in self._run.linearise())
-        tables = self._tables
-        ins, outs = [row.name for row in tables.inputs], [row.name for row in tables.declared]
-        factors = np.array([row.factor for row in tables.declared]).reshape(-1, 1)
-        u, y = _chosen("input", inputs, ins), _chosen("declared output", outputs, outs)
+        *matrices, basis = (matrix(*rows) for rows in self._run.linearise())
+        names, count = self.state_names, basis.shape[1]
+        is_free = count == len(names) and np.array_equal(basis, np.eye(count))
+        states = names if is_free else tuple(f"direction {k + 1}" for k in range(count))
+        a, b, c, d, _, ins, outs = self._of_chosen(matrices, states, inputs, outputs)
+        return Linearisation(a, b, c, d, basis, ins, outs, states, names)
+
+    def _of_chosen(
+        self,
+        matrices: Sequence[Array],
+        states: tuple[str, ...],
+        inputs: Optional[Sequence[str]],
+        outputs: Optional[Sequence[str]],
+    ) -> Any:
+        """Matrices of some inputs and outputs, in SI, and all names."""
+        ins, outs = [row.name for row in self._tables.inputs], [row.name for row in self._tables.declared]
+        # Where there are no rows the numbers do not tell how many columns there are.
+        sizes = (len(states), len(states)), (len(states), len(ins)), (len(outs), len(states)), (len(outs), len(ins))
+        a, b, c, d = (each.reshape(size) for each, size in zip(matrices, sizes))
+        factors = np.array([row.factor for row in self._tables.declared]).reshape(-1, 1)
+        u, y = chosen("input", inputs, ins), chosen("declared output", outputs, outs)
         c, d = (c * factors)[y], (d * factors)[y]
-        return Linearisation(a, b[:, u], c, d[:, u], basis, tuple(ins[k] for k in u), tuple(outs[k] for k in y))
+        return a, b[:, u], c, d[:, u], states, tuple(ins[k] for k in u), tuple(outs[k] for k in y)
 
     def save(self) -> Snapshot:
-        """Everything that decides how the run goes on."""
+        """Everything that decides how the run goes on; `bytes` of it are for files and other machines."""
         return Snapshot(type(self), self._run.copy())
 
-    def restore(self, snapshot: Snapshot) -> None:
-        """Goes on from a saved moment, with the same bits."""
-        if not isinstance(snapshot, Snapshot) or snapshot._of is not type(self):
-            raise TypeError(f"what is restored must have been saved by a {type(self).__name__}")
-        self._run.restore(snapshot._native)
+    def restore(self, saved: Union[Snapshot, bytes]) -> None:
+        """Goes on from a saved moment, or from its bytes, with the same bits."""
+        if isinstance(saved, Snapshot):
+            if saved._of is not type(self):
+                raise TypeError(f"what is restored was saved by a {saved._of.__name__}, not by a {type(self).__name__}")
+            saved = saved._saved
+        elif not isinstance(saved, (bytes, bytearray, memoryview)):
+            raise TypeError(f"what is restored must have been saved by a {type(self).__name__}, or be bytes of that")
+        if isinstance(saved, (bytes, bytearray, memoryview)):
+            self._run.read(bytes(saved))
+        else:
+            self._run.restore(saved)
+
+    @classmethod
+    def from_bytes(cls, saved: bytes) -> Any:
+        """A mechanism that goes on from the bytes of a saved moment."""
+        return _restored(cls, bytes(saved), {})
 
     def __copy__(self) -> Any:
         other = object.__new__(type(self))
         other._run = self._run.copy()
+        vars_of(other).update(vars_of(self))
         return other
 
-    def __deepcopy__(self, memo: object) -> Any:
-        return self.__copy__()
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        other = self.__copy__()
+        vars_of(other).update(copy.deepcopy(vars_of(self), memo))
+        return other
 
     def __reduce__(self) -> Any:
-        raise TypeError(f"a {type(self).__name__} that runs cannot be pickled: make it where it is needed")
+        return _restored, (type(self), bytes(self._run.save()), dict(vars_of(self)))
 
     def __repr__(self) -> str:
         values = (f"{row.name}={self.get(row.name):g}" for row in self._tables.parameters)
         return f"<{type(self).__name__} at {self.time:g} s{''.join(', ' + value for value in values)}>"
+
+    def _repr_html_(self) -> str:
+        kinds = ("parameter", self.parameters), ("input", self.inputs), ("state", self.states), ("output", self.outputs)
+        rows = [
+            (kind, name, self.get(name), row.unit, row.docs)
+            for kind, quantities in kinds
+            for name, row in quantities.items()
+        ]
+        return _show.table(f"{type(self).__name__} at {self.time:g} s", ("", "name", "value", "unit", ""), rows)
 
     @property
     def parameters(self) -> dict[str, Quantity]:
@@ -236,11 +338,18 @@ class Mechanism:
             raise KeyError(unknown("quantity", name, self._numbers))
         return self._numbers[name]
 
-    def _output(self, name: str) -> int:
-        names = [row.name for row in self._tables.outputs]
-        if name not in names:
-            raise KeyError(unknown("output", name, names))
-        return names.index(name)
+
+def _restored(of: type[Mechanism], saved: bytes, own: dict[str, Any]) -> Any:
+    """What was pickled; `own` are attributes of a user's class."""
+    other = object.__new__(of)
+    other._run = of._native.saved(saved)
+    vars_of(other).update(own)
+    return other
+
+
+def vars_of(mechanism: Mechanism) -> dict[str, Any]:
+    """The attributes that a user's class has, which may have none."""
+    return getattr(mechanism, "__dict__", {})
 
 
 def _init() -> Callable[..., None]:
@@ -276,40 +385,3 @@ def _property(row: Quantity, settable: bool) -> property:
         self.set(row.name, value)
 
     return property(get, put if settable else None, doc=f"{row.docs} ({row.unit or '1'})".strip())
-
-
-def _finite(name: str, value: float) -> float:
-    # What `float` would read of a text is no number that was meant.
-    if isinstance(value, (str, bytes)):
-        raise TypeError(f"`{name}` must be a number, not {value!r}")
-    number = float(value)
-    if not np.isfinite(number):
-        raise ValueError(f"`{name}` must be a finite number, not {value}")
-    return number
-
-
-def _matrix(rows: int, numbers: bytearray) -> Array:
-    array = np.frombuffer(numbers, dtype=np.float64)
-    return array.reshape(rows, array.size // rows if rows else 0)
-
-
-def _chosen(what: str, wanted: Optional[Sequence[str]], known: list[str]) -> list[int]:
-    for name in wanted or ():
-        if name not in known:
-            raise KeyError(unknown(what, name, known))
-    return list(range(len(known))) if wanted is None else [known.index(name) for name in wanted]
-
-
-class _Line:
-    """A line of the progress on stderr."""
-
-    def __init__(self, begin: float, until: float) -> None:
-        self.begin, self.until = begin, until
-
-    def __call__(self, time: float) -> None:
-        share = (time - self.begin) / (self.until - self.begin)
-        bar = "#" * int(40 * share)
-        print(f"\r[{bar:40}] {time:.4g} s of {self.until:g} s ", end="", file=sys.stderr, flush=True)
-
-    def end(self) -> None:
-        print("\r" + " " * 79, end="\r", file=sys.stderr, flush=True)

@@ -18,13 +18,18 @@ use python::is_keyword;
 const MECHANISM: &str = include_str!("mechanism.py");
 /// What they give and tell.
 const VALUES: &str = include_str!("values.py");
+/// How callers' numbers are looked at.
+const CHECKS: &str = include_str!("checks.py");
+/// Tables of notebooks, and curves.
+const SHOW: &str = include_str!("show.py");
 /// The way from there to Rust, for a mechanism called `NAME` in the package `PREFIX`.
 const NATIVE: &str = include_str!("native.rs.txt");
 
-/// Writes a wheel of a mechanism, for Python 3.9 and later on machines such as this one, into a folder; gives the file.
+/// Writes a wheel of a mechanism, for Python 3.9 and later on machines such as this one, into a folder, and a source distribution,
+/// which pip builds on others; gives both files.
 ///
-/// maturin builds it in `target/plm/packages`. It has the mechanism as declared: what was set in this one is not in it. Its
-/// version is that of the package that cargo runs.
+/// maturin builds them in `target/plm/packages`. They have the mechanism as declared: what was set in this one is not in it, nor
+/// is any path of this machine. Their version is that of the package that cargo runs.
 ///
 /// # Errors
 /// maturin or cargo is not there or fails, with what it says; a file cannot be written.
@@ -37,6 +42,8 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
         file("__init__.pyi", python::stub(mechanism)),
         file("_mechanism.py", MECHANISM.to_string()),
         file("_values.py", VALUES.to_string()),
+        file("_checks.py", CHECKS.to_string()),
+        file("_show.py", SHOW.to_string()),
         file("py.typed", String::new()),
     ];
     let source = native::<M>(&name);
@@ -51,11 +58,17 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
         features,
         bare: None,
     };
-    let (wheel, bytes) =
-        package.wheel(&Path::new("target/plm/packages").join(format!("{name}-python")), &texts)?;
-    let path = folder.join(wheel);
-    renew(&path, &bytes)?;
-    Ok(std::vec![path])
+    let [built, copied] =
+        ["python", "source"].map(|kind| Path::new("target/plm/packages").join(format!("{name}-{kind}")));
+    let wheel = package.wheel(&built, &texts)?;
+    let source = package.source_distribution(&copied, &built, &texts)?;
+    let mut files = Vec::new();
+    for (name, bytes) in [wheel, source] {
+        let file = folder.join(name);
+        renew(&file, &bytes)?;
+        files.push(file);
+    }
+    Ok(files)
 }
 
 /// Modules that Python has or this one needs (`sys.stdlib_module_names` of 3.10 to 3.13).
@@ -75,7 +88,8 @@ fn project(name: &str, docs: &str) -> String {
         "[build-system]\nrequires = [\"maturin>=1.9.4,<2\"]\nbuild-backend = \"maturin\"\n\n\
          [project]\nname = \"{name}\"\ndescription = \"{about}\"\nrequires-python = \">=3.9\"\n\
          dependencies = [\"numpy>=1.21\"]\ndynamic = [\"version\"]\n\n\
-         [tool.maturin]\npython-source = \"python\"\nmodule-name = \"{name}._native\"\n"
+         [tool.maturin]\npython-source = \"python\"\nmodule-name = \"{name}._native\"\n\n\
+         # Lists of what was built where, and when.\n[tool.maturin.sbom]\nrust = false\nauditwheel = false\n"
     )
 }
 

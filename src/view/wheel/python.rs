@@ -18,19 +18,24 @@ const KEYWORDS: [&str; 35] = [
     "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
 ];
 /// What every mechanism has, in `mechanism.py`.
-const MEMBERS: [&str; 15] = [
+const MEMBERS: [&str; 20] = [
     "bodies",
+    "from_bytes",
     "get",
     "inputs",
+    "jacobian",
     "linearise",
     "outputs",
     "parameters",
     "pose",
+    "rates",
     "restore",
     "run",
     "save",
     "set",
     "starts",
+    "state",
+    "state_names",
     "states",
     "step",
     "time",
@@ -45,8 +50,10 @@ const OWN: [(&str, &str, &str); 6] = [
     ("parameters", "Mapping[str, float] | None", "None"),
 ];
 /// What the module has beside the mechanism, and where it stands.
-const COMMON: [(&str, &str); 7] = [
+const COMMON: [(&str, &str); 9] = [
+    ("_values", "Event"),
     ("_values", "Fault"),
+    ("_values", "Jacobian"),
     ("_values", "Linearisation"),
     ("_mechanism", "Mechanism"),
     ("_values", "Pose"),
@@ -71,7 +78,7 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
     let bodies: Vec<String> = M::TABLES.bodies.iter().map(|body| format!("{},", text(body.name))).collect();
     let rows = |rows: &[Quantity]| tuple(&rows.iter().map(quantity).collect::<Vec<String>>());
     format!(
-        "{module}\n\nfrom . import _mechanism, _native, _values\n{common}\n{all}\n\n\n\
+        "{module}\n\nfrom . import _mechanism, _native, _values\n{common}\n{all}\n__version__ = {version}\n\n\n\
          class {name}(_mechanism.Mechanism):\n    {class}\n\n    __slots__ = ()\n    _native = _native.Native\n    \
          _tables = _values.Tables(\n        parameters={parameters},\n        inputs={inputs},\n        \
          states={states},\n        outputs={outputs},\n        starts={starts},\n        bodies=({bodies}),\n        \
@@ -79,6 +86,7 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
         module = text(&docs),
         common = imports(),
         all = all(name),
+        version = text(&plm_view::package::version()),
         class = text(&format!("{docs}{keywords}")),
         parameters = rows(M::TABLES.parameters),
         inputs = rows(M::TABLES.inputs),
@@ -100,19 +108,22 @@ pub(super) fn stub<M: Foreign>(_: &M) -> String {
     });
     let own = OWN.iter().map(|(name, kind, default)| format!("        {name}: {kind} = {default},\n"));
     let keywords: String = given.chain(own).collect();
-    let settable = parameters.iter().chain(M::TABLES.inputs).map(|row| (row.name, true));
-    let readable =
-        M::OBSERVED.iter().map(|(name, _)| *name).chain(M::TABLES.states.iter().map(|row| row.name));
+    let settable = |rows: &'static [Quantity]| rows.iter().map(|row| (row.name, true));
+    // The first that has a name has the property.
+    let all_names = settable(parameters)
+        .chain(settable(M::TABLES.inputs))
+        .chain(M::OBSERVED.iter().map(|(name, _)| (*name, false)))
+        .chain(settable(M::TABLES.states));
     let mut seen: Vec<&str> = Vec::new();
     let mut properties = String::new();
-    for (name, is_settable) in settable.chain(readable.map(|name| (name, false))) {
+    for (name, is_settable) in all_names {
         if is_name(name) && !MEMBERS.contains(&name) && !name.starts_with('_') && !seen.contains(&name) {
             seen.push(name);
             properties.push_str(&property(name, is_settable));
         }
     }
     format!(
-        "from collections.abc import Mapping\n\nfrom . import _mechanism\n{}\n{}\n\n\
+        "from collections.abc import Mapping\n\nfrom . import _mechanism\n{}\n{}\n__version__: str\n\n\
          class {name}(_mechanism.Mechanism):\n    def __init__(\n        self,\n        *,\n{keywords}    ) -> None: ...\n\
          {properties}",
         imports(),

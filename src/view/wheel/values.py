@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping
-from typing import Dict, NamedTuple, Optional
+from typing import Any, Dict, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import NDArray
+
+from . import _show
 
 Array = NDArray[np.float64]
 
@@ -37,6 +39,15 @@ class Pose(NamedTuple):
     omega: float
 
 
+class Event(NamedTuple):
+    """Something has switched: a condition of the declaration, or a time that it names."""
+
+    #: When, s.
+    time: float
+    #: The part to which the condition belongs.
+    name: str
+
+
 class Fault(Exception):
     """The mechanism cannot be assembled, or cannot go on."""
 
@@ -58,16 +69,35 @@ class Fault(Exception):
 
 
 class Results(Dict[str, Array]):
-    """Arrays by name: "time", and the outputs that were asked for; `units` has their units."""
+    """Arrays by name: "time", and the quantities that were asked for."""
 
+    #: The unit of each column, SI.
     units: dict[str, str]
+    #: What has switched, in the order of time.
+    events: tuple[Event, ...]
 
-    def __init__(self, columns: Mapping[str, Array], units: Mapping[str, str]) -> None:
+    def __init__(
+        self, columns: Mapping[str, Array], units: Mapping[str, str], events: Iterable[Event] = ()
+    ) -> None:
         super().__init__(columns)
-        self.units = dict(units)
+        self.units, self.events = dict(units), tuple(events)
 
     def __missing__(self, name: object) -> Array:
         raise KeyError(unknown("column", name, self))
+
+    def plot(self, *names: str, axes: Optional[Any] = None) -> Any:
+        """Draws columns over the time with matplotlib, all of them if none is named.
+
+        There is a diagram for each unit, or `axes` of your own with all curves; grey lines are events. Gives the axes.
+        """
+        columns = {name: self[name] for name in names or [name for name in self if name != "time"]}
+        return _show.plot(self["time"], columns, self.units, self.events, axes)
+
+    def _repr_html_(self) -> str:
+        rows = [(name, self.units[name], *_range(column)) for name, column in self.items()]
+        count = self["time"].size
+        title = f"{count} row{'s' * (count != 1)}, {len(self.events)} event{'s' * (len(self.events) != 1)}"
+        return _show.table(title, ("", "unit", "from", "to", "least", "greatest"), rows)
 
 
 class Linearisation(NamedTuple):
@@ -85,6 +115,54 @@ class Linearisation(NamedTuple):
     inputs: tuple[str, ...]
     #: Names of the rows of C and D.
     outputs: tuple[str, ...]
+    #: Names of the rows of A and B and of the columns of A, C and `basis`: those of `coordinates`, but for directions that
+    #: constraints leave, which are numbered.
+    states: tuple[str, ...]
+    #: Names of the rows of `basis`.
+    coordinates: tuple[str, ...]
+
+    def _named(self) -> tuple[_show.Named, ...]:
+        states, rates = self.states, _rates(self.states)
+        return (
+            ("A", self.A, rates, states),
+            ("B", self.B, rates, self.inputs),
+            ("C", self.C, self.outputs, states),
+            ("D", self.D, self.outputs, self.inputs),
+        )
+
+    def __str__(self) -> str:
+        return _show.lines(self._named())
+
+    def _repr_html_(self) -> str:
+        return _show.matrices(self._named())
+
+
+class Jacobian(NamedTuple):
+    """Derivatives of the rates of all states, and of outputs, by states and inputs; SI."""
+
+    rates_by_states: Array
+    rates_by_inputs: Array
+    outputs_by_states: Array
+    outputs_by_inputs: Array
+    #: Names of the states, and of their rates in the same order.
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+    def _named(self) -> tuple[_show.Named, ...]:
+        states, rates = self.states, _rates(self.states)
+        return (
+            ("rates by states", self.rates_by_states, rates, states),
+            ("rates by inputs", self.rates_by_inputs, rates, self.inputs),
+            ("outputs by states", self.outputs_by_states, self.outputs, states),
+            ("outputs by inputs", self.outputs_by_inputs, self.outputs, self.inputs),
+        )
+
+    def __str__(self) -> str:
+        return _show.lines(self._named())
+
+    def _repr_html_(self) -> str:
+        return _show.matrices(self._named())
 
 
 class Tables(NamedTuple):
@@ -102,5 +180,15 @@ class Tables(NamedTuple):
 
 def unknown(what: str, name: object, known: Iterable[str]) -> str:
     near = difflib.get_close_matches(str(name), list(known), 3, 0.7)
-    hint = "; is " + " or ".join(f"`{one}`" for one in near) + " meant?" if near else ""
-    return f"there is no {what} `{name}`{hint}"
+    hint = "; did you mean " + " or ".join(map(repr, near)) + "?" if near else ""
+    return f"there is no {what} {name!r}{hint}"
+
+
+def _rates(states: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(f"({name})'" for name in states)
+
+
+def _range(column: Array) -> tuple[float, ...]:
+    if not column.size:
+        return ()
+    return float(column[0]), float(column[-1]), float(column.min()), float(column.max())

@@ -39,6 +39,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
     let typical = typical(emission);
     let part_of_state = part_of_state(emission);
     let names = compact::names(emission, &names_of_state(emission));
+    let names_in_charts = names_in_charts(emission);
     quote! {
         impl<S: Real> rt::System for #name<S> {
             type S = S;
@@ -85,6 +86,29 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
                     None => "",
                 }
             }
+            #names_in_charts
+        }
+    }
+}
+
+/// Names of coordinates and their rates chart by chart, where there are several charts.
+fn names_in_charts(emission: &Emission) -> TokenStream {
+    let Form::Loops(reduced) = emission.form else { return TokenStream::new() };
+    let charts = &reduced.charts;
+    let count = charts.first().map_or(0, |chart| chart.names.len());
+    if charts.len() < 2 || count == 0 {
+        return TokenStream::new();
+    }
+    let mut all = Vec::new();
+    for chart in charts {
+        all.extend(chart.names.iter().cloned());
+        all.extend(chart.names.iter().map(|name| rate_of(name)));
+    }
+    let (names, in_chart) = (compact::names(emission, &all), number(2 * count));
+    quote! {
+        fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
+            let names: &[&str] = const { &#names };
+            rt::charts::name_of::<Self>(u, index, (names, #in_chart)).unwrap_or(self.name_of_state(index))
         }
     }
 }

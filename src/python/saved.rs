@@ -1,0 +1,74 @@
+//! A run as bytes, for files and for other processes: the format of [`plm_foreign::saved`], with the method before what it shows.
+
+use std::boxed::Box;
+use std::vec::Vec;
+
+use plm_foreign::{Status, Trouble, saved};
+use plm_runtime::words::{InWords, Words};
+use plm_runtime::{Moment, Vector};
+
+use super::{Run, Runnable};
+use crate::any_sim::AnySim;
+use crate::integrator::Integrator;
+
+/// Says that what follows is a run of Python, whose method may be any.
+const MARK: u64 = u64::from_le_bytes(*b"python\0\0");
+
+impl<M: Runnable> Run<M> {
+    /// Everything that decides how the run goes on.
+    ///
+    /// # Errors
+    /// [`Status::Memory`]
+    pub fn save(&self) -> Result<Vec<u8>, Trouble> {
+        let own = Saved { mark: MARK, run: self.clone() };
+        let mut bytes = std::vec![0; saved::size(own.clone())];
+        saved::write::<M, _>(&own, &mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// A run as it was saved, of a declared mechanism: it goes on with the same bits, on every machine.
+    ///
+    /// # Errors
+    /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
+    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Trouble> {
+        let unstarted = M::State::new(declared, declared.unstarted(), 0.0, M::X::fill(0.0));
+        Self(Box::new(Integrator::default().of(unstarted))).like(bytes)
+    }
+
+    /// A run as it was saved, of the same mechanism as this one, which stays as it is.
+    ///
+    /// # Errors
+    /// As [`saved`](Self::saved).
+    pub fn like(&self, bytes: &[u8]) -> Result<Self, Trouble> {
+        let mut read = Saved { mark: MARK, run: self.clone() };
+        saved::read::<M>(&mut read, bytes)?;
+        if read.mark == MARK { Ok(read.run) } else { Err(Status::OtherMechanism.into()) }
+    }
+}
+
+#[derive(Clone)]
+struct Saved<M: Runnable> {
+    mark: u64,
+    run: Run<M>,
+}
+
+impl<M: Runnable> InWords for Saved<M> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.word(&mut self.mark);
+        self.run.0.each(words);
+    }
+}
+
+/// The method's place among all, then the run by it. What is read into a run by another method becomes one by that.
+impl<M: Runnable> InWords for AnySim<M> {
+    fn each(&mut self, words: &mut impl Words) {
+        let own = self.place();
+        let mut place = own as u64;
+        words.word(&mut place);
+        let read = usize::try_from(place).ok().filter(|place| *place != own);
+        if let Some(method) = read.and_then(Integrator::at) {
+            *self = method.of(*self.state());
+        }
+        self.show(words);
+    }
+}
