@@ -8,6 +8,7 @@ use std::str::FromStr;
 use std::string::String;
 use std::vec::Vec;
 
+use plm_foreign::fmi::Version;
 use plm_runtime::described::Quantity;
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
@@ -51,6 +52,8 @@ pub struct Options {
     pub target: Option<String>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
+    /// `--fmi 2` or `3`: the version that it is for.
+    pub fmi: Version,
     /// `--python FOLDER`: a wheel of the mechanism.
     pub python: Option<PathBuf>,
     /// `--until TIME`, s.
@@ -70,7 +73,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 15] = [
+const USUAL: [Known; 16] = [
     Known::value(
         "view",
         "FILE",
@@ -88,6 +91,7 @@ const USUAL: [Known; 15] = [
     ),
     Known::value("target", "NAME", "of --c: for a machine without std, such as thumbv7em-none-eabihf"),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
+    Known::value("fmi", "VERSION", "of --fmu: 2 or 3, for FMI 2.0 or 3.0"),
     Known::value("python", "FOLDER", "a wheel of the mechanism as declared, for Python (needs maturin)"),
     Known::value("until", "TIME", "when the run ends, s"),
     Known::value("every", "TIME", "between samples, s"),
@@ -169,6 +173,7 @@ impl Options {
             c: path("c"),
             target: given.text("target")?,
             fmu: path("fmu"),
+            fmi: given.text("fmi")?.map_or(Ok(Version::default()), |word| version_of(&word))?,
             python: path("python"),
             until: time("until", &given)?,
             every: time("every", &given)?,
@@ -196,6 +201,9 @@ impl Options {
             return Err(BadOption(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
+        }
+        if self.own.flag("fmi") && self.fmu.is_none() {
+            return Err(BadOption("--fmi says which version --fmu FILE is for: with --fmu".into()));
         }
         if self.target.is_some() && self.c.is_none() {
             return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
@@ -284,6 +292,15 @@ fn settings(name: &str, given: &Arguments) -> Result<Vec<(String, f64)>, BadOpti
     given.texts(name)?.into_iter().map(|word| setting(word.clone()).ok_or_else(|| wrong(&word))).collect()
 }
 
+/// A version of FMI.
+fn version_of(word: &str) -> Result<Version, BadOption> {
+    match word {
+        "2" | "2.0" => Ok(Version::Two),
+        "3" | "3.0" => Ok(Version::Three),
+        _ => Err(BadOption(format!("--fmi wants 2 or 3, not `{word}`"))),
+    }
+}
+
 /// A port; 0 where none was said.
 fn port_of(word: &str) -> Result<u16, BadOption> {
     if word.is_empty() {
@@ -299,7 +316,7 @@ mod tests {
     use std::string::ToString;
     use std::vec;
 
-    use super::{Integrator, Options};
+    use super::{Integrator, Options, Version};
 
     #[test]
     fn every_option_is_read() {
@@ -313,6 +330,8 @@ mod tests {
         assert_eq!(options.input, [("force".to_string(), 2.0), ("turn".to_string(), 1.0)]);
         assert_eq!((options.every, options.method), (Some(0.01), Some(Integrator::Rk4(1e-3))));
         assert!(Options::parse(["--c", "folder", "--fmu", "file"]).is_ok());
+        assert_eq!(Options::parse(["--fmu", "file"]).unwrap().fmi, Version::Three);
+        assert_eq!(Options::parse(["--fmu", "file", "--fmi", "2"]).unwrap().fmi, Version::Two);
         assert_eq!(Options::parse(["--serve"]).unwrap().serve, Some(0));
         assert_eq!(Options::parse(["--serve=8080"]).unwrap().serve, Some(8080));
     }
@@ -333,6 +352,8 @@ mod tests {
             (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
             (vec!["--python", "a", "--until", "1"], "without --until"),
+            (vec!["--fmu", "a", "--fmi", "1"], "2 or 3, not `1`"),
+            (vec!["--fmi", "2"], "with --fmu"),
             (vec!["--fmu", "a", "--target", "thumbv7em-none-eabihf"], "with --c"),
         ] {
             let found = Options::parse(words).unwrap_err().to_string();
