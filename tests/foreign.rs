@@ -7,6 +7,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use plm::view::Version;
 use plm::{Described, Dop853, Sim};
 
 #[path = "foreign/suppliers.rs"]
@@ -217,12 +218,14 @@ fn wrong_calls_of_c_give_a_code_and_change_nothing() {
     assert_eq!(text, std::fs::read_to_string(expected).unwrap());
 }
 
-/// FMPy validates an FMU, runs it in both modes and compares with Rust; `tests/fmu/check.py` says what it looks at.
+/// FMPy validates FMUs of both versions, runs them in both modes and compares with Rust; `tests/fmu/check.py` and `two.py` say what
+/// they look at.
 #[test]
 fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmu");
-    let (file, rows) = (folder.join("press.fmu"), folder.join("press.csv"));
+    let [file, two, rows] = ["press.fmu", "press2.fmu", "press.csv"].map(|name| folder.join(name));
     plm::view::fmu(&Press::new(), &file).unwrap();
+    plm::view::fmu_of(Version::Two, &Press::new(), &two).unwrap();
     let (mut sim, mut text) = (Press::new().start().unwrap(), String::new());
     for k in 0..200 {
         if k == 100 {
@@ -237,7 +240,9 @@ fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
     let Some(python) = python() else { return };
     let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/check.py");
     let steps = std::env::var_os("PLM_FMU_STEPS");
-    succeeds(Command::new(python).arg(check).args([file, rows]).args(steps));
+    succeeds(Command::new(&python).arg(check).args([&file, &rows]).args(steps));
+    let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/two.py");
+    succeeds(Command::new(python).arg(check).args([two, file, rows]));
 }
 
 #[path = "../examples/co_simulation/mechanisms.rs"]

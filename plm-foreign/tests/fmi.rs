@@ -8,12 +8,12 @@
     reason = "tests"
 )]
 
-use std::ffi::CString;
+use std::ffi::{CStr, CString, c_char, c_void};
 use std::mem::MaybeUninit;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 use plm::Moment;
-use plm_foreign::fmi::{Call, Instance, Interface, Variable, border, token};
+use plm_foreign::fmi::{Call, Instance, Interface, Steps, Variable, Version, border, token};
 
 plm::mechanism! {
     /// A shaft on a spring, which a torque turns round.
@@ -26,7 +26,23 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// Two rockers, of which neither turns round.
+    Rockers {
+        ground { port a: (0, 0) m; port d: (1, 0) m; }
+        body crank { mass: 1 kg; inertia: 0.05 kg*m^2; port a: (0, 0) m; port b: (0.8, 0) m; start angle: 60 deg, locked; start omega: 1 rad/s; }
+        body coupler { mass: 1 kg; inertia: 0.05 kg*m^2; port b: (0, 0) m; port c: (0.5, 0) m; start angle: 0 deg; }
+        body rocker { mass: 1 kg; inertia: 0.05 kg*m^2; port d: (0, 0) m; port c: (0.6, 0) m; start angle: 95 deg; }
+        revolute a(ground.a, crank.a);
+        revolute b(crank.b, coupler.b);
+        revolute c(coupler.c, rocker.c);
+        revolute d(rocker.d, ground.d);
+        output rocker.angle;
+    }
+}
+
 const OK: i32 = 0;
+const DISCARD: i32 = 2;
 const ERROR: i32 = 3;
 const CO_SIMULATION: Interface = Interface::CoSimulation { has_events: false };
 
@@ -40,7 +56,8 @@ fn references(wanted: impl Fn(Variable) -> bool) -> Vec<u32> {
 fn rooms_need_no_values_and_wrong_calls_change_nothing() {
     let own = CString::new(token::<Shaft>().as_str()).unwrap();
     let handle = unsafe {
-        border::instantiate(Shaft::new(), own.as_ptr(), (CO_SIMULATION, false), (None, null_mut()))
+        let listener = border::Listener::three(None, null_mut());
+        border::instantiate((Shaft::new(), Steps::none()), own.as_ptr(), (CO_SIMULATION, false), listener)
     };
     let angle = references(|variable| variable == Variable::Output(0));
     let mut room = [MaybeUninit::<f64>::uninit(); 1];
@@ -51,7 +68,7 @@ fn rooms_need_no_values_and_wrong_calls_change_nothing() {
     let (mut flag, mut last) = (true, f64::NAN);
     let flags = [&raw mut flag; 3];
     unsafe {
-        assert_eq!(border::with(handle, None, |instance| instance.begin_at(f64::NAN)), ERROR);
+        assert_eq!(border::with(handle, None, |instance| instance.begin_at(f64::NAN, None)), ERROR);
         assert_eq!(border::with(handle, Call::EnterInitializationMode, |_| Ok(())), OK);
         assert_eq!(border::with(handle, Call::ExitInitializationMode, Instance::renew), OK);
         let before = get(&mut room);
@@ -107,4 +124,105 @@ fn a_solver_outside_sees_all_turns() {
     assert!((angle - expected).abs() < 1e-3, "{angle} {expected}");
     assert!((instance.get(Variable::Output(1)).unwrap().abs() - (2.0 - 0.01 * angle).abs()).abs() < 1e-12);
     assert!(turned > 10 && instance.state().unwrap().x()[0].abs() < 5.0, "{turned}");
+}
+
+/// Behind pointers a method is set by its number as a whole number, and as nothing else.
+#[test]
+fn a_simulator_sets_a_method_by_its_number() {
+    let own = CString::new(token::<Shaft>().as_str()).unwrap();
+    let method = references(|variable| variable == Variable::Method);
+    let step = references(|variable| variable == Variable::Step);
+    let (method, step) = ((method.as_ptr(), 1), (step.as_ptr(), 1));
+    let (mut number, mut real) = (0_i32, 0.0);
+    unsafe {
+        let listener = border::Listener::three(None, null_mut());
+        let handle = border::instantiate(
+            (Shaft::new(), Steps::none()),
+            own.as_ptr(),
+            (CO_SIMULATION, false),
+            listener,
+        );
+        assert_eq!(border::set_integers(handle, method, ([3_i32].as_ptr(), 1)), OK);
+        // A step that is not emitted.
+        assert_eq!(border::set_integers(handle, method, ([6_i64].as_ptr(), 1)), ERROR);
+        assert_eq!(border::set_integers(handle, step, ([3_i32].as_ptr(), 1)), ERROR);
+        assert_eq!(border::set_integers::<Shaft, i64>(handle, method, (null(), 1)), ERROR);
+        assert_eq!(border::set_integers::<Shaft, i64>(handle, method, (null(), 0)), ERROR);
+        assert_eq!(border::get_integers(handle, method, (&raw mut number, 1)), OK);
+        assert_eq!(border::get_integers::<Shaft, i64>(handle, method, (null_mut(), 1)), ERROR);
+        assert_eq!(border::get(handle, method, (&raw mut real, 1)), ERROR);
+        assert_eq!(border::get(handle, step, (&raw mut real, 1)), OK);
+        border::free(handle);
+    }
+    assert_eq!((number, real), (3, 1e-3));
+}
+
+/// What a simulator heard: status, category, message.
+type Heard = Vec<(i32, String, String)>;
+
+unsafe extern "C" fn hear(heard: *mut c_void, status: i32, category: *const c_char, message: *const c_char) {
+    let text = |at| unsafe { CStr::from_ptr(at) }.to_str().unwrap().to_owned();
+    unsafe { &mut *heard.cast::<Heard>() }.push((status, text(category), text(message)));
+}
+
+/// A solver's step that leads to where a loop cannot be closed is discarded, with the cause; a shorter one from where it was goes on
+/// as if nothing had been.
+#[test]
+fn a_step_that_is_too_long_is_discarded_and_a_shorter_one_goes_on() {
+    let own = CString::new(token::<Rockers>().as_str()).unwrap();
+    for version in [Version::Two, Version::Three] {
+        let mut heard = Heard::new();
+        let listener = match version {
+            Version::Two => border::Listener::two(None, null_mut(), c"rockers"),
+            Version::Three => border::Listener::three(Some(hear), (&raw mut heard).cast()),
+        };
+        let (mut x, mut rates, mut again) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        let (mut event, mut ends) = (true, true);
+        unsafe {
+            let exchange = (Interface::ModelExchange, false);
+            let handle =
+                border::instantiate((Rockers::new(), Steps::none()), own.as_ptr(), exchange, listener);
+            for call in
+                [Call::EnterInitializationMode, Call::ExitInitializationMode, Call::EnterContinuousTimeMode]
+            {
+                assert_eq!(border::with(handle, call, Instance::renew), OK);
+            }
+            let given = |what, room: &mut [f64; 2]| border::give(handle, what, (room.as_mut_ptr(), 2));
+            let set = |x: [f64; 2]| border::set_states(handle, (x.as_ptr(), 2));
+            let complete = |event, ends| border::complete(handle, [event, ends]);
+            assert_eq!(
+                (given(border::Given::States, &mut x), given(border::Given::Rates, &mut rates)),
+                (OK, OK)
+            );
+            // No bar of a linkage without Grashof's condition turns round beside another.
+            let mut angles = (1..12).map(|k| x[0] + 0.5 * f64::from(k));
+            let outcome = angles.find(|angle| {
+                assert_eq!(set([*angle, x[1]]), OK);
+                given(border::Given::Rates, &mut again) != OK
+            });
+            assert!(outcome.is_some());
+            assert_eq!(given(border::Given::Rates, &mut again), DISCARD);
+            let mut indicators = [0.0];
+            assert_eq!(border::give(handle, border::Given::Indicators, (indicators.as_mut_ptr(), 1)), OK);
+            assert_eq!(indicators, [-1.0]);
+            // In 2.0 a completed step is not among what can be discarded.
+            let outcome = if version == Version::Two { ERROR } else { DISCARD };
+            assert_eq!(complete(&raw mut event, &raw mut ends), outcome);
+            assert_eq!(set(x), OK);
+            assert_eq!(given(border::Given::Rates, &mut again), OK);
+            assert_eq!(again.map(f64::to_bits), rates.map(f64::to_bits));
+            assert_eq!(set([x[0] + 1e-3, x[1]]), OK);
+            assert_eq!(complete(&raw mut event, &raw mut ends), OK);
+            assert!(!event && !ends);
+            // A wrong call is no matter of the step.
+            assert_eq!(complete(null_mut(), &raw mut ends), ERROR);
+            border::free(handle);
+        }
+        let (wrong, discarded): (Heard, Heard) = heard.into_iter().partition(|(status, ..)| *status == ERROR);
+        assert_eq!((wrong.len(), discarded.len()), if version == Version::Two { (0, 0) } else { (1, 3) });
+        for (status, category, message) in discarded {
+            assert_eq!((status, category.as_str()), (DISCARD, "logStatusDiscard"));
+            assert!(message.contains("mechanism locks up"), "{message}");
+        }
+    }
 }

@@ -4,6 +4,8 @@
 
 use std::collections::BTreeSet;
 
+use plm_foreign::fmi::Version;
+
 plm::mechanism! {
     Clash {
         param time: s = 2 s;
@@ -31,7 +33,7 @@ fn values<'a>(text: &'a str, attribute: &str) -> Vec<&'a str> {
 #[test]
 fn names_are_unique_and_declared_ones_stay() {
     let mut text = String::new();
-    plm_foreign::fmi::description(&Clash::new(), &mut text).unwrap();
+    plm_foreign::fmi::description(Version::Three, &Clash::new(), &mut text).unwrap();
     let (names, causalities) = (values(&text, "name"), values(&text, "causality"));
     let all: BTreeSet<_> = names.iter().collect();
     assert_eq!(all.len(), names.len(), "{names:?}");

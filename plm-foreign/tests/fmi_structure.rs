@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_foreign::fmi::{Call, Exchanged, Instance, Interface, Variable};
+use plm_foreign::fmi::{Call, Exchanged, Instance, Interface, Variable, Version};
 
 plm::mechanism! {
     /// A loop, two inputs of which one goes straight to an output, two first-order states, and a condition.
@@ -47,39 +47,48 @@ plm::mechanism! {
     }
 }
 
+/// The value of an attribute in a line.
+fn value<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = line.split_once(&format!(" {name}=\""))?;
+    rest.split('"').next()
+}
+
+/// Names of all variables.
+fn names(text: &str) -> Vec<String> {
+    let variables = text.lines().filter(|line| line.contains(" valueReference="));
+    variables.filter_map(|line| Some(value(line, "name")?.to_owned())).collect()
+}
+
 /// Names of the knowns of every unknown, where they are listed.
-fn listed(text: &str) -> BTreeMap<String, Vec<String>> {
-    let value = |line: &str, name: &str| {
-        let (_, rest) = line.split_once(&format!(" {name}=\""))?;
-        rest.split('"').next().map(str::to_owned)
+fn listed(version: Version, text: &str) -> BTreeMap<String, Vec<String>> {
+    let names = names(text);
+    // 2.0 counts variables from 1.
+    let (attribute, first) = match version {
+        Version::Two => ("index", 1),
+        Version::Three => ("valueReference", 0),
     };
-    let names: Vec<String> = text
-        .lines()
-        .filter(|line| line.contains("<Float64"))
-        .map(|line| value(line, "name").unwrap())
-        .collect();
-    let name = |reference: &str| names[reference.parse::<usize>().unwrap()].clone();
+    let name = |reference: &str| names[reference.parse::<usize>().unwrap() - first].clone();
     let lines = text.lines().filter(|line| line.contains("dependencies="));
     let row = |line: &str| {
         let known = value(line, "dependencies").unwrap().split_whitespace().map(name).collect();
-        (name(&value(line, "valueReference").unwrap()), known)
+        (name(value(line, attribute).unwrap()), known)
     };
     lines.map(row).collect()
 }
 
 /// Every derivative of every unknown at several moments of a run: where it is not zero, its known is listed. Gives the list, and
 /// how many derivatives were not zero.
-fn looked_at<M: Exchanged>(declared: M) -> (BTreeMap<String, Vec<String>>, usize) {
+fn looked_at<M: Exchanged>(version: Version, declared: M) -> (BTreeMap<String, Vec<String>>, usize) {
     let mut text = String::new();
-    plm_foreign::fmi::description(&declared, &mut text).unwrap();
-    let listed = listed(&text);
-    let names: Vec<String> = text
-        .lines()
-        .filter_map(|line| Some(line.split_once("<Float64 name=\"")?.1.split('"').next()?.to_owned()))
-        .collect();
+    plm_foreign::fmi::description(version, &declared, &mut text).unwrap();
+    let (listed, names) = (listed(version, &text), names(&text));
     let all: Vec<Variable> = Variable::all(&declared).collect();
-    let knowns = |variable: &Variable| {
-        matches!(variable, Variable::Time | Variable::Parameter(_) | Variable::Input(_) | Variable::State(_))
+    assert_eq!(names.len(), all.len());
+    let knowns = |variable: &Variable| match variable {
+        Variable::Time | Variable::Input(_) | Variable::State(_) => true,
+        // 2.0 lists what changes while equations hold.
+        Variable::Parameter(_) => version == Version::Three,
+        _ => false,
     };
     let mut instance = Instance::new(declared, Interface::CoSimulation { has_events: false });
     instance.renew().unwrap();
@@ -103,7 +112,7 @@ fn looked_at<M: Exchanged>(declared: M) -> (BTreeMap<String, Vec<String>>, usize
 
 #[test]
 fn what_is_not_listed_has_no_influence() {
-    let (rows, count) = looked_at(Loop::new());
+    let (rows, count) = looked_at(Version::Three, Loop::new());
     assert!(count > 200, "{count}");
     let has = |unknown: &str, known: &str| rows[unknown].iter().any(|name| name == known);
     // The one output that reads reactions may depend on all.
@@ -129,9 +138,20 @@ fn what_is_not_listed_has_no_influence() {
 
 #[test]
 fn poses_of_a_prescribed_motion_depend_on_the_time() {
-    let (rows, count) = looked_at(Moved::new());
+    let (rows, count) = looked_at(Version::Three, Moved::new());
     assert!(count > 100, "{count}");
     for output in ["bob.x", "bob.vx"] {
         assert!(rows[output].iter().any(|name| name == "time"), "{rows:?}");
+    }
+}
+
+#[test]
+fn version_two_lists_the_same_but_for_parameters() {
+    let ((three, _), (two, count)) =
+        (looked_at(Version::Three, Loop::new()), looked_at(Version::Two, Loop::new()));
+    assert!(count > 100 && two.len() == three.len(), "{count}");
+    for (unknown, known) in three {
+        let without: Vec<String> = known.into_iter().filter(|name| name != "rod").collect();
+        assert_eq!(two[&unknown], without, "{unknown}");
     }
 }

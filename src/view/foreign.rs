@@ -8,7 +8,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 use std::{env, format};
 
-use plm_foreign::fmi::{self, Exchanged};
+use plm_foreign::fmi::{self, Exchanged, Version};
 use plm_foreign::{Foreign, Names};
 use plm_runtime::Scalar;
 use plm_view::package::{Output, Package, archive, renew};
@@ -52,11 +52,23 @@ pub fn library<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>,
 /// # Errors
 /// As [`library`].
 pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    fmu_of(Version::Three, mechanism, file)
+}
+
+/// The same for a version of FMI. The library in it has the functions of both, and is built once for them.
+///
+/// # Errors
+/// As [`library`].
+pub fn fmu_of<M: Exchanged>(
+    version: Version,
+    mechanism: &M,
+    file: &Path,
+) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let (name, mut text, mut code) = (Names::lower(M::TABLES.name).to_string(), String::new(), String::new());
-    fmi::description(&declared(mechanism), &mut text)?;
+    fmi::description(version, &declared(mechanism), &mut text)?;
     fmi::source::<M>(&mut code)?;
     let built = build::<M>(&name, &code)?;
-    let binary = format!("binaries/{}-{}/{name}{}", env::consts::ARCH, system(), env::consts::DLL_SUFFIX);
+    let binary = format!("binaries/{}/{name}{}", platform(version), env::consts::DLL_SUFFIX);
     let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
     renew(file, &archive(entries)?)?;
     Ok(std::vec![file.into()])
@@ -72,11 +84,18 @@ pub(super) fn declared<M: Foreign>(mechanism: &M) -> M {
     own
 }
 
-/// This system as FMI calls it.
-fn system() -> &'static str {
-    match env::consts::OS {
+/// This machine as a version of FMI calls it: 2.0 (2.3) has names of its own for those of x86.
+fn platform(version: Version) -> String {
+    let system = match env::consts::OS {
         "macos" => "darwin",
         other => other,
+    };
+    match (version, env::consts::ARCH, system) {
+        (Version::Two, "x86_64", "windows") => "win64".into(),
+        (Version::Two, "x86", "windows") => "win32".into(),
+        (Version::Two, "x86_64", system) => format!("{system}64"),
+        (Version::Two, "x86", system) => format!("{system}32"),
+        (_, machine, system) => format!("{machine}-{system}"),
     }
 }
 

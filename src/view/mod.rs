@@ -12,13 +12,14 @@ mod server;
 mod sketch;
 mod wheel;
 
+pub use plm_foreign::fmi::Version;
 pub use plm_view::*;
 
 pub use crate::integrator::Integrator;
 pub use crate::mistake::BadOption;
 pub use arguments::{Arguments, Known};
 pub use described::mechanism;
-pub use foreign::{NoDefault, fmu, library};
+pub use foreign::{NoDefault, fmu, fmu_of, library};
 pub use library::Library;
 pub use options::{Options, Table};
 pub use program::{Program, run, write};

@@ -9,6 +9,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use plm_foreign::By;
+use plm_foreign::fmi::Version;
 use plm_runtime::described::Quantity;
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
@@ -54,6 +55,8 @@ pub struct Options {
     pub methods: Vec<By>,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
+    /// `--fmi 2` or `3`: the version that it is for.
+    pub fmi: Version,
     /// `--python FOLDER`: a wheel and a source distribution of the mechanism.
     pub python: Option<PathBuf>,
     /// `--until TIME`, s.
@@ -73,7 +76,7 @@ pub struct Options {
 }
 
 /// The usual options.
-const USUAL: [Known; 16] = [
+const USUAL: [Known; 17] = [
     Known::value(
         "view",
         "FILE",
@@ -96,6 +99,7 @@ const USUAL: [Known; 16] = [
         "of --c: the methods that it has, by comma, the usual one first (Dop853)",
     ),
     Known::value("fmu", "FILE", "an FMU of the mechanism as declared (FMI 3.0)"),
+    Known::value("fmi", "VERSION", "of --fmu: 2 or 3, for FMI 2.0 or 3.0"),
     Known::value(
         "python",
         "FOLDER",
@@ -182,6 +186,7 @@ impl Options {
             target: given.text("target")?,
             methods: methods(given.text("methods")?.as_deref())?,
             fmu: path("fmu"),
+            fmi: given.text("fmi")?.map_or(Ok(Version::default()), |word| version_of(&word))?,
             python: path("python"),
             until: time("until", &given)?,
             every: time("every", &given)?,
@@ -209,6 +214,9 @@ impl Options {
             return Err(BadOption(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
+        }
+        if self.own.flag("fmi") && self.fmu.is_none() {
+            return Err(BadOption("--fmi says which version --fmu FILE is for: with --fmu".into()));
         }
         if self.target.is_some() && self.c.is_none() {
             return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
@@ -316,6 +324,15 @@ fn settings(name: &str, given: &Arguments) -> Result<Vec<(String, f64)>, BadOpti
     given.texts(name)?.into_iter().map(|word| setting(word.clone()).ok_or_else(|| wrong(&word))).collect()
 }
 
+/// A version of FMI.
+fn version_of(word: &str) -> Result<Version, BadOption> {
+    match word {
+        "2" | "2.0" => Ok(Version::Two),
+        "3" | "3.0" => Ok(Version::Three),
+        _ => Err(BadOption(format!("--fmi wants 2 or 3, not `{word}`"))),
+    }
+}
+
 /// A port; 0 where none was said.
 fn port_of(word: &str) -> Result<u16, BadOption> {
     if word.is_empty() {
@@ -331,7 +348,7 @@ mod tests {
     use std::string::ToString;
     use std::vec;
 
-    use super::{By, Integrator, Options};
+    use super::{By, Integrator, Options, Version};
 
     #[test]
     fn every_option_is_read() {
@@ -347,6 +364,8 @@ mod tests {
         assert!(Options::parse(["--c", "folder", "--fmu", "file"]).is_ok());
         let options = Options::parse(["--c", "folder", "--methods", "Rk4, dop853"]).unwrap();
         assert_eq!(options.methods, [By::Rk4, By::Dop853]);
+        assert_eq!(Options::parse(["--fmu", "file"]).unwrap().fmi, Version::Three);
+        assert_eq!(Options::parse(["--fmu", "file", "--fmi", "2"]).unwrap().fmi, Version::Two);
         assert_eq!(Options::parse(["--serve"]).unwrap().serve, Some(0));
         assert_eq!(Options::parse(["--serve=8080"]).unwrap().serve, Some(8080));
     }
@@ -367,6 +386,8 @@ mod tests {
             (vec!["--fmu", "a.fmu", "--set", "mass=3"], "without --set"),
             (vec!["--c", "a", "--view", "a.html"], "without --view"),
             (vec!["--python", "a", "--until", "1"], "without --until"),
+            (vec!["--fmu", "a", "--fmi", "1"], "2 or 3, not `1`"),
+            (vec!["--fmi", "2"], "with --fmu"),
             (vec!["--fmu", "a", "--target", "thumbv7em-none-eabihf"], "with --c"),
             (vec!["--fmu", "a", "--methods", "Rk4"], "with --c"),
             (vec!["--c", "a", "--methods", "Rk4,Rk5"], "is Rk4 meant?"),

@@ -16,7 +16,7 @@ use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
 
 use super::Library;
-use super::foreign::fmu;
+use super::foreign::fmu_of;
 use super::options::{Options, quantities_of};
 use super::recorder::Recorder;
 use super::server::Server;
@@ -98,7 +98,7 @@ impl<M: Exchanged> Program<M> {
             told(&library.write(folder)?);
         }
         if let Some(file) = &options.fmu {
-            told(&fmu(&self.mechanism, file)?);
+            told(&fmu_of(options.fmi, &self.mechanism, file)?);
         }
         if let Some(folder) = &options.python {
             told(&wheel(&self.mechanism, folder)?);

@@ -189,6 +189,37 @@ for kind, relative, tolerance in cases:
     error = np.max(np.abs(found[:90] - native[:90]) / (1.0 + np.abs(native[:90])))
     expect(error < tolerance, f"FMPy's {kind} is the run of Rust within {error:.1e}")
 
+# A solver that shows the FMU nothing but the ends of long intervals, in which the crank turns by several radians: loops are followed.
+turned = np.max(np.abs(np.diff(native[:90:30, 0])))
+for interval in (0.1, 0.3, 0.9):
+    result = fmpy.simulate_fmu(
+        file, fmi_type="ModelExchange", stop_time=0.9, output_interval=interval, relative_tolerance=1e-10, record_events=False
+    )
+    found, every = np.array([[row[name] for name in names] for row in result]), round(interval / H)
+    wanted = native[: 91 : every]
+    error = np.max(np.abs(found - wanted) / (1.0 + np.abs(wanted)))
+    expect(error < 2e-6, f"looked at every {interval} s it is the run of Rust within {error:.1e}")
+expect(turned > 1.0, f"the crank turns by {turned:.1f} rad meanwhile")
+
+# The tolerance that is handed over is that of the method.
+errors = []
+for tolerance in (1e-3, 1e-6, 1e-9):
+    result = fmpy.simulate_fmu(file, fmi_type="CoSimulation", stop_time=0.9, output_interval=0.1, relative_tolerance=tolerance)
+    found = np.array([[row[name] for name in names] for row in result])
+    errors.append(np.max(np.abs(found[:9] - native[:90:10]) / (1.0 + np.abs(native[:90:10]))))
+words = ", ".join(f"{error:.1e}" for error in errors)
+expect(1e-2 > errors[0] > 1e-4 > errors[1] > 1e-7 > errors[2], f"tolerances of 1e-3, 1e-6 and 1e-9 leave {words}")
+
+# Methods by number, with their step.
+for method, step, tolerance in ((1, 1e-3, 1e-11), (2, 1e-3, 1e-4)):
+    start = {"plm(method)": method, "plm(step)": step}
+    result = fmpy.simulate_fmu(
+        file, fmi_type="CoSimulation", stop_time=0.9, output_interval=H, relative_tolerance=1e-9, start_values=start
+    )
+    found = np.array([[row[name] for name in names] for row in result])
+    error = np.max(np.abs(found[:90] - native[:90]) / (1.0 + np.abs(native[:90])))
+    expect(error < tolerance, f"method {method} is the run of Rust within {error:.1e}")
+
 # A spring begins to push while a step is made: it returns there.
 early = slave(early=True)
 times = []

@@ -6,8 +6,9 @@ from ctypes import byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint32,
 
 import fmpy
 
-NUMBER, COUNT, FLAG = c_double, c_size_t, c_bool
+NUMBER, COUNT = c_double, c_size_t
 LOG = ctypes.CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
+LOG_OF_2 = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p)
 
 # FMI 3.0.2, "Allowed Function Calls" of each state: sections 2.3.2 to 2.3.9, 3.2.1, 4.2.1. The numbers of states and of event
 # indicators are constants, which this FMU tells in every mode of model exchange.
@@ -45,24 +46,63 @@ ABSENT = """EnterConfigurationMode ExitConfigurationMode EvaluateDiscreteStates 
 EVERY = sorted({*" ".join([*EXCHANGE_MODES.values(), *CO_SIMULATION_MODES.values(), ALWAYS, CONSTANTS]).split(), *ABSENT})
 
 
+
+# FMI 2.0.5, the tables of sections 3.2.3 and 4.2.4: the same protocol but for these names, what it does not have, and what it adds.
+# This FMU reads before the start too, as in 3.0.
+NAMES_OF_2 = {
+    "GetFloat64": "GetReal",
+    "SetFloat64": "SetReal",
+    "GetContinuousStateDerivatives": "GetDerivatives",
+    "UpdateDiscreteStates": "NewDiscreteStates",
+    "GetFMUState": "GetFMUstate",
+}
+NOT_IN_2 = set(CONSTANTS.split()) | {"EnterStepMode", *ABSENT}
+ABSENT_IN_2 = """GetBoolean SetBoolean GetString SetString SetRealInputDerivatives GetRealOutputDerivatives CancelStep GetStatus
+    GetIntegerStatus GetStringStatus""".split()
+ADDED_BY_2 = {
+    ("ModelExchange", "Instantiated"): "SetupExperiment GetNominalsOfContinuousStates",
+    ("ModelExchange", "Event"): "EnterEventMode",
+    ("CoSimulation", "Instantiated"): "SetupExperiment",
+    ("CoSimulation", "Step"): "GetRealStatus GetBooleanStatus",
+    ("CoSimulation", "Terminated"): "GetRealStatus GetBooleanStatus",
+}
+
+
+class Callbacks(ctypes.Structure):
+    """fmi2CallbackFunctions"""
+
+    _fields_ = [("logger", LOG_OF_2), ("others", c_void_p * 3), ("environment", c_void_p)]
+
+
+class EventInfo(ctypes.Structure):
+    """fmi2EventInfo"""
+
+    _fields_ = [("flags", c_int * 5), ("next", c_double)]
+
+
 class Numbers:
     """Arguments of every function, for an FMU with this input, this output, and so many states and indicators."""
 
-    def __init__(self, known, unknown, states, indicators):
+    def __init__(self, version, known, unknown, states, indicators):
+        self.version = version
+        flag = c_bool if version == 3 else c_int
         one, room = (c_double * 1)(1.0), (c_double * max(states, indicators, 1))()
         reference = lambda number: (c_uint32 * 1)(number)
-        flags = [byref(c_bool()) for _ in range(5)]
+        flags = [byref(flag()) for _ in range(5)]
         vector, array = lambda count: (room, COUNT(count)), lambda number: (reference(number), COUNT(1))
+        # Counts of values that are as many as their references.
+        again = (COUNT(1),) if version == 3 else ()
         self.state = c_void_p()
         self.arguments = {
-            "SetDebugLogging": (FLAG(True), COUNT(0), None),
+            "SetDebugLogging": (flag(True), COUNT(0), None),
             "GetFMUState": (byref(self.state),),
-            "EnterInitializationMode": (FLAG(False), NUMBER(0), NUMBER(0), FLAG(False), NUMBER(0)),
-            "GetFloat64": (*array(unknown), (c_double * 1)(), COUNT(1)),
-            "SetFloat64": (*array(known), one, COUNT(1)),
-            "GetDirectionalDerivative": (*array(unknown), *array(known), one, COUNT(1), (c_double * 1)(), COUNT(1)),
-            "UpdateDiscreteStates": (*flags, byref(c_double())),
-            "CompletedIntegratorStep": (FLAG(True), flags[0], flags[1]),
+            "SetupExperiment": (flag(False), NUMBER(0), NUMBER(0), flag(False), NUMBER(0)),
+            "EnterInitializationMode": (flag(False), NUMBER(0), NUMBER(0), flag(False), NUMBER(0)) if version == 3 else (),
+            "GetFloat64": (*array(unknown), (c_double * 1)(), *again),
+            "SetFloat64": (*array(known), one, *again),
+            "GetDirectionalDerivative": (*array(unknown), *array(known), one, *again, (c_double * 1)(), *again),
+            "UpdateDiscreteStates": (*flags, byref(c_double())) if version == 3 else (byref(EventInfo()),),
+            "CompletedIntegratorStep": (flag(True), flags[0], flags[1]),
             "SetTime": (NUMBER(0),),
             "SetContinuousStates": None,
             "GetContinuousStates": vector(states),
@@ -71,7 +111,9 @@ class Numbers:
             "GetNominalsOfContinuousStates": vector(states),
             "GetNumberOfContinuousStates": (byref(c_size_t()),),
             "GetNumberOfEventIndicators": (byref(c_size_t()),),
-            "DoStep": (NUMBER(0), NUMBER(1e-3), FLAG(True), *flags[:3], byref(c_double())),
+            "DoStep": (NUMBER(0), NUMBER(1e-3), flag(True), *((*flags[:3], byref(c_double())) if version == 3 else ())),
+            "GetRealStatus": (c_int(2), byref(c_double())),
+            "GetBooleanStatus": (c_int(3), flags[0]),
         }
         self.room = vector(states)
 
@@ -80,45 +122,85 @@ class Numbers:
         arguments = self.arguments.get(name, ())
         if name == "SetContinuousStates":
             # As they are: any others may be no pose of the mechanism.
-            if library.fmi3GetContinuousStates(instance, *self.room):
+            if self.function(library, "GetContinuousStates")(instance, *self.room):
                 return 3
             arguments = self.room
-        return getattr(library, "fmi3" + name)(instance, *arguments)
+        return self.function(library, name)(instance, *arguments)
+
+    def function(self, library, name):
+        own = NAMES_OF_2.get(name, name) if self.version == 2 else name
+        return getattr(library, f"fmi{self.version}{own}")
+
+
+class Made:
+    """Instances of an FMU, and what they say."""
+
+    def __init__(self, folder, about):
+        self.version = int(about.fmiVersion[0])
+        name = about.coSimulation.modelIdentifier + fmpy.sharedLibraryExtension
+        place = fmpy.platform_tuple if self.version == 3 else fmpy.platform
+        self.library = ctypes.CDLL(os.path.join(folder, "binaries", place, name))
+        self.token = (about.instantiationToken if self.version == 3 else about.guid).encode()
+        self.heard = []
+        self.log = LOG(lambda environment, status, category, message: self.heard.append(message.decode()))
+        self.callbacks = Callbacks(LOG_OF_2(lambda environment, name, *rest: self.heard.append(rest[-1].decode())))
+        functions = ("3InstantiateModelExchange", "3InstantiateCoSimulation") if self.version == 3 else ("2Instantiate",)
+        for function in functions:
+            getattr(self.library, "fmi" + function).restype = c_void_p
+
+    def one(self, interface):
+        no = (c_bool if self.version == 3 else c_int)(False)
+        if self.version == 2:
+            kind = c_int(0 if interface == "ModelExchange" else 1)
+            return c_void_p(self.library.fmi2Instantiate(b"one", kind, self.token, None, byref(self.callbacks), no, no))
+        arguments = (b"one", self.token, None, no, no)
+        if interface == "ModelExchange":
+            return c_void_p(self.library.fmi3InstantiateModelExchange(*arguments, None, self.log))
+        events = c_bool(interface == "CoSimulation with events")
+        return c_void_p(
+            self.library.fmi3InstantiateCoSimulation(*arguments, events, events, None, COUNT(0), None, self.log, None)
+        )
+
+
+def tables(version):
+    """Of every interface: the modes, and what is allowed in each."""
+    exchange = {mode: f"{words} {CONSTANTS} {ALWAYS}".split() for mode, words in EXCHANGE_MODES.items()}
+    with_events = {mode: f"{words} {ALWAYS}".split() for mode, words in CO_SIMULATION_MODES.items()}
+    without = {
+        mode: [call for call in calls if call != "EnterEventMode"] for mode, calls in with_events.items() if mode != "Event"
+    }
+    if version == 3:
+        return {"ModelExchange": exchange, "CoSimulation with events": with_events, "CoSimulation": without}
+    both = {"ModelExchange": exchange, "CoSimulation": without}
+    return {
+        interface: {
+            mode: [call for call in calls if call not in NOT_IN_2] + ADDED_BY_2.get((interface, mode), "").split()
+            for mode, calls in modes.items()
+        }
+        for interface, modes in both.items()
+    }
+
+
+def every(version):
+    """The functions that are tried."""
+    if version == 3:
+        return EVERY
+    added = " ".join(ADDED_BY_2.values()).split()
+    return sorted({*(call for call in EVERY if call not in NOT_IN_2), *added, *ABSENT_IN_2})
 
 
 def check(folder, about, known, unknown, expect):
-    """Calls every function in every mode of both interfaces."""
-    name = about.coSimulation.modelIdentifier + fmpy.sharedLibraryExtension
-    library = ctypes.CDLL(os.path.join(folder, "binaries", fmpy.platform_tuple, name))
-    for name in ("ModelExchange", "CoSimulation"):
-        getattr(library, "fmi3Instantiate" + name).restype = c_void_p
-    heard = []
-    log = LOG(lambda environment, status, category, message: heard.append(message.decode()))
-    token = about.instantiationToken.encode()
+    """Calls every function in every mode of every interface."""
+    made = Made(folder, about)
+    version, library, heard = made.version, made.library, made.heard
     states = sum(variable.derivative is not None for variable in about.modelVariables)
     indicators = sum(variable.name.startswith("indicator(") for variable in about.modelVariables)
-
-    def made(interface):
-        arguments = (b"one", token, None, FLAG(False), FLAG(False))
-        if interface == "ModelExchange":
-            return c_void_p(library.fmi3InstantiateModelExchange(*arguments, None, log))
-        events = FLAG(interface == "CoSimulation with events")
-        return c_void_p(library.fmi3InstantiateCoSimulation(*arguments, events, events, None, COUNT(0), None, log, None))
-
     pairs = 0
-    for interface, modes in (
-        ("ModelExchange", EXCHANGE_MODES),
-        ("CoSimulation with events", CO_SIMULATION_MODES),
-        ("CoSimulation", {mode: words for mode, words in CO_SIMULATION_MODES.items() if mode != "Event"}),
-    ):
-        for mode, words in modes.items():
-            allowed = (ALWAYS + " " + words).split() + (CONSTANTS.split() if interface == "ModelExchange" else [])
-            path = PATHS[mode].split()
-            if interface == "CoSimulation":
-                path = [call for call in path if call != "EnterStepMode"]
-                allowed = [call for call in allowed if call != "EnterEventMode"]
-            for call in EVERY:
-                numbers, instance = Numbers(known, unknown, states, indicators), made(interface)
+    for interface, modes in tables(version).items():
+        for mode, allowed in modes.items():
+            path = [call for call in PATHS[mode].split() if interface == "CoSimulation with events" or call != "EnterStepMode"]
+            for call in every(version):
+                numbers, instance = Numbers(version, known, unknown, states, indicators), made.one(interface)
                 for step in path:
                     if numbers.call(library, instance, step):
                         return expect(False, f"{interface}: {step} on the way to {mode} {heard}")
@@ -128,6 +210,7 @@ def check(folder, about, known, unknown, expect):
                 if (outcome == 0) != (call in allowed) or bool(heard) != (outcome != 0):
                     return expect(False, f"{interface}, {mode}: {call} gives {outcome} {heard}")
                 if numbers.state:
-                    library.fmi3FreeFMUState(instance, byref(numbers.state))
-                library.fmi3FreeInstance(instance)
-    expect(True, f"the modes of FMI, {pairs} pairs of function and mode")
+                    forget = library.fmi3FreeFMUState if version == 3 else library.fmi2FreeFMUstate
+                    forget(instance, byref(numbers.state))
+                (library.fmi3FreeInstance if version == 3 else library.fmi2FreeInstance)(instance)
+    expect(True, f"the modes of FMI {about.fmiVersion}, {pairs} pairs of function and mode")

@@ -1,5 +1,5 @@
-"""Runs the FMU of the press of tests/foreign.rs by fmi-sim, an importer of another family: second.py FMI_SIM FMU ROWS, where the
-rows are the outputs of Rust every 10 ms."""
+"""Runs an FMU of the press of tests/foreign.rs, of FMI 2.0 or 3.0, by fmi-sim, an importer of another family: second.py FMI_SIM FMU
+ROWS, where the rows are the outputs of Rust every 10 ms."""
 
 import csv
 import os

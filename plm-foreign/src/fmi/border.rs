@@ -1,30 +1,39 @@
 //! The functions of FMI on an instance behind a pointer.
 //!
-//! Every function looks at what it is given, gives an error with a log message, and changes nothing then.
+//! Every function looks at what it is given, gives an error with a log message, and changes nothing then. Those of 3.0 stand in this
+//! module and those below; [`two`] has what 2.0 writes otherwise.
 
+mod listener;
 mod states;
+mod steps;
+pub mod two;
+mod values;
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use core::ffi::{CStr, c_char, c_void};
+use core::ffi::{CStr, c_char};
 use core::{fmt, slice};
 
-use plm_runtime::{System, Vector};
+use plm_runtime::Cause;
 
+pub use self::listener::{Listener, Log, Log2};
 pub use self::states::{deserialize, forget, restore, save, serialize, serialized_size};
+pub use self::steps::{complete, do_step, update};
+pub use self::values::{Given, count, get, get_integers, give, set, set_integers, set_states, tangents};
 pub use crate::border::put;
 
+use super::method::NoMethod;
 use super::mode::NotAllowed;
-use super::{Call, Exchanged, Instance, Interface, Update, Variable, token};
-use crate::{Status, Text, Trouble};
+use super::{Call, Exchanged, Instance, Interface, Mode, Steps, Version, token};
+use crate::{Status, Trouble};
 
-/// `fmi3Status`
+use self::listener::Severity;
+
+/// `fmi3Status`, `fmi2Status`
 pub type Outcome = i32;
 const OK: Outcome = 0;
+const DISCARD: Outcome = 2;
 const ERROR: Outcome = 3;
-
-/// `fmi3LogMessageCallback`
-pub type Log = Option<unsafe extern "C" fn(*mut c_void, Outcome, *const c_char, *const c_char)>;
 
 /// What a simulator is given as an instance.
 #[repr(C)]
@@ -34,50 +43,31 @@ pub struct Handle<M: Exchanged> {
     instance: Instance<M>,
     /// Steps of co-simulation may return at events.
     returns_early: bool,
-    /// Messages are wanted.
-    is_heard: bool,
-    log: Log,
-    environment: *mut c_void,
+    listener: Listener,
 }
-
-impl<M: Exchanged> Handle<M> {
-    /// Tells the simulator what is wrong.
-    fn tell(&self, what: impl fmt::Display) {
-        if let Some(log) = self.log.filter(|_| self.is_heard) {
-            // SAFETY: the simulator gave both.
-            unsafe { log(self.environment, ERROR, CATEGORY.as_ptr(), Text::of(what).as_ptr()) };
-        }
-    }
-}
-
-/// The one category of messages.
-const CATEGORY: &CStr = c"logStatusError";
 
 const MARK: u64 = 0x706c_6d5f_666d_6933;
 
 /// Makes an instance; null where the token is that of another FMU.
 ///
 /// # Safety
-/// `own` is null or a text that ends with a zero; `log` may be called with `environment`.
+/// `own` is null or a text that ends with a zero; `listener` may be called.
 pub unsafe fn instantiate<M: Exchanged>(
-    declared: M,
+    (declared, steps): (M, Steps<M>),
     own: *const c_char,
     (interface, returns_early): (Interface, bool),
-    (log, environment): (Log, *mut c_void),
+    listener: Listener,
 ) -> *mut Handle<M> {
     // SAFETY: the caller's part.
     let is_own =
         !own.is_null() && unsafe { CStr::from_ptr(own) }.to_bytes() == token::<M>().as_str().as_bytes();
     if !is_own {
-        let text = Text::of("the instantiation token is that of another FMU");
-        if let Some(log) = log {
-            // SAFETY: the caller's part.
-            unsafe { log(environment, ERROR, CATEGORY.as_ptr(), text.as_ptr()) };
-        }
+        // SAFETY: the caller's part.
+        unsafe { listener.tell(Severity::Error, "the instantiation token is that of another FMU") };
         return core::ptr::null_mut();
     }
-    let instance = Instance::new(declared, interface);
-    let handle = Handle { mark: MARK, instance, returns_early, is_heard: true, log, environment };
+    let instance = Instance::with_steps(declared, steps, interface);
+    let handle = Handle { mark: MARK, instance, returns_early, listener };
     Box::into_raw(Box::new(handle))
 }
 
@@ -90,6 +80,32 @@ pub unsafe fn free<M: Exchanged>(handle: *mut Handle<M>) {
         // SAFETY: the caller's part.
         drop(unsafe { Box::from_raw(handle) });
     }
+}
+
+/// Why a function did nothing.
+trait Reason: fmt::Display {
+    /// May another state do where a solver outside has led to this one?
+    fn is_of_state(&self) -> bool {
+        false
+    }
+}
+
+impl Reason for Trouble {
+    /// Not where the mechanism has no coordinates, or no memory.
+    fn is_of_state(&self) -> bool {
+        let Self::Fault(fault) = self else { return false };
+        !matches!(fault.cause, Cause::NotRegular | Cause::Workspace { .. } | Cause::NotAllowed { .. })
+    }
+}
+
+impl Reason for NoMethod {}
+
+/// A solver outside may have gone too far: a shorter step leads to other states. In 2.0 a completed step cannot be discarded (2.1.3);
+/// what was asked for at its end is before.
+fn severity(reason: &impl Reason, version: Version, call: Option<Call>, mode: Mode) -> Severity {
+    let is_final = version == Version::Two && call == Some(Call::CompletedIntegratorStep);
+    let is_discarded = mode == Mode::ContinuousTime && !is_final && reason.is_of_state();
+    if is_discarded { Severity::Discard } else { Severity::Error }
 }
 
 /// Lets `work` at an instance; a function for some modes alone is told by `call`.
@@ -109,10 +125,10 @@ pub unsafe fn with<M: Exchanged>(
 ///
 /// # Safety
 /// As of [`with`].
-unsafe fn opened<M: Exchanged>(
+unsafe fn opened<M: Exchanged, R: Reason>(
     handle: *mut Handle<M>,
     call: Option<Call>,
-    work: impl FnOnce(&mut Handle<M>) -> Result<(), Trouble>,
+    work: impl FnOnce(&mut Handle<M>) -> Result<(), R>,
 ) -> Outcome {
     // SAFETY: it is not null, and aligned; the mark is its first field.
     if handle.is_null() || !handle.is_aligned() || unsafe { handle.cast::<u64>().read() } != MARK {
@@ -121,15 +137,20 @@ unsafe fn opened<M: Exchanged>(
     // SAFETY: the mark is written by `instantiate` alone, with all the rest.
     let handle = unsafe { &mut *handle };
     let Instance { interface, mode, .. } = handle.instance;
-    if let Some(call) = call.filter(|call| !call.is_allowed(interface, mode)) {
-        handle.tell(NotAllowed(call, interface, mode));
+    let version = handle.listener.version();
+    if let Some(call) = call.filter(|call| !call.is_allowed(version, interface, mode)) {
+        let words = NotAllowed(version, call, interface, mode);
+        // SAFETY: the simulator gave the listener.
+        unsafe { handle.listener.tell(Severity::Error, words) };
         return ERROR;
     }
     match work(handle) {
         Ok(()) => call.into_iter().for_each(|call| handle.instance.pass(call)),
-        Err(trouble) => {
-            handle.tell(trouble);
-            return ERROR;
+        Err(reason) => {
+            let severity = severity(&reason, version, call, mode);
+            // SAFETY: the simulator gave the listener.
+            unsafe { handle.listener.tell(severity, reason) };
+            return severity.outcome();
         }
     }
     OK
@@ -141,8 +162,10 @@ unsafe fn opened<M: Exchanged>(
 /// As of [`with`].
 pub unsafe fn absent<M: Exchanged>(handle: *mut Handle<M>, name: &str) -> Outcome {
     let work = |handle: &mut Handle<M>| {
-        handle.tell(format_args!("{name}: this FMU has nothing of that kind"));
-        Ok(())
+        let words = format_args!("{name}: this FMU has nothing of that kind");
+        // SAFETY: the simulator gave the listener.
+        unsafe { handle.listener.tell(Severity::Error, words) };
+        Ok::<_, Trouble>(())
     };
     // SAFETY: the caller's part.
     unsafe { opened(handle, None, work) };
@@ -161,14 +184,14 @@ pub unsafe fn hear<M: Exchanged>(
     let work = |handle: &mut Handle<M>| {
         // SAFETY: the caller's part.
         let named = unsafe { read(categories, count)? };
+        let mut all = Vec::new();
         for name in named {
             // SAFETY: the caller's part.
-            if name.is_null() || unsafe { CStr::from_ptr(*name) } != CATEGORY {
-                return Err(Status::NoSuch.into());
-            }
+            let own = (!name.is_null()).then(|| unsafe { CStr::from_ptr(*name) }).and_then(Severity::of);
+            all.push(own.ok_or(Status::NoSuch)?);
         }
-        handle.is_heard = is_heard;
-        Ok(())
+        handle.listener.hear(is_heard, if all.is_empty() { &Severity::ALL } else { &all });
+        Ok::<_, Trouble>(())
     };
     // SAFETY: the caller's part.
     unsafe { opened(handle, None, work) }
@@ -192,7 +215,7 @@ unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Trouble> {
 ///
 /// # Safety
 /// `at` is null or at room of the caller for `count` numbers.
-unsafe fn fill((at, count): (*mut f64, usize), values: &[f64]) -> Result<(), Trouble> {
+unsafe fn fill<T: Copy>((at, count): (*mut T, usize), values: &[T]) -> Result<(), Trouble> {
     if count != values.len() {
         return Err(Status::NoSuch.into());
     }
@@ -201,186 +224,4 @@ unsafe fn fill((at, count): (*mut f64, usize), values: &[f64]) -> Result<(), Tro
         unsafe { put(if at.is_null() { at } else { at.add(index) }, *value)? };
     }
     Ok(())
-}
-
-/// The variables of value references.
-///
-/// # Safety
-/// As of [`read`].
-unsafe fn variables<M: Exchanged>(
-    of: &Instance<M>,
-    (at, count): (*const u32, usize),
-) -> Result<Vec<Variable>, Trouble> {
-    // SAFETY: the caller's part.
-    let references = unsafe { read(at, count)? };
-    let found = references.iter().map(|reference| Variable::of(of.declared(), *reference));
-    found.map(|found| found.ok_or(Status::NoSuch.into())).collect()
-}
-
-/// `fmi3GetFloat64`
-///
-/// # Safety
-/// As of [`with`]; the arrays are null or the caller's.
-pub unsafe fn get<M: Exchanged>(
-    handle: *mut Handle<M>,
-    references: (*const u32, usize),
-    values: (*mut f64, usize),
-) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        // SAFETY: the caller's part.
-        let wanted = unsafe { variables(instance, references)? };
-        let found: Result<Vec<f64>, _> = wanted.into_iter().map(|variable| instance.get(variable)).collect();
-        // SAFETY: the caller's part.
-        unsafe { fill(values, &found?) }
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, Call::Get, work) }
-}
-
-/// `fmi3SetFloat64`; where one of several is refused, none is set.
-///
-/// # Safety
-/// As of [`get`].
-pub unsafe fn set<M: Exchanged>(
-    handle: *mut Handle<M>,
-    references: (*const u32, usize),
-    values: (*const f64, usize),
-) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        // SAFETY: the caller's part.
-        let (wanted, values) = unsafe { (variables(instance, references)?, read(values.0, values.1)?) };
-        if wanted.len() != values.len() {
-            return Err(Status::NoSuch.into());
-        }
-        let mut changed = instance.clone();
-        for (value, variable) in values.iter().zip(wanted) {
-            changed.set(variable, *value)?;
-        }
-        *instance = changed;
-        Ok(())
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, Call::Set, work) }
-}
-
-/// `fmi3GetDirectionalDerivative`
-///
-/// # Safety
-/// As of [`get`].
-pub unsafe fn tangents<M: Exchanged>(
-    handle: *mut Handle<M>,
-    (unknowns, knowns): ((*const u32, usize), (*const u32, usize)),
-    seeds: (*const f64, usize),
-    tangents: (*mut f64, usize),
-) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        // SAFETY: the caller's part.
-        let (unknowns, knowns) = unsafe { (variables(instance, unknowns)?, variables(instance, knowns)?) };
-        // SAFETY: the caller's part.
-        let seeds = unsafe { read(seeds.0, seeds.1)? };
-        if seeds.len() != knowns.len() {
-            return Err(Status::NoSuch.into());
-        }
-        let knowns: Vec<_> = knowns.into_iter().zip(seeds.iter().copied()).collect();
-        let found = instance.tangents(&knowns, &unknowns)?;
-        // SAFETY: the caller's part.
-        unsafe { fill(tangents, &found) }
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, Call::GetDirectionalDerivative, work) }
-}
-
-/// A vector of the mechanism into room of the caller.
-///
-/// # Safety
-/// As of [`get`].
-pub unsafe fn give<M: Exchanged, X: Vector<f64>>(
-    handle: *mut Handle<M>,
-    call: Call,
-    room: (*mut f64, usize),
-    vector: impl FnOnce(&Instance<M>) -> Result<X, Trouble>,
-) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        instance.renew()?;
-        let vector = vector(instance)?;
-        let numbers: Vec<f64> = (0..X::LEN).map(|index| vector.at(index)).collect();
-        // SAFETY: the caller's part.
-        unsafe { fill(room, &numbers) }
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, call, work) }
-}
-
-/// `fmi3SetContinuousStates`
-///
-/// # Safety
-/// As of [`get`].
-pub unsafe fn set_states<M: Exchanged>(handle: *mut Handle<M>, (at, count): (*const f64, usize)) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        // SAFETY: the caller's part.
-        let states = unsafe { read(at, count)? };
-        if states.len() != <M as System>::X::LEN {
-            return Err(Status::NoSuch.into());
-        }
-        let x = <M as System>::X::from_fn(|index| states.get(index).copied().unwrap_or_default());
-        instance.place(None, Some(x))
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, Call::SetContinuousStates, work) }
-}
-
-/// `fmi3UpdateDiscreteStates`; `flags`: more updates are needed, the simulation ends, nominals changed, states changed, a time
-/// is known.
-///
-/// # Safety
-/// As of [`with`]; the pointers are null or the caller's.
-pub unsafe fn update<M: Exchanged>(handle: *mut Handle<M>, flags: [*mut bool; 5], next: *mut f64) -> Outcome {
-    let work = |instance: &mut Instance<M>| {
-        if flags.contains(&core::ptr::null_mut()) || next.is_null() {
-            return Err(Status::Null.into());
-        }
-        let Update { states_changed, next: time } = instance.update()?;
-        let values = [false, false, states_changed, states_changed, time.is_some()];
-        for (flag, value) in flags.into_iter().zip(values) {
-            // SAFETY: the caller's part.
-            unsafe { put(flag, value)? };
-        }
-        // SAFETY: the caller's part.
-        unsafe { put(next, time.unwrap_or_default()) }
-    };
-    // SAFETY: the caller's part.
-    unsafe { with(handle, Call::UpdateDiscreteStates, work) }
-}
-
-/// `fmi3DoStep`; `flags`: an event is to be handled, the simulation ends, it returned early.
-///
-/// # Safety
-/// As of [`update`].
-pub unsafe fn do_step<M: Exchanged>(
-    handle: *mut Handle<M>,
-    (from, length): (f64, f64),
-    flags: [*mut bool; 3],
-    last: *mut f64,
-) -> Outcome {
-    let work = |handle: &mut Handle<M>| {
-        if flags.contains(&core::ptr::null_mut()) || last.is_null() {
-            return Err(Status::Null.into());
-        }
-        let instance = &mut handle.instance;
-        let now = instance.get(Variable::Time)?;
-        // The simulator adds up its own times.
-        let agrees = (from - now).abs() <= 1e-9 * length.abs().max(now.abs()).max(1e-9);
-        if !agrees {
-            return Err(Status::Interval.into());
-        }
-        let event = instance.step_to(from + length, handle.returns_early)?;
-        for (flag, value) in flags.into_iter().zip([event, false, event]) {
-            // SAFETY: the caller's part.
-            unsafe { put(flag, value)? };
-        }
-        // SAFETY: the caller's part.
-        unsafe { put(last, instance.get(Variable::Time)?) }
-    };
-    // SAFETY: the caller's part.
-    unsafe { opened(handle, Some(Call::DoStep), work) }
 }

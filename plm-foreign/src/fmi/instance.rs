@@ -4,8 +4,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use plm_runtime::words::{InWords, Words};
-use plm_runtime::{Cause, Fault, Method, Moment, Seen, Sim, Vector};
+use plm_runtime::{Moment, Vector};
 
+use super::exchange::Look;
+use super::method::{Choice, NoMethod, Settings, Steps, Way, emitted, first_event, run};
 use super::sides::LeftOver;
 use super::{Call, Exchanged, Interface, Mode, Variable, tangent};
 use crate::{Kind, Object, Status, Trouble, saved};
@@ -17,57 +19,70 @@ pub struct Instance<M: Exchanged> {
     declared: M,
     pub(super) interface: Interface,
     pub(super) mode: Mode,
-    object: Object<M>,
+    pub(super) object: Object<M>,
+    /// The steps that the declaration has emitted.
+    steps: Steps<M>,
+    settings: Settings,
     /// Inputs as set before the start.
     inputs: Vec<Option<f64>>,
     start_time: f64,
     /// Something was set since the mechanism was assembled.
     is_stale: bool,
     /// The next time at which conditions on it change, s.
-    instant: Option<f64>,
-    left_over: LeftOver<M::G>,
-}
-
-/// What an event has led to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Update {
-    /// Continuous states have other values, and may mean other coordinates.
-    pub states_changed: bool,
-    /// The next time at which conditions on it change, s.
-    pub next: Option<f64>,
+    pub(super) instant: Option<f64>,
+    pub(super) left_over: LeftOver<M::G>,
+    /// Of model exchange; none before the start.
+    pub(super) look: Option<Look<M::X>>,
 }
 
 impl<M: Exchanged> Instance<M> {
-    /// A mechanism that is not started.
+    /// A mechanism that is not started, without emitted steps.
     pub fn new(declared: M, interface: Interface) -> Self {
+        Self::with_steps(declared, Steps::none(), interface)
+    }
+
+    /// A mechanism that is not started.
+    pub fn with_steps(declared: M, steps: Steps<M>, interface: Interface) -> Self {
         Self {
             declared,
             interface,
             mode: Mode::Instantiated,
             object: Object::new(declared),
+            steps,
+            settings: Settings::usual::<M>(),
             inputs: vec![None; M::TABLES.inputs.len()],
             start_time: 0.0,
             is_stale: true,
             instant: None,
             left_over: LeftOver::none(),
+            look: None,
         }
     }
 
     /// As it was made.
     pub fn reset(&mut self) {
-        *self = Self::new(self.declared, self.interface);
+        *self = Self::with_steps(self.declared, self.steps, self.interface);
     }
 
-    /// It will start at this time, s.
+    /// It will start at this time, s; a relative tolerance is that of the methods with error control.
     ///
     /// # Errors
-    /// [`Status::NotFinite`]
-    pub fn begin_at(&mut self, time: f64) -> Result<(), Trouble> {
+    /// [`Status::NotFinite`]; [`Status::Choice`]: the tolerance is not above 0, or above 0.1.
+    pub fn begin_at(&mut self, time: f64, tolerance: Option<f64>) -> Result<(), Trouble> {
         if !time.is_finite() {
             return Err(Status::NotFinite.into());
         }
+        if let Some(tolerance) = tolerance {
+            self.object.set_tolerance(tolerance)?;
+            self.settings.tolerance = tolerance;
+        }
         (self.start_time, self.is_stale) = (time, true);
         Ok(())
+    }
+
+    /// The mode that it is in.
+    pub fn mode(&self) -> Mode {
+        self.mode
     }
 
     /// Is it past its initialisation?
@@ -97,7 +112,7 @@ impl<M: Exchanged> Instance<M> {
         // Sides of conditions may depend on inputs.
         self.object.start_at(self.start_time)?;
         self.is_stale = false;
-        Ok(())
+        self.looked()
     }
 
     /// Sets a variable.
@@ -116,6 +131,12 @@ impl<M: Exchanged> Instance<M> {
                 x.set(index, value);
                 self.place(None, Some(x))
             }
+            Variable::Step if !is_running && value > 0.0 && value.is_finite() => {
+                self.settings.step = value;
+                Ok(())
+            }
+            Variable::Step if !is_running => Err(Status::Choice.into()),
+            Variable::Method => Err(Status::NoSuch.into()),
             Variable::Input(index) if is_running => self.object.set(Kind::Input, index, value),
             Variable::Input(_) if !value.is_finite() => Err(Status::NotFinite.into()),
             Variable::Input(index) => {
@@ -134,14 +155,19 @@ impl<M: Exchanged> Instance<M> {
         match variable {
             Variable::Parameter(index) => return self.object.get(Kind::Parameter, index),
             Variable::Start(index) => return self.object.get(Kind::Start, index),
+            Variable::Step => return Ok(self.settings.step),
+            Variable::Method => return Err(Status::NoSuch.into()),
             _ => self.renew()?,
         }
         match variable {
             Variable::Input(index) => self.object.get(Kind::Input, index),
-            Variable::Output(index) => self.object.get(Kind::Output, index),
+            Variable::Output(index) => {
+                self.catch_up()?;
+                self.object.get(Kind::Output, index)
+            }
             Variable::State(index) => Ok(self.state()?.x().at(index)),
             Variable::Rate(index) => Ok(self.rates()?.at(index)),
-            Variable::Indicator(index) => Ok(self.indicators()?.at(index)),
+            Variable::Indicator(index) => self.indicators()?.get(index).copied().ok_or(Status::NoSuch.into()),
             _ => self.object.time(),
         }
     }
@@ -154,32 +180,6 @@ impl<M: Exchanged> Instance<M> {
         Ok(self.object.sim()?.state())
     }
 
-    /// The rates of the states.
-    ///
-    /// # Errors
-    /// When they are not determined.
-    pub fn rates(&self) -> Result<M::X, Trouble> {
-        let state = self.state()?;
-        let (mechanism, held) = (state.mechanism(), state.held());
-        let mut rates = *state.x();
-        if !mechanism.is_regular(&held) {
-            return Err(Fault::new(state.time(), Cause::NotRegular).into());
-        }
-        if !mechanism.rate(state.time(), &held, state.x(), &mut rates).is_good() {
-            mechanism.rate_by_rank(state.time(), &held, state.x(), &mut rates)?;
-        }
-        Ok(rates)
-    }
-
-    /// How far conditions are from where they switch; negative beyond.
-    ///
-    /// # Errors
-    /// [`Status::NotStarted`]
-    pub fn indicators(&self) -> Result<M::G, Trouble> {
-        let state = self.state()?;
-        Ok(self.left_over.indicators(state.mechanism(), state.time(), &state.held(), state.x()))
-    }
-
     /// Derivatives along seeds.
     ///
     /// # Errors
@@ -190,103 +190,52 @@ impl<M: Exchanged> Instance<M> {
         unknowns: &[Variable],
     ) -> Result<Vec<f64>, Trouble> {
         self.renew()?;
+        self.catch_up()?;
         tangent::along::<M>(self.state()?, knowns, unknowns)
     }
 
-    /// A solver has moved on: to a time, or to another state.
-    ///
-    /// # Errors
-    /// [`Status::NotFinite`]
-    pub fn place(&mut self, time: Option<f64>, x: Option<M::X>) -> Result<(), Trouble> {
-        if !(time.is_none_or(f64::is_finite) && x.is_none_or(|x| x.is_finite())) {
-            return Err(Status::NotFinite.into());
-        }
-        let state = self.state()?;
-        let (held, time) = (state.held(), time.unwrap_or(state.time()));
-        self.hold(held, time, x.unwrap_or(*state.x()))
+    /// The method of co-simulation.
+    pub fn method(&self) -> Choice {
+        self.settings.choice
     }
 
-    fn hold(&mut self, held: M::U, time: f64, x: M::X) -> Result<(), Trouble> {
-        let sim = self.object.sim_mut()?;
-        let mechanism = *sim.state().mechanism();
-        **sim = M::State::new(mechanism, held, time, x);
+    /// Takes a method by its number.
+    ///
+    /// # Errors
+    /// It runs already; no such method, or one whose step the declaration has not emitted.
+    pub fn set_method(&mut self, number: i64) -> Result<(), NoMethod> {
+        let choice =
+            Choice::of(number).filter(|choice| !self.is_running() && self.steps.way(*choice).is_some());
+        self.settings.choice = choice.ok_or(NoMethod { number, is_running: self.is_running() })?;
         Ok(())
     }
 
-    /// A solver has made a step: looks at charts and branches of loops. True where an event is to follow, because states
-    /// will change.
-    ///
-    /// # Errors
-    /// When the state cannot be the continuation of the one before.
-    pub fn accept(&mut self) -> Result<bool, Trouble> {
-        let sim = self.object.sim()?;
-        let state = sim.state();
-        let (mechanism, time, mut held, mut x) = (state.mechanism(), state.time(), state.held(), *state.x());
-        let accepted = mechanism.accept(time, &mut held, &mut x)?;
-        let (drift, limit) = (mechanism.drift(time, &x), sim.method().drift_limit(mechanism));
-        let mut left_over = self.left_over;
-        left_over.forget(mechanism, time, &held, &x);
-        if accepted.moved || drift.phi > limit.phi || drift.phi_dot > limit.phi_dot || differs(&x, state.x())
-        {
-            return Ok(true);
-        }
-        self.hold(held, time, x)?;
-        self.left_over = left_over;
-        Ok(false)
-    }
-
-    /// An event of model exchange: parameters that were changed, charts, known times, conditions. In co-simulation steps see to
-    /// all that.
-    ///
-    /// # Errors
-    /// A requirement that does not hold, a jump, or parameters that cannot be.
-    pub fn update(&mut self) -> Result<Update, Trouble> {
-        if self.interface != Interface::ModelExchange {
-            return Ok(Update { states_changed: false, next: None });
-        }
-        let before = *self.state()?.x();
-        self.object.sim_mut()?.settle()?;
-        let state = self.state()?;
-        let (mechanism, time, mut held, mut x) = (*state.mechanism(), state.time(), state.held(), *state.x());
-        mechanism.accept(time, &mut held, &mut x)?;
-        let sides = held;
-        if self.instant.is_some_and(|instant| time >= instant) {
-            mechanism.pass(time, &mut held);
-        }
-        let mut left_over = self.left_over;
-        left_over.switch(&mechanism, time, &mut held, &x)?;
-        if let Some(fault) = mechanism.jump(time, &sides, &x, Some(&held)) {
-            return Err(fault.into());
-        }
-        self.hold(held, time, x)?;
-        self.left_over = left_over;
-        self.instant = mechanism.next_instant(time, &held).filter(|instant| *instant > time);
-        Ok(Update { states_changed: differs(&before, &x), next: self.instant })
-    }
-
-    /// Runs until a time, s; where that is asked for to the first event before it alone, and gives whether there was one.
+    /// Runs until a time, s; where that is asked for to the first event before it alone, and gives whether there was one. Emitted steps
+    /// know of no event.
     ///
     /// # Errors
     /// As [`Object::step_to`]; the run is then as it was.
     pub fn step_to(&mut self, until: f64, to_event: bool) -> Result<bool, Trouble> {
-        if !to_event {
-            return self.object.step_to(until).map(|()| false);
-        }
-        let (now, mut ahead) = (self.object.time()?, *self.object.sim()?);
-        if until.partial_cmp(&now) != Some(core::cmp::Ordering::Greater) {
-            return self.object.step_to(until).map(|()| false);
-        }
-        let mut event = None;
-        let outcome = Sim::watch(&mut ahead, until, until - now, |seen| {
-            if let Seen::Switched(state) = seen {
-                event = event.or(Some(state.time()).filter(|time| *time > now && *time < until));
+        let now = self.object.time()?;
+        let goes = until > now && until.is_finite();
+        let way = self.steps.way(self.settings.choice).filter(|_| goes);
+        let (state, event) = match way {
+            None | Some(Way::Run(Choice::Dop853)) => {
+                let event = if goes && to_event { first_event(self.object.sim()?, until)? } else { None };
+                return self.object.step_to(event.unwrap_or(until)).map(|()| event.is_some());
             }
-        });
-        if let Some(time) = event {
-            return self.object.step_to(time).map(|()| true);
-        }
-        outcome?;
-        self.object.step_to(until).map(|()| false)
+            Some(way) => {
+                // Takes parameters that were changed.
+                self.object.step_to(now)?;
+                let (state, step) = (*self.state()?, self.settings.step);
+                match way {
+                    Way::Run(_) => run::<M>(self.settings, state, (until, to_event))?,
+                    Way::Emitted(one) => (emitted::<M>(one, step, (state, until))?, false),
+                }
+            }
+        };
+        self.hold(state.held(), state.time(), *state.x())?;
+        Ok(event)
     }
 
     /// Bytes of it, saved.
@@ -307,7 +256,7 @@ impl<M: Exchanged> Instance<M> {
     /// # Errors
     /// As [`Object::saved`].
     pub fn saved(&self, bytes: &[u8]) -> Result<Self, Trouble> {
-        let mut saved = Self::new(self.declared, self.interface);
+        let mut saved = Self::with_steps(self.declared, self.steps, self.interface);
         saved.object = Object::to_be_read(self.declared);
         saved::read::<M>(&mut saved, bytes)?;
         self.is_like(&saved).map(|()| saved)
@@ -333,6 +282,7 @@ impl<M: Exchanged> InWords for Instance<M> {
         self.interface.each(words);
         self.mode.each(words);
         self.object.each(words);
+        self.settings.each(words);
         for input in &mut self.inputs {
             words.perhaps(input, 0.0, Words::number);
         }
@@ -340,9 +290,10 @@ impl<M: Exchanged> InWords for Instance<M> {
         words.flag(&mut self.is_stale);
         words.perhaps(&mut self.instant, 0.0, Words::number);
         self.left_over.each(words);
+        words.perhaps(&mut self.look, Look::nowhere(), Look::each);
     }
 }
 
-fn differs<X: Vector<f64>>(one: &X, other: &X) -> bool {
+pub(super) fn differs<X: Vector<f64>>(one: &X, other: &X) -> bool {
     (0..X::LEN).any(|index| one.at(index).to_bits() != other.at(index).to_bits())
 }

@@ -1,11 +1,14 @@
 //! Which functions may be called when: the states of an FMU.
 //!
-//! FMI 3.0.2, sections 2.3 (states in common), 3.2 (model exchange), 4.2 (co-simulation): "Allowed Function Calls".
+//! FMI 3.0.2, sections 2.3 (states in common), 3.2 (model exchange), 4.2 (co-simulation): "Allowed Function Calls"; FMI 2.0.5,
+//! sections 3.2.3 and 4.2.4. The protocol is that of 3.0; what 2.0 allows beyond it stands in [`Call::also_in_two`].
 
 use core::fmt;
 
 use plm_runtime::words::{InWords, Words};
 
+use super::Version;
+use super::version::Function;
 use Mode::{ContinuousTime, Event, Initialization, Instantiated, Step, Terminated};
 
 /// What an FMU is instantiated for.
@@ -50,6 +53,8 @@ impl Mode {
 /// A function that is not allowed in every mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Call {
+    /// `fmi2SetupExperiment`, of 2.0 alone; in 3.0 its arguments are those of the next one.
+    SetupExperiment,
     /// `fmi3EnterInitializationMode`
     EnterInitializationMode,
     /// `fmi3ExitInitializationMode`
@@ -62,9 +67,9 @@ pub enum Call {
     EnterStepMode,
     /// `fmi3Terminate`
     Terminate,
-    /// `fmi3GetFloat64`
+    /// `fmi3GetFloat64`, `fmi3GetInt64`
     Get,
-    /// `fmi3SetFloat64`
+    /// `fmi3SetFloat64`, `fmi3SetInt64`
     Set,
     /// `fmi3GetDirectionalDerivative`
     GetDirectionalDerivative,
@@ -90,6 +95,8 @@ pub enum Call {
     GetNumberOfEventIndicators,
     /// `fmi3DoStep`
     DoStep,
+    /// `fmi2GetRealStatus` and others of 2.0 alone.
+    GetStatus,
 }
 
 impl Call {
@@ -97,7 +104,7 @@ impl Call {
     fn modes(self) -> (&'static [Mode], Option<bool>) {
         let (exchange, co_simulation) = (Some(true), Some(false));
         match self {
-            Self::EnterInitializationMode => (&[Instantiated], None),
+            Self::SetupExperiment | Self::EnterInitializationMode => (&[Instantiated], None),
             Self::ExitInitializationMode => (&[Initialization], None),
             Self::EnterEventMode => (&[ContinuousTime, Step], None),
             Self::EnterContinuousTimeMode => (&[Event], exchange),
@@ -117,15 +124,26 @@ impl Call {
             // Constants of the FMU; the standard lists them where they could have changed.
             Self::GetNumberOfContinuousStates | Self::GetNumberOfEventIndicators => (&Mode::ALL, exchange),
             Self::DoStep => (&[Step], co_simulation),
+            Self::GetStatus => (&[Step, Terminated], co_simulation),
+        }
+    }
+
+    /// The modes in which 2.0 allows it, and 3.0 does not.
+    fn also_in_two(self) -> &'static [Mode] {
+        match self {
+            Self::EnterEventMode => &[Event],
+            Self::GetNominalsOfContinuousStates => &[Instantiated],
+            _ => &[],
         }
     }
 
     /// May it be called?
-    pub fn is_allowed(self, interface: Interface, mode: Mode) -> bool {
+    pub fn is_allowed(self, version: Version, interface: Interface, mode: Mode) -> bool {
         let (modes, exchange) = self.modes();
+        let is_in_two = version == Version::Two && self.also_in_two().contains(&mode);
         let has_events = interface != Interface::CoSimulation { has_events: false };
         let fits = exchange.is_none_or(|exchange| exchange == (interface == Interface::ModelExchange));
-        fits && modes.contains(&mode) && (has_events || self != Self::EnterEventMode)
+        fits && (modes.contains(&mode) || is_in_two) && (has_events || self != Self::EnterEventMode)
     }
 
     /// The mode after it.
@@ -144,30 +162,20 @@ impl Call {
     }
 }
 
-/// The name of the function.
-impl fmt::Display for Call {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Get => f.write_str("fmi3GetFloat64"),
-            Self::Set => f.write_str("fmi3SetFloat64"),
-            call => write!(f, "fmi3{call:?}"),
-        }
-    }
-}
-
 /// A call that is not allowed, in words.
-pub(super) struct NotAllowed(pub(super) Call, pub(super) Interface, pub(super) Mode);
+pub(super) struct NotAllowed(pub(super) Version, pub(super) Call, pub(super) Interface, pub(super) Mode);
 
 impl fmt::Display for NotAllowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(call, interface, mode) = *self;
+        let Self(version, call, interface, mode) = *self;
         let name = match interface {
             Interface::ModelExchange => "model exchange",
             Interface::CoSimulation { has_events: true } => "co-simulation with event mode",
             Interface::CoSimulation { has_events: false } => "co-simulation without event mode",
         };
-        write!(f, "{call} is not allowed in the mode {mode:?} of {name}; it is allowed in")?;
-        let allowed = Mode::ALL.into_iter().filter(|mode| call.is_allowed(interface, *mode));
+        let function = Function(version, call);
+        write!(f, "{function} is not allowed in the mode {mode:?} of {name}; it is allowed in")?;
+        let allowed = Mode::ALL.into_iter().filter(|mode| call.is_allowed(version, interface, *mode));
         let reached = allowed.filter(|mode| mode.is_of(interface));
         let count =
             reached.map(|mode| write!(f, " {mode:?}")).try_fold(0, |count, done| done.map(|()| count + 1))?;
@@ -188,7 +196,7 @@ impl Mode {
 }
 
 /// Its place among all; what is none stays as it is.
-fn place<T: Copy + PartialEq>(own: &mut T, all: &[T], words: &mut impl Words) {
+pub(super) fn place<T: Copy + PartialEq>(own: &mut T, all: &[T], words: &mut impl Words) {
     let mut place = all.iter().position(|one| one == own).unwrap_or_default() as u64;
     words.word(&mut place);
     *own = usize::try_from(place).ok().and_then(|place| all.get(place)).copied().unwrap_or(*own);

@@ -6,6 +6,8 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
+use plm_runtime::{System, Vector};
+
 use super::{Exchanged, Variable};
 use crate::Kind;
 
@@ -31,8 +33,8 @@ fn rank(variable: Variable) -> usize {
         Variable::Parameter(_) => 0,
         Variable::Input(_) => 1,
         Variable::Output(_) => 2,
-        Variable::Start(_) | Variable::State(_) | Variable::Rate(_) | Variable::Indicator(_) => 3,
         Variable::Time => 4,
+        _ => 3,
     }
 }
 
@@ -46,7 +48,13 @@ fn candidates<M: Exchanged>(declared: &M, variable: Variable) -> Vec<String> {
         Variable::Rate(k) => {
             return vec![format!("der({})", numbered("state", k, declared.name_of_state(k)))];
         }
-        Variable::Indicator(k) => return vec![numbered("indicator", k, declared.guard_name(k))],
+        Variable::Indicator(k) if k < <M as System>::G::LEN => {
+            return vec![numbered("indicator", k, declared.guard_name(k))];
+        }
+        Variable::Indicator(k) => return vec![numbered("indicator", k, "loops")],
+        // No name of a declaration has words in brackets.
+        Variable::Method => return vec!["plm(method)".to_string()],
+        Variable::Step => return vec!["plm(step)".to_string()],
         Variable::Parameter(k) => (Kind::Parameter, "parameter", k),
         Variable::Input(k) => (Kind::Input, "input", k),
         Variable::Output(k) => (Kind::Output, "output", k),

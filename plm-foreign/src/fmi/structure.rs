@@ -9,34 +9,54 @@ use plm_runtime::described::{Motion, Reads};
 use plm_runtime::{System, Vector};
 
 use super::description::output;
-use super::{Exchanged, Variable};
+use super::{Exchanged, Variable, Version};
 
-/// Writes which variables are outputs, derivatives, and known at the start.
-pub(super) fn structure<M: Exchanged>(declared: &M, to: &mut impl Write) -> fmt::Result {
+/// Writes which variables are outputs, derivatives, and known at the start. In 2.0 each of these is a list, whose variables are
+/// counted from 1.
+pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut impl Write) -> fmt::Result {
     let all: Vec<Variable> = Variable::all(declared).collect();
+    let first = version.pick(1, 0);
     let mut each = |element: &str, wanted: &dyn Fn(Variable) -> bool| {
-        let mut wanted = all.iter().enumerate().filter(|(_, variable)| wanted(**variable));
-        wanted.try_for_each(|(reference, variable)| {
-            let known = if element == "InitialUnknown" { None } else { known::<M>(*variable, &all) };
-            let known = known.map_or(String::new(), |known| format!(" dependencies=\"{known}\""));
-            writeln!(to, "    <{element} valueReference=\"{reference}\"{known}/>")
-        })
+        let wanted: Vec<_> = all.iter().enumerate().filter(|(_, variable)| wanted(**variable)).collect();
+        let list = version == Version::Two && !wanted.is_empty();
+        if list {
+            writeln!(to, "    <{element}>")?;
+        }
+        for (reference, variable) in wanted {
+            let known =
+                if element.starts_with("Initial") { None } else { known::<M>(version, *variable, &all) };
+            let known = known.map_or(String::new(), |known| {
+                let known: Vec<String> = known.iter().map(|known| (known + first).to_string()).collect();
+                format!(" dependencies=\"{}\"", known.join(" "))
+            });
+            match version {
+                Version::Two => writeln!(to, "      <Unknown index=\"{}\"{known}/>", reference + first)?,
+                Version::Three => writeln!(to, "    <{element} valueReference=\"{reference}\"{known}/>")?,
+            }
+        }
+        if list { writeln!(to, "    </{element}>") } else { Ok(()) }
     };
     let is_output = |variable| matches!(variable, Variable::Output(k) if output::<M>(k).is_some());
     let is_rate = |variable| matches!(variable, Variable::Rate(_));
     let at_start =
         |variable| is_output(variable) || is_rate(variable) || matches!(variable, Variable::State(_));
-    each("Output", &is_output)?;
-    each("ContinuousStateDerivative", &is_rate)?;
-    each("InitialUnknown", &at_start)?;
-    each("EventIndicator", &|variable| matches!(variable, Variable::Indicator(_)))
+    each(version.pick("Outputs", "Output"), &is_output)?;
+    each(version.pick("Derivatives", "ContinuousStateDerivative"), &is_rate)?;
+    each(version.pick("InitialUnknowns", "InitialUnknown"), &at_start)?;
+    match version {
+        // It tells their number elsewhere.
+        Version::Two => Ok(()),
+        Version::Three => each("EventIndicator", &|variable| matches!(variable, Variable::Indicator(_))),
+    }
 }
 
 /// The value references of what an unknown depends on; none where it may depend on all that is known.
-fn known<M: Exchanged>(unknown: Variable, all: &[Variable]) -> Option<String> {
+fn known<M: Exchanged>(version: Version, unknown: Variable, all: &[Variable]) -> Option<Vec<usize>> {
     let coordinates = <M as System>::NQ;
     let row = row::<M>(unknown);
     let depends = |known: Variable| match (unknown, row) {
+        // It tells of what can change while equations hold.
+        _ if version == Version::Two && matches!(known, Variable::Parameter(_)) => Some(false),
         // The rate of a coordinate is its velocity.
         (Variable::Rate(k), _) if k < coordinates => Some(known == Variable::State(k + coordinates)),
         (_, Some(reads)) => Some(is_read::<M>(reads, known)),
@@ -44,8 +64,7 @@ fn known<M: Exchanged>(unknown: Variable, all: &[Variable]) -> Option<String> {
     };
     depends(Variable::Time)?;
     let known = all.iter().enumerate().filter(|(_, known)| depends(**known) == Some(true));
-    let known: Vec<String> = known.map(|(reference, _)| reference.to_string()).collect();
-    Some(known.join(" "))
+    Some(known.map(|(reference, _)| reference).collect())
 }
 
 /// What an output or the rate of a first-order state reads.

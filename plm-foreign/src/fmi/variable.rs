@@ -2,7 +2,8 @@
 
 use plm_runtime::{System, Vector};
 
-use crate::{Foreign, Kind};
+use super::{Exchanged, follow};
+use crate::Kind;
 
 /// A variable of an FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,8 +22,13 @@ pub enum Variable {
     State(usize),
     /// The rate of a continuous state.
     Rate(usize),
-    /// An event indicator: negative where a condition has left its side.
+    /// An event indicator: negative where a condition has left its side. Behind those of conditions, of mechanisms with loops, one that
+    /// is negative where the loops need other coordinates.
     Indicator(usize),
+    /// The method of co-simulation, a [`Choice`](super::Choice) by its number.
+    Method,
+    /// The step of methods with steps of fixed length, s.
+    Step,
 }
 
 /// A kind of variable, and how many there are.
@@ -30,7 +36,7 @@ type Count = (fn(usize) -> Variable, usize);
 
 impl Variable {
     /// How many there are of each, in the order of value references; the time is 0.
-    fn counts<M: Foreign>(declared: &M) -> [Count; 7] {
+    fn counts<M: Exchanged>(declared: &M) -> [Count; 9] {
         let states = <M as System>::X::LEN;
         [
             (Self::Parameter, M::TABLES.parameters.len()),
@@ -39,18 +45,20 @@ impl Variable {
             (Self::Output, M::OBSERVED.len()),
             (Self::State, states),
             (Self::Rate, states),
-            (Self::Indicator, <M as System>::G::LEN),
+            (Self::Indicator, follow::indicators::<M>()),
+            (|_| Self::Method, 1),
+            (|_| Self::Step, 1),
         ]
     }
 
     /// All variables, in the order of their value references from 0.
-    pub fn all<M: Foreign>(declared: &M) -> impl Iterator<Item = Self> {
+    pub fn all<M: Exchanged>(declared: &M) -> impl Iterator<Item = Self> {
         let of_kind = |(make, count): Count| (0..count).map(make);
         core::iter::once(Self::Time).chain(Self::counts(declared).into_iter().flat_map(of_kind))
     }
 
     /// The variable of a value reference.
-    pub fn of<M: Foreign>(declared: &M, reference: u32) -> Option<Self> {
+    pub fn of<M: Exchanged>(declared: &M, reference: u32) -> Option<Self> {
         Self::all(declared).nth(usize::try_from(reference).ok()?)
     }
 }

@@ -1,0 +1,146 @@
+//! What is told of each variable, and how each version writes it.
+
+use alloc::format;
+use alloc::string::{String, ToString};
+use core::fmt::{self, Write};
+
+use plm_runtime::described::Quantity;
+use plm_runtime::{StartValues, System, Vector};
+
+use super::units::{Unit, Units};
+use super::{METHODS, Xml, output};
+use crate::fmi::method::Settings;
+use crate::fmi::{Exchanged, Variable, Version};
+
+/// What is told of a variable; what is not told is empty.
+#[derive(Default)]
+pub(super) struct Row {
+    reference: usize,
+    name: String,
+    causality: &'static str,
+    variability: &'static str,
+    initial: &'static str,
+    start: Option<String>,
+    unit: Unit,
+    nominal: Option<f64>,
+    /// The reference of the state that it is the rate of.
+    of_state: Option<usize>,
+    is_method: bool,
+    docs: &'static str,
+}
+
+impl Row {
+    /// That of a variable.
+    pub(super) fn new<M: Exchanged>(
+        declared: &M,
+        (reference, variable, name): (usize, Variable, String),
+        units: &mut Units,
+    ) -> Self {
+        let (row, quantity) = Self::of(declared, variable);
+        let unit = match (quantity, variable) {
+            (Some(quantity), _) => units.of(quantity),
+            (None, Variable::Output(k)) => units.named(M::OBSERVED.get(k).map_or("", |(_, unit)| unit)),
+            (None, Variable::Time | Variable::Step) => units.named("s"),
+            (None, Variable::Start(k)) if k < 6 * M::TABLES.bodies.len() => {
+                units.named(["m", "m", "rad", "m/s", "m/s", "rad/s"].get(k % 6).unwrap_or(&""))
+            }
+            (None, _) => Unit::default(),
+        };
+        let of_state = matches!(variable, Variable::Rate(_)).then(|| reference - <M as System>::X::LEN);
+        let docs = quantity.map_or(row.docs, |quantity| quantity.docs);
+        Self { reference, name, unit, of_state, docs, ..row }
+    }
+
+    /// What belongs to its kind, and the quantity that was declared.
+    fn of<M: Exchanged>(declared: &M, variable: Variable) -> (Self, Option<&'static Quantity>) {
+        let tables = M::TABLES;
+        let number = |number: f64| Some(format!("{number:?}"));
+        let row = |causality| Self { causality, ..Self::default() };
+        let parameter = |variability, start| Self { variability, start, ..row("parameter") };
+        match variable {
+            Variable::Time => (row("independent"), None),
+            Variable::Parameter(k) => {
+                let start = number(declared.parameter(k).unwrap_or_default());
+                (parameter("tunable", start), tables.parameters.get(k))
+            }
+            Variable::Start(k) => (parameter("fixed", number(start_value(declared, k))), None),
+            Variable::Method => {
+                let (start, docs) = (Some(String::from("1")), "method of co-simulation");
+                (Self { is_method: true, docs, ..parameter("fixed", start) }, None)
+            }
+            Variable::Step => {
+                let docs = "longest step of methods of co-simulation with steps of fixed length";
+                (Self { docs, ..parameter("fixed", number(Settings::usual::<M>().step)) }, None)
+            }
+            Variable::Input(k) => {
+                let start = tables.inputs.get(k).and_then(|row| row.default).unwrap_or_default();
+                (Self { start: number(start), ..row("input") }, tables.inputs.get(k))
+            }
+            Variable::Output(k) => {
+                (row(if output::<M>(k).is_some() { "output" } else { "local" }), output::<M>(k))
+            }
+            Variable::State(k) => {
+                let nominal = Some(declared.typical().at(k));
+                (Self { initial: "calculated", nominal, ..row("local") }, None)
+            }
+            Variable::Rate(_) | Variable::Indicator(_) => (row("local"), None),
+        }
+    }
+
+    /// Writes it as a version has it.
+    pub(super) fn write(&self, version: Version, to: &mut String) -> fmt::Result {
+        let kind = match (version, self.is_method) {
+            (Version::Two, false) => "Real",
+            (Version::Three, false) => "Float64",
+            (_, true) => "Enumeration",
+        };
+        write!(to, "    <{}", version.pick("ScalarVariable", kind))?;
+        self.of_variable(to)?;
+        if version == Version::Two {
+            write!(to, "><{kind}")?;
+        }
+        self.of_type(version, to)?;
+        writeln!(to, "{}", version.pick("/></ScalarVariable>", "/>"))
+    }
+
+    /// The attributes that every variable may have.
+    fn of_variable(&self, to: &mut String) -> fmt::Result {
+        let Self { reference, name, causality, variability, initial, docs, .. } = self;
+        write!(to, " name=\"{}\" valueReference=\"{reference}\" causality=\"{causality}\"", Xml(name))?;
+        let mut more =
+            [("variability", variability), ("initial", initial), ("description", docs)].into_iter();
+        more.try_for_each(|(attribute, value)| {
+            perhaps(to, attribute, Some(value).filter(|text| !text.is_empty()))
+        })
+    }
+
+    /// The attributes of its type.
+    fn of_type(&self, version: Version, to: &mut String) -> fmt::Result {
+        let Self { start, unit, nominal, of_state, is_method, .. } = self;
+        perhaps(to, "declaredType", is_method.then_some(METHODS))?;
+        perhaps(to, "start", start.as_ref())?;
+        perhaps(to, "unit", Some(&unit.si).filter(|unit| !unit.is_empty()))?;
+        perhaps(to, "displayUnit", Some(&unit.display).filter(|unit| !unit.is_empty()))?;
+        perhaps(to, "nominal", nominal.map(|nominal| format!("{nominal:?}")))?;
+        perhaps(to, "reinit", nominal.map(|_| "true"))?;
+        // 2.0 counts variables from 1.
+        perhaps(to, "derivative", of_state.map(|state| (state + version.pick(1, 0)).to_string()))
+    }
+}
+
+/// Writes an attribute that may not be there.
+fn perhaps(to: &mut String, attribute: &str, value: Option<impl AsRef<str>>) -> fmt::Result {
+    value.map_or(Ok(()), |value| write!(to, " {attribute}=\"{}\"", Xml(value.as_ref())))
+}
+
+/// A start value.
+fn start_value<M: Exchanged>(declared: &M, index: usize) -> f64 {
+    let (mut copy, mut at, mut start) = (*declared, 0, 0.0);
+    copy.starts_mut().each(&mut |_, own| {
+        if at == index {
+            start = own.value;
+        }
+        at += 1;
+    });
+    start
+}

@@ -1,0 +1,201 @@
+//! Model exchange: a solver outside, to which an instance gives rates and conditions.
+
+use alloc::vec::Vec;
+
+use plm_runtime::words::Words;
+use plm_runtime::{Cause, Fault, Method, Moment, System, Vector};
+
+use super::follow::{Way, has_loops};
+use super::instance::differs;
+use super::{Exchanged, Instance, Interface};
+use crate::{Status, Trouble};
+
+/// What an event has led to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Update {
+    /// Continuous states have other values, and may mean other coordinates.
+    pub states_changed: bool,
+    /// The next time at which conditions on it change, s.
+    pub next: Option<f64>,
+}
+
+/// The last look at the loops: where it was, and whether they need other coordinates from there on.
+#[derive(Clone, Copy)]
+pub(super) struct Look<X> {
+    pub(super) time: f64,
+    pub(super) x: X,
+    pub(super) leaves: bool,
+}
+
+impl<X: Vector<f64>> Look<X> {
+    pub(super) fn nowhere() -> Self {
+        Self { time: 0.0, x: X::fill(0.0), leaves: false }
+    }
+
+    pub(super) fn each(words: &mut impl Words, own: &mut Self) {
+        words.number(&mut own.time);
+        words.vector(&mut own.x);
+        words.flag(&mut own.leaves);
+    }
+}
+
+impl<M: Exchanged> Instance<M> {
+    /// The rates of the states.
+    ///
+    /// # Errors
+    /// When they are not determined.
+    pub fn rates(&mut self) -> Result<M::X, Trouble> {
+        self.catch_up()?;
+        let state = self.state()?;
+        let (mechanism, held) = (state.mechanism(), state.held());
+        let mut rates = *state.x();
+        if !mechanism.is_regular(&held) {
+            return Err(Fault::new(state.time(), Cause::NotRegular).into());
+        }
+        if !mechanism.rate(state.time(), &held, state.x(), &mut rates).is_good() {
+            mechanism.rate_by_rank(state.time(), &held, state.x(), &mut rates)?;
+        }
+        if rates.is_finite() { Ok(rates) } else { Err(Fault::new(state.time(), Cause::NotFinite).into()) }
+    }
+
+    /// How far conditions are from where they switch; negative beyond. Behind them, of a mechanism with loops, 1 as long as they can be
+    /// followed in the coordinates that they have, else -1.
+    ///
+    /// # Errors
+    /// [`Status::NotStarted`]; where a loop cannot be followed at all.
+    pub fn indicators(&mut self) -> Result<Vec<f64>, Trouble> {
+        self.catch_up()?;
+        let state = self.state()?;
+        let guards = self.left_over.indicators(state.mechanism(), state.time(), &state.held(), state.x());
+        if (0..<M as System>::G::LEN).any(|index| guards.at(index).is_nan()) {
+            return Err(Fault::new(state.time(), Cause::NotFinite).into());
+        }
+        let leaves = self.look.is_some_and(|look| look.leaves);
+        let of_loops = has_loops::<M>().then_some(if leaves { -1.0 } else { 1.0 });
+        Ok((0..<M as System>::G::LEN).map(|index| guards.at(index)).chain(of_loops).collect())
+    }
+
+    /// A solver has moved on: to a time, or to another state.
+    ///
+    /// # Errors
+    /// [`Status::NotFinite`]
+    pub fn place(&mut self, time: Option<f64>, x: Option<M::X>) -> Result<(), Trouble> {
+        if !(time.is_none_or(f64::is_finite) && x.is_none_or(|x| x.is_finite())) {
+            return Err(Status::NotFinite.into());
+        }
+        let state = self.state()?;
+        let (held, time) = (state.held(), time.unwrap_or(state.time()));
+        self.hold(held, time, x.unwrap_or(*state.x()))
+    }
+
+    pub(super) fn hold(&mut self, held: M::U, time: f64, x: M::X) -> Result<(), Trouble> {
+        let sim = self.object.sim_mut()?;
+        let mechanism = *sim.state().mechanism();
+        **sim = M::State::new(mechanism, held, time, x);
+        Ok(())
+    }
+
+    /// The way from the last look to where the solver is; none where it is there, or nothing is to be looked at.
+    fn way(&self) -> Result<Option<Way<'_, M>>, Trouble> {
+        let state = self.state()?;
+        let to = (state.time(), *state.x());
+        let Some(Look { time, x, .. }) = self.look.filter(|_| self.follows_loops()) else { return Ok(None) };
+        let is_there = time == to.0 && !differs(&x, &to.1);
+        Ok((!is_there).then_some(Way { system: state.mechanism(), from: (time, x), to }))
+    }
+
+    fn follows_loops(&self) -> bool {
+        self.interface == Interface::ModelExchange && has_loops::<M>()
+    }
+
+    /// Follows the loops to where the solver is.
+    ///
+    /// # Errors
+    /// Where a loop cannot be followed.
+    pub fn catch_up(&mut self) -> Result<(), Trouble> {
+        let Some(way) = self.way()? else { return Ok(()) };
+        let (time, x) = way.to;
+        let reached = way.follow(self.state()?.held())?;
+        self.look = Some(Look { time: reached.time, x: reached.x, leaves: reached.leaves });
+        self.hold(reached.held, time, x)
+    }
+
+    /// The loops have been looked at where the mechanism is.
+    pub(super) fn looked(&mut self) -> Result<(), Trouble> {
+        let state = self.state()?;
+        self.look = Some(Look { time: state.time(), x: *state.x(), leaves: false });
+        Ok(())
+    }
+
+    /// What is held where the solver is, and the state, with charts and branches of loops as they are to be behind a step; whether
+    /// they have changed.
+    fn arrived(&self) -> Result<(M::U, M::X, bool), Trouble> {
+        let state = self.state()?;
+        if let Some(way) = self.way()? {
+            let reached = way.arrive(state.held())?;
+            return Ok((reached.held, reached.x, reached.leaves));
+        }
+        let (mut held, mut x) = (state.held(), *state.x());
+        let accepted = state.mechanism().accept(state.time(), &mut held, &mut x)?;
+        Ok((held, x, accepted.moved))
+    }
+
+    /// A solver has made a step: looks at charts and branches of loops. True where an event is to follow, because states
+    /// will change.
+    ///
+    /// # Errors
+    /// When the state cannot be the continuation of the one before.
+    pub fn accept(&mut self) -> Result<bool, Trouble> {
+        self.catch_up()?;
+        let (held, x, moved) = self.arrived()?;
+        let sim = self.object.sim()?;
+        let state = sim.state();
+        let (mechanism, time) = (state.mechanism(), state.time());
+        let (drift, limit) = (mechanism.drift(time, &x), sim.method().drift_limit(mechanism));
+        let mut left_over = self.left_over;
+        left_over.forget(mechanism, time, &held, &x);
+        if moved || drift.phi > limit.phi || drift.phi_dot > limit.phi_dot || differs(&x, state.x()) {
+            return Ok(true);
+        }
+        self.left_over = left_over;
+        // Of loops that were looked at here already, more is known of the way.
+        if !self.follows_loops() || self.way()?.is_some() {
+            self.hold(held, time, x)?;
+            self.looked()?;
+        }
+        Ok(false)
+    }
+
+    /// An event of model exchange: parameters that were changed, charts, known times, conditions. In co-simulation steps see to
+    /// all that.
+    ///
+    /// # Errors
+    /// A requirement that does not hold, a jump, or parameters that cannot be.
+    pub fn update(&mut self) -> Result<Update, Trouble> {
+        if self.interface != Interface::ModelExchange {
+            return Ok(Update { states_changed: false, next: None });
+        }
+        let (held, before) = (self.state()?.held(), *self.state()?.x());
+        self.object.sim_mut()?.settle()?;
+        if self.state()?.held() != held || differs(&before, self.state()?.x()) {
+            self.looked()?;
+        }
+        let (mut held, x, _) = self.arrived()?;
+        let state = self.state()?;
+        let (mechanism, time) = (*state.mechanism(), state.time());
+        let sides = held;
+        if self.instant.is_some_and(|instant| time >= instant) {
+            mechanism.pass(time, &mut held);
+        }
+        let mut left_over = self.left_over;
+        left_over.switch(&mechanism, time, &mut held, &x)?;
+        if let Some(fault) = mechanism.jump(time, &sides, &x, Some(&held)) {
+            return Err(fault.into());
+        }
+        self.hold(held, time, x)?;
+        self.looked()?;
+        self.left_over = left_over;
+        self.instant = mechanism.next_instant(time, &held).filter(|instant| *instant > time);
+        Ok(Update { states_changed: differs(&before, &x), next: self.instant })
+    }
+}
