@@ -117,12 +117,13 @@ impl<'a> Resolver<'a> {
     fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<PortDraft<'a>> {
         let mut ports: Vec<PortDraft<'a>> = Vec::with_capacity(ast.ports.len());
         for port in &ast.ports {
-            if let Some(first) = ports.iter().find(|of| of.ast.name.ident.text == port.name.ident.text) {
+            let Ok(key) = self.key(scope, &port.name) else { continue };
+            if let Some(first) = ports.iter().find(|of| of.name == key) {
                 let first = first.ast.name.ident.span;
-                self.duplicate(scope, &port.name.ident.text, port.name.ident.span, first);
+                self.duplicate(scope, &key, port.name.ident.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                let name = port.name.ident.text.clone();
+                let name = key.into_owned();
                 ports.push(PortDraft { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }

@@ -42,14 +42,15 @@ impl<'a> Resolver<'a> {
         let name = member.ident.text.as_str();
         let found = match value {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
-            Value::Body(None) => {
-                let name = format!("{}{}", self.names.prefix(scope), self.key(scope, member)?);
-                self.body_member(None, &name)
+            Value::Body(body) => {
+                let key = self.key(scope, member)?;
+                // Ports of the ground of a part have its path.
+                let prefix = if body.is_none() { self.names.prefix(scope) } else { String::new() };
+                self.body_member(*body, &format!("{prefix}{key}"))
             }
             _ if !member.indices.is_empty() => None,
             Value::Frame(frame) => self.frame_member(*frame, name)?,
             Value::Node(node) => self.node_member(*node, name),
-            Value::Body(body) => self.body_member(*body, name),
             Value::Vector(vector) => match name {
                 "x" => Some(vector.map(|v| v.x).into()),
                 "y" => Some(vector.map(|v| v.y).into()),
