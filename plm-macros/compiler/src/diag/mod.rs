@@ -9,8 +9,8 @@ mod near;
 mod render;
 
 use crate::collect::CollectVec;
-use crate::sorted::{SortedMap, SortedSet};
 use crate::sorted::sort_by_key;
+use crate::sorted::{SortedMap, SortedSet};
 
 pub use code::Code;
 pub use near::{help_similar, list, nearest};
@@ -162,7 +162,10 @@ impl Diagnostics {
         for (code, count) in std::mem::take(&mut self.counts) {
             let last = self.list.iter_mut().rfind(|diagnostic| diagnostic.code == code);
             if let Some(last) = last.filter(|_| count > MOST_OF_A_CODE) {
-                last.note(format!("{code} stands for {} places more, which are not shown", count - MOST_OF_A_CODE));
+                last.note(format!(
+                    "{code} stands for {} places more, which are not shown",
+                    count - MOST_OF_A_CODE
+                ));
             }
         }
     }

@@ -37,7 +37,8 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
 impl Resolver<'_> {
     pub(crate) fn unknown_name(&mut self, scope: ScopeId, name: &IndexedName, key: &str) -> Failed {
         let (text, span) = (&name.ident.text, name.ident.span);
-        let is_shown = [Code::UnknownName, Code::NeedsIndex, Code::BadIndex].iter().all(|of| self.sink.shows(*of));
+        let is_shown =
+            [Code::UnknownName, Code::NeedsIndex, Code::BadIndex].iter().all(|of| self.sink.shows(*of));
         let names = if is_shown { self.names.visible(scope) } else { Vec::new() };
         let stem = format!("{text}[");
         let elements: Vec<&str> =

@@ -43,6 +43,16 @@ const COORDINATES: [(&str, Dimension); 6] = [
     ("omega", Dimension::ANGULAR_VELOCITY),
 ];
 
+/// What to write instead of a mass or an inertia that is not positive.
+pub(crate) fn positive_help(name: &str, dimension: Dimension) -> String {
+    let small = if name == "mass" { "1e-3" } else { "1e-6" };
+    format!(
+        "the equations of motion divide by it: write a small one, `{name}: {small} {};`. A parameter may be 0 where \
+         other masses carry the body (the book, E0402)",
+        dimension.si_unit()
+    )
+}
+
 impl<'a> Resolver<'a> {
     pub(crate) fn declare_ground(&mut self, scope: ScopeId, ports: &'a [ast::Port]) {
         for port in ports {
@@ -162,7 +172,8 @@ impl<'a> Resolver<'a> {
             let found = crate::resolve::values::expect::literal_text(expr)
                 .unwrap_or_else(|| Number::to_f64(number).to_string());
             let message = format!("the {name} of `{}` must be positive, found {found}", declared.text);
-            self.error(scope, Code::NotPositive, expr.span, message);
+            let diagnostic = self.error(scope, Code::NotPositive, expr.span, message);
+            diagnostic.help(positive_help(name, dimension));
             return Err(Failed);
         }
         Ok((value, expr.span))
