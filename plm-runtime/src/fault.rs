@@ -306,17 +306,8 @@ impl fmt::Display for Cause {
             Self::VelocityRedundant { count, locks, joints } => {
                 redundant(f, *count, "velocity", locks, joints)
             }
-            Self::Repeats { joints } => write!(
-                f,
-                "with these parameters {joints} hold what others hold already: pins of a loop coincide, or lengths repeat each \
-                 other, so that something is free to turn that has no coordinate here; other lengths or angles, or \
-                 `rung: absolute`, or such parameters as defaults"
-            ),
-            Self::Disagree { gap, joints } => write!(
-                f,
-                "lengths that repeat each other disagree, and {gap:.1e} m or rad stay open: {joints} hold the same; make the \
-                 lengths equal, or let a joint give way with a `compliance`"
-            ),
+            Self::Repeats { joints } => repeats(f, joints),
+            Self::Disagree { gap, joints } => disagree(f, *gap, joints),
             Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
             Self::OtherBranch { first, second, left } => {
                 let (found, asked) = if *left { ("left", "right") } else { ("right", "left") };
@@ -331,6 +322,25 @@ impl fmt::Display for Cause {
             }
         }
     }
+}
+
+/// What repeats what, and why that may be.
+fn repeats(f: &mut fmt::Formatter<'_>, joints: &Names) -> fmt::Result {
+    write!(
+        f,
+        "with these parameters {joints} hold what others hold already: pins of a loop coincide, or lengths repeat each \
+                 other, so that something is free to turn that has no coordinate here; other lengths or angles, or \
+                 `rung: absolute`, or such parameters as defaults"
+    )
+}
+
+/// By how much lengths disagree, and what to do.
+fn disagree(f: &mut fmt::Formatter<'_>, gap: f64, joints: &Names) -> fmt::Result {
+    write!(
+        f,
+        "lengths that repeat each other disagree, and {gap:.1e} m or rad stay open: {joints} hold the same; make the \
+                 lengths equal, or let a joint give way with a `compliance`"
+    )
 }
 
 /// Which of the two residuals it is, and what to do.

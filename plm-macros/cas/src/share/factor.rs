@@ -173,7 +173,9 @@ fn take_out(rows: &mut Rows, factor: Factor, uses: &[u32], terms: &mut Terms) {
         let Some(rest) = without(rows, item, factor, uses) else { continue };
         inner.push(rest);
         terms.items[place as usize] = None;
-        factors.into_iter().for_each(|(factor, saves)| terms.lose(factor, saves));
+        for (factor, saves) in factors {
+            terms.lose(factor, saves);
+        }
     }
     terms.count -= inner.len();
     let sign =
