@@ -70,7 +70,22 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
         let sketch = sketch(&picture(declaration)?).titled(title);
         drawings.push((format!("docs/src/images/demos/{file}.svg"), with_directions(file, sketch).to_svg()));
     }
+    drawings.extend(images(root)?);
     Ok(drawings)
+}
+
+/// Both mirror images of the loop that the page about assembly declares.
+fn images(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
+    let page = fs::read_to_string(root.join("docs/src/running/assembly.md"))?;
+    let block = page.split("```plm\n").find(|block| block.contains("branch: left"));
+    let (left, _) =
+        block.and_then(|block| block.split_once("```")).ok_or("assembly.md asks for no branch")?;
+    let drawn = |image: &str| -> Result<Drawing, Box<dyn Error>> {
+        let of = picture(&left.replace("branch: left", &format!("branch: {image}")))?;
+        let svg = sketch(&of).titled(format!("branch: {image}")).to_svg();
+        Ok((format!("docs/src/images/branch_{image}.svg"), svg))
+    };
+    ["left", "right"].into_iter().map(drawn).collect()
 }
 
 /// What stands in the first block with this fence.

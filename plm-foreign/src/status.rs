@@ -116,6 +116,7 @@ impl From<&Fault> for Status {
             Cause::Interval { .. } => Self::Interval,
             Cause::NotAllowed { .. } | Cause::Repeats { .. } => Self::Parameter,
             Cause::Open { .. }
+            | Cause::Disagree { .. }
             | Cause::OtherBranch { .. }
             | Cause::Redundant { .. }
             | Cause::VelocityOpen { .. }
@@ -128,6 +129,7 @@ impl From<&Fault> for Status {
             Cause::Required => Self::Required,
             Cause::Zeno { .. } | Cause::Jump { .. } => Self::Switching,
             Cause::StepTooSmall { .. }
+            | Cause::TimeTooCoarse { .. }
             | Cause::StepTooLong { .. }
             | Cause::NotConverged { .. }
             | Cause::TooManySteps { .. }

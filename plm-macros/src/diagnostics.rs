@@ -6,7 +6,7 @@ use plm_compiler::token::Sources;
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-/// `compile_error!` for an error, the use of a deprecated constant for a warning.
+/// `compile_error!` for an error, the use of a deprecated macro for a warning.
 pub(crate) fn tokens(diagnostic: &Diagnostic, sources: &Sources) -> TokenStream {
     let ends = sources.ends(diagnostic.anchor()).unwrap_or([Span::call_site(); 2]);
     let file = |span: Span| span.unwrap().file();
@@ -44,21 +44,20 @@ fn compile_error(text: &str, [first, last]: [Span; 2]) -> TokenStream {
     quote_spanned!(last=> #name { #text })
 }
 
-/// A warning on stable Rust: the use, at the user's span, of a constant that is deprecated with the text as note.
+/// A warning on stable Rust: the use, at the user's span, of a macro that is deprecated with the text as note. Its name says the
+/// code and what it is about; of a constant or a function rustc would tell the path of the block that it stands in.
 fn deprecated_use(code: Code, text: &str, at: Span) -> TokenStream {
-    let constant = format_ident!("{code}_{}", format!("{code:?}"));
+    let name = format_ident!("{code}_{}", code.title().replace([' ', '-'], "_").replace(['\'', ','], ""));
     let used = {
-        let mut used = constant.clone();
+        let mut used = name.clone();
         used.set_span(at);
         used
     };
     quote! {
         const _: () = {
             #[deprecated(note = #text)]
-            #[allow(non_upper_case_globals, dead_code)]
-            const #constant: () = ();
-            #[warn(deprecated)]
-            let _ = #used;
+            macro_rules! #name { () => {}; }
+            #used!();
         };
     }
 }

@@ -69,6 +69,13 @@ pub enum Cause {
         /// The last step tried, s.
         step: f64,
     },
+    /// The time has too few digits for the steps that the motion asks for: the interval is too long for the numbers.
+    TimeTooCoarse {
+        /// The step that was asked for, s.
+        step: f64,
+        /// How far apart times are at the end of the interval, s.
+        spacing: f64,
+    },
     /// The estimated error of a step of fixed length is out of all proportion.
     StepTooLong {
         /// The step, s.
@@ -155,6 +162,13 @@ pub enum Cause {
     /// leave out a freedom.
     Repeats {
         /// The joints.
+        joints: Names,
+    },
+    /// Joints that repeat each other hold lengths that disagree; the part is the joint that stays open widest.
+    Disagree {
+        /// By how much, m or rad.
+        gap: f64,
+        /// The joints that repeat each other.
         joints: Names,
     },
     /// The joints cannot be closed; the part is the one that stays open widest.
@@ -251,6 +265,11 @@ impl fmt::Display for Cause {
             Self::StepTooSmall { step } => {
                 write!(f, "the error stays above the tolerance down to a step of {step:e} s")
             }
+            Self::TimeTooCoarse { step, spacing } => write!(
+                f,
+                "the motion asks for steps of {step:.1e} s, and times are {spacing:.1e} s apart at the end of this interval: it \
+                 is too long for the digits of the scalar; shorter intervals, or `f64`"
+            ),
             Self::StepTooLong { step, error } => {
                 write!(
                     f,
@@ -312,17 +331,15 @@ impl fmt::Display for Cause {
             Self::VelocityRedundant { count, locks, joints } => {
                 redundant(f, *count, "velocity", locks, joints)
             }
-            Self::Repeats { joints } => write!(
-                f,
-                "with these parameters {joints} say what other joints say, and the coordinates leave out a freedom; declare \
-                 such parameters as defaults, or take `rung: absolute`"
-            ),
+            Self::Repeats { joints } => repeats(f, joints),
+            Self::Disagree { gap, joints } => disagree(f, *gap, joints),
             Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
             Self::OtherBranch { first, second, left } => {
                 let (found, asked) = if *left { ("left", "right") } else { ("right", "left") };
                 write!(
                     f,
-                    "{second} turns {found} from {first}, and no pose was found where it turns {asked}; start nearer to it"
+                    "on the way along {first} to this joint and on along {second} one turns {found}, and no pose was found where one \
+                     turns {asked}; start nearer to it"
                 )
             }
             Self::VelocityOpen { gap } => {
@@ -330,6 +347,25 @@ impl fmt::Display for Cause {
             }
         }
     }
+}
+
+/// What repeats what, and why that may be.
+fn repeats(f: &mut fmt::Formatter<'_>, joints: &Names) -> fmt::Result {
+    write!(
+        f,
+        "with these parameters {joints} hold what others hold already: pins of a loop coincide, or lengths repeat each \
+                 other, so that something is free to turn that has no coordinate here; other lengths or angles, or \
+                 `rung: absolute`, or such parameters as defaults"
+    )
+}
+
+/// By how much lengths disagree, and what to do.
+fn disagree(f: &mut fmt::Formatter<'_>, gap: f64, joints: &Names) -> fmt::Result {
+    write!(
+        f,
+        "lengths that repeat each other disagree, and {gap:.1e} m or rad stay open: {joints} hold the same; make the \
+                 lengths equal, or let a joint give way with a `compliance`"
+    )
 }
 
 /// Which of the two residuals it is, and what to do.

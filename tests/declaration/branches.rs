@@ -98,7 +98,8 @@ fn a_branch_that_is_not_there_is_told() {
     assert!(matches!(fault.cause, Cause::OtherBranch { left: false, .. }), "{fault}");
     assert_eq!(
         fault.to_string(),
-        "t = 0 s: pin: coupler turns right from crank, and no pose was found where it turns left; start nearer to it"
+        "t = 0 s: pin: on the way along crank to this joint and on along coupler one turns right, and no pose was found where \
+         one turns left; start nearer to it"
     );
 }
 

@@ -144,12 +144,12 @@ fn redundant_joints_that_disagree_end_the_run_by_name() {
     let fault = sim.step(0.5).unwrap_err();
     assert!(fault.cause == Cause::Locked && ["c", "f"].contains(&fault.part), "{fault}");
     assert!((sim.one().angle - 60_f64.to_radians()).abs() < 0.1, "{}", sim.one().angle);
-    // Less than a billionth of the length is rounding, but where the cranks lie flat, at 0.385 s: there it decides.
+    // Less than a billionth of the length is rounding, but where the cranks lie flat, at 0.385 s: there it is told.
     let cranks = parallel_cranks::ParallelCranks { slip: 1e-11, ..cranks };
     let mut sim = cranks.start().unwrap();
     sim.step(0.37).unwrap();
     let fault = sim.step(0.13).unwrap_err();
-    assert!(matches!(fault.cause, Cause::Undecided { gap } if gap < 1e-8), "{fault}");
+    assert!(matches!(fault.cause, Cause::Disagree { gap, .. } if gap < 1e-11), "{fault}");
     let cranks = parallel_cranks::ParallelCranks { slip: 1e-15, ..cranks };
     cranks.start().unwrap().step(0.5).unwrap();
 }

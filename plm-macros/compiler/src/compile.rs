@@ -52,6 +52,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
         let code = expansion.code.or_else(|| stand_in(&reading, &place));
         expansion = Expansion { code, ..Expansion::default() };
     }
+    sink.count_unshown();
     expansion.diagnostics = sink;
     expansion
 }

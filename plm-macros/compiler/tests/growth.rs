@@ -71,6 +71,67 @@ fn products_of_products_stay_products() {
     compiled(&pushed("let a0 = sin(arm.angle) + other;", (1..=40).map(squares), "a40")).unwrap();
 }
 
+/// Eight times as many items take about eight times as long; what grows with the square of their number takes up to 64 times.
+#[test]
+fn many_items_cost_as_much_as_they_are_many() {
+    let pinned = |items: String| {
+        format!(
+            "pub P {{ ground {{ port o: (0, 0) m; }}
+                body arm {{ mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; }}
+                revolute pin(ground.o, arm.o);
+                {items}
+            }}"
+        )
+    };
+    let each = |count: usize, item: &dyn Fn(usize) -> String| pinned((0..count).map(item).collect());
+    type Items<'a> = &'a dyn Fn(usize) -> String;
+    let cases: [(&str, Items); 8] = [
+        ("wrong outputs", &|i| format!("output w{i} = arm.nope{i};\n")),
+        ("wrong names", &|i| format!("let a{i} = 1; output w{i} = b{i};\n")),
+        ("wrong rows", &|i| format!("constraint w{i}: arm.angle = nope{i};\n")),
+        ("parts that are not known", &|i| format!("springs s{i}(ground.o, arm.o);\n")),
+        ("squares in one sum", &|i| match i {
+            0 => "let s0 = arm.x/1 m; output s = s1;\n".to_owned(),
+            _ => format!("let s{i} = s{} + (arm.x/1 m + {i})^2;\n", i - 1),
+        }),
+        ("factors of one product", &|i| match i {
+            0 => "let s0 = arm.x/1 m; output s = s1;\n".to_owned(),
+            _ => format!("let s{i} = s{}*(arm.x/1 m + {i});\n", i - 1),
+        }),
+        ("springs", &|i| {
+            format!(
+                "ground {{ port g{i}: ({i}, 1) m; }} spring s{i}(ground.g{i}, arm.p) {{ stiffness: {i} N/m; damping: 1 N*s/m; }}\n"
+            )
+        }),
+        ("requirements", &|i| format!("require r{i}: arm.angle < {i} rad + 9 rad;\n")),
+    ];
+    for (what, item) in cases {
+        let time = |count: usize| {
+            let text = each(count, item);
+            let began = Instant::now();
+            let _ = compiled(&text);
+            began.elapsed().as_secs_f64()
+        };
+        let [some, many] = [150, 1200].map(|count| time(count).min(time(count)));
+        assert!(many < 20.0 * some, "{what}: {some} s, and {many} s for eight times as many");
+    }
+}
+
+/// Of each code so many are told that a person reads, and how many there are.
+#[test]
+fn of_many_mistakes_the_first_are_told_and_the_others_counted() {
+    let wrong: String = (0..250).map(|i| format!("output w{i} = nope{i};\n")).collect();
+    let mut sources = Sources::new();
+    sources.add_text("declaration", &format!("pub P {{ param late: kg = 1 m; {wrong} body b {{}} }}"));
+    let found = compile(&mut sources).diagnostics;
+    let of = |code: &str| found.iter().filter(|one| one.code.id() == code).count();
+    assert_eq!((of("E0201"), of("E0301"), of("E0401")), (100, 1, 2));
+    let notes = found.iter().flat_map(|one| &one.notes);
+    let counted: Vec<&str> =
+        notes.map(|note| note.text.as_str()).filter(|note| note.contains("more")).collect();
+    assert_eq!(counted, ["E0201 stands for 150 places more, which are not shown"]);
+}
+
 /// The function of a name, as lines.
 fn lines_of<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
     let behind = text.lines().skip_while(|line| !line.trim_start().starts_with(&format!("fn {name}(")));

@@ -7,6 +7,7 @@
 use super::Absolute;
 use super::assembly::{Assembly, Status};
 use super::branch;
+use super::disagree::disagreement;
 use super::newton::{assembly_step, refused};
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
@@ -32,7 +33,7 @@ const ITERATIONS: u32 = 100;
 /// Joints that repeat each other are accepted and flagged. Locks that repeat joints or other locks are not.
 ///
 /// # Errors
-/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::OtherBranch`], [`Cause::VelocityRedundant`],
+/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::Disagree`], [`Cause::OtherBranch`], [`Cause::VelocityRedundant`],
 /// [`Cause::VelocityOpen`]; the part is the joint that stays open widest. [`Cause::Workspace`].
 pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -104,7 +105,10 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
         reject_locks(m, t, &q0, free, &at_start, POSITION)?;
     }
-    let open = || open(t, &pose.phi, &M::PARTS, |gap| Cause::Open { gap });
+    let open = || {
+        let open = open(t, &pose.phi, &M::PARTS, |gap| Cause::Open { gap });
+        disagreement(m, t, &pose.q).unwrap_or(open)
+    };
     Err(refused(m, (t, &pose.q), free).unwrap_or_else(open))
 }
 

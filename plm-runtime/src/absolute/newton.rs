@@ -63,7 +63,7 @@ pub(super) fn refused<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
 /// must not pay for.
 #[cold]
 #[inline(never)]
-fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+pub(super) fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     at: (S, &[S; NQ]),
     w: &[S; NQ],

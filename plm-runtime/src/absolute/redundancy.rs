@@ -50,13 +50,23 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         if without_pivoting(m, t, q, free, &[S::lit(0.0); NC]).is_some() {
             return Some(Self::NONE);
         }
-        if workspace::refusal::<S, NQ, NC>().is_some() { None } else { Self::by_rank(m, (t, q), free) }
+        if workspace::refusal::<S, NQ, NC>().is_some() {
+            None
+        } else {
+            Self::by_rank(m, (t, q), free, S::RANK_TOLERANCE)
+        }
     }
 
-    /// The same by orthogonalisation. It holds two matrices, which starts of healthy mechanisms must not pay for.
+    /// The same by orthogonalisation, where singular values below `tolerance` of the largest count as zero. It holds two
+    /// matrices, which starts of healthy mechanisms must not pay for.
     #[cold]
     #[inline(never)]
-    fn by_rank<S: Real, M: Absolute<S, NQ, NC>>(m: &M, at: (S, &[S; NQ]), free: &[S; NQ]) -> Option<Self> {
+    pub(super) fn by_rank<S: Real, M: Absolute<S, NQ, NC>>(
+        m: &M,
+        at: (S, &[S; NQ]),
+        free: &[S; NQ],
+        tolerance: S,
+    ) -> Option<Self> {
         // One by one: a build without optimisation copies what is made as a pair.
         let mut rows = [[S::lit(0.0); NQ]; NC];
         let mut y = [[S::lit(0.0); NC]; NC];
@@ -67,7 +77,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         scale_columns(&mut rows, free);
         diagonal(&mut y);
         let singular = rotate(&mut rows, &mut y)?;
-        let cut = singular.cut(S::RANK_TOLERANCE);
+        let cut = singular.cut(tolerance);
 
         let mut found = Self { free_rank: singular.rank(cut), ..Self::NONE };
         // Rows without a combination become zero and mark nothing.

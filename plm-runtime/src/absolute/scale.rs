@@ -6,6 +6,8 @@ use crate::scalar::Real;
 
 /// Joints count as closed up to this fraction of the size.
 const CLOSED: f64 = 1e-10;
+/// A joint of two bars whose angles are rounded is open by so many units in the last place of the angles, times the lengths.
+const ROUNDINGS: f64 = 4.0;
 
 /// The sizes of residuals: m and rad, or m/s and rad/s.
 #[derive(Clone, Copy)]
@@ -15,13 +17,15 @@ pub(super) struct Scale<S> {
 }
 
 impl<S: Real> Scale<S> {
-    /// Of positions at `q`. A scene far from the origin has the rounding of its place.
+    /// Of positions at `q`. A scene far from the origin has the rounding of its place, and bars that have turned many times that
+    /// of their angles.
     pub(super) fn of_position<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         m: &M,
         q: &[S; NQ],
     ) -> Self {
         let (place, turn) = apart(q);
-        Self { length: m.length().max(place), angle: turn.max(S::lit(1.0)) }
+        let rounding = S::lit(ROUNDINGS) * S::EPSILON / Self::closed() * turn * m.length();
+        Self { length: m.length().max(place).max(rounding), angle: turn.max(S::lit(1.0)) }
     }
 
     /// Of velocities `v` at `q`: rest is measured by 1 rad/s, and by 1 m/s or by a scene of less than 1 m turning so.
@@ -58,7 +62,12 @@ impl<S: Real> Scale<S> {
         &self,
         violation: &[S; NC],
     ) -> bool {
-        self.worst::<M, NQ, NC>(violation) <= S::lit(CLOSED).max(S::lit(16.0) * S::EPSILON)
+        self.worst::<M, NQ, NC>(violation) <= Self::closed()
+    }
+
+    /// The fraction of the size up to which joints count as closed.
+    fn closed() -> S {
+        S::lit(CLOSED).max(S::lit(16.0) * S::EPSILON)
     }
 }
 

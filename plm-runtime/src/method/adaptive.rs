@@ -42,7 +42,20 @@ pub(super) fn next_step<M: System<S: Real>>(
     } else if proposal > shortest(course) {
         Ok((proposal, false))
     } else {
-        Err(course.fault(Cause::StepTooSmall { step: proposal.to_f64() }))
+        Err(course.fault(too_small(course, proposal)))
+    }
+}
+
+/// Where a step of the shortest length is longer than this, s, the digits of the time are to blame and not the motion.
+const COARSE: f64 = 1e-4;
+
+/// Why no step is made that is as short as is asked for.
+pub(super) fn too_small<M: System<S: Real>>(course: &Course<'_, M>, step: M::S) -> Cause {
+    let (step, shortest) = (step.to_f64(), shortest(course).to_f64());
+    if shortest > COARSE {
+        Cause::TimeTooCoarse { step, spacing: shortest / 16.0 }
+    } else {
+        Cause::StepTooSmall { step }
     }
 }
 
@@ -60,12 +73,12 @@ pub(super) fn ensure_moves<M: System<S: Real>>(
     if h > shortest(course) {
         return Ok(());
     }
-    let x = attempt?;
-    if x.is_finite() {
-        Err(course.fault(Cause::StepTooSmall { step: h.to_f64() }))
-    } else {
-        Err(not_finite(course.system, course.time, &x))
+    let cause = too_small(course, h);
+    if matches!(cause, Cause::TimeTooCoarse { .. }) {
+        return Err(course.fault(cause));
     }
+    let x = attempt?;
+    if x.is_finite() { Err(course.fault(cause)) } else { Err(not_finite(course.system, course.time, &x)) }
 }
 
 /// An estimate is taken for no less than this part of what the last step's says of a step of that length.

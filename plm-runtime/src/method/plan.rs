@@ -1,7 +1,8 @@
 //! The steps of fixed-step methods: an interval divided, and the arrival of implicit methods at their end.
 
+use super::adaptive::too_small;
 use super::{Course, drift_of_size, excess, not_finite};
-use crate::fault::{Cause, Fault};
+use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
@@ -30,7 +31,7 @@ impl<S: Real> Plan<S> {
     /// Divides what is left of an interval into whole steps of at most `longest`.
     pub(super) fn of_course<M: System<S = S>>(course: &mut Course<'_, M>, longest: S) -> Result<Self, Fault> {
         let Some(plan) = Self::new(course.time, course.end, longest) else {
-            return Err(course.fault(Cause::StepTooSmall { step: longest.to_f64() }));
+            return Err(course.fault(too_small(course, longest)));
         };
         *course.longest_step = course.longest_step.max(plan.h);
         Ok(plan)

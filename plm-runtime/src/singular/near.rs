@@ -7,6 +7,7 @@ use super::leap::{Refused, leap};
 use super::meeting::Meeting;
 use super::poor::{is_doubtful, is_poor, is_regular, turned};
 use super::{Fine, Rescue};
+use crate::absolute::{disagreement, split};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, DormandPrince853, Embedded, Method};
 use crate::scalar::{Real, Scalar};
@@ -199,6 +200,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
 
     /// What ends a run at a singular pose.
     fn fault(&self, course: &Course<'_, M>, here: &Here<M, NQ, NC, NX>, refused: Refused<M::S>) -> Fault {
+        let (q, _) = split::<_, NX, NQ>(&here.full);
+        if let Some(fault) = disagreement(course.system, course.time, &q) {
+            return fault;
+        }
         let rest = |i: usize| M::S::EPSILON * here.equations.typical_of(i - NQ);
         let moves = (NQ..2 * NQ).any(|i| here.full.at(i).abs() > rest(i));
         let cause = match refused {

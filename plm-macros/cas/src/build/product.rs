@@ -1,5 +1,6 @@
 //! Products: flat, powers of one base merged, the number in front.
 
+use super::sum::LONG;
 use crate::graph::Graph;
 use crate::node::{Expr, Function, Node};
 use crate::number::Number;
@@ -69,7 +70,7 @@ impl Graph {
         }
     }
 
-    /// Appends the factors of `e^exponent`, none of them a product, a scaled expression or an invertible number.
+    /// Appends the factors of `e^exponent`, none of them a product that is not long, a scaled expression or an invertible number.
     fn flatten_product(&self, e: Expr, exponent: i32, coefficient: &mut Number, flat: &mut Vec<Factor>) {
         let mut open = vec![(e, exponent)];
         while let Some((e, exponent)) = open.pop() {
@@ -86,7 +87,9 @@ impl Graph {
                     *coefficient = *coefficient * terms[0].0.powi(exponent).unwrap_or(Number::ZERO);
                     open.push((terms[0].1, exponent));
                 }
-                Node::Product(inner) if inner.iter().all(|f| f.1.checked_mul(exponent).is_some()) => {
+                Node::Product(inner)
+                    if inner.len() <= LONG && inner.iter().all(|f| f.1.checked_mul(exponent).is_some()) =>
+                {
                     open.extend(inner.iter().map(|&(factor, inner)| (factor, inner * exponent)));
                 }
                 _ => flat.push((e, exponent)),

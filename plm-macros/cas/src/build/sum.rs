@@ -6,6 +6,10 @@ use crate::number::Number;
 
 type Term = (Number, Expr);
 
+/// A sum of more terms stays whole within another. A name for each partial sum of n terms, `s2 = s1 + x2`, would otherwise take
+/// n^2/2 terms; so it takes n times this at most.
+pub(super) const LONG: usize = 512;
+
 impl Graph {
     /// `constant + sum of coefficient * term` in canonical form.
     pub fn linear(&mut self, constant: Number, terms: &[(Number, Expr)]) -> Expr {
@@ -15,9 +19,19 @@ impl Graph {
             self.flatten(coefficient, term, &mut constant, &mut flat);
         }
         collect_like(&mut flat);
-        while let Some((coefficient, rest)) = self.take_pythagoras(&mut flat) {
-            self.flatten(coefficient, rest, &mut constant, &mut flat);
-            collect_like(&mut flat);
+        let (mut from, mut more) = (0, Vec::new());
+        loop {
+            let Some((coefficient, rest, at)) = self.take_pythagoras(&mut flat, from) else {
+                if from == 0 {
+                    break;
+                }
+                from = 0;
+                continue;
+            };
+            self.flatten(coefficient, rest, &mut constant, &mut more);
+            more.drain(..).for_each(|term| collect(&mut flat, term));
+            // What is left may make a pair with an earlier term. In a long sum that waits until the others are through.
+            from = if flat.len() > LONG { at } else { 0 };
         }
         self.finish_sum(constant, &mut flat)
     }
@@ -35,13 +49,13 @@ impl Graph {
         if coefficient.is_one() { base } else { self.intern_sum(Number::ZERO, &[(coefficient, base)]) }
     }
 
-    /// Appends the terms of `coefficient * e`, none of them a number or a sum.
+    /// Appends the terms of `coefficient * e`, none of them a number, or a sum that is not long.
     fn flatten(&self, coefficient: Number, e: Expr, constant: &mut Number, flat: &mut Vec<Term>) {
         let mut open = vec![(coefficient, e)];
         while let Some((coefficient, e)) = open.pop() {
             match self.node(e) {
                 Node::Number(number) => *constant = *constant + coefficient * *number,
-                Node::Sum { constant: inner, terms } => {
+                Node::Sum { constant: inner, terms } if terms.len() <= LONG => {
                     *constant = *constant + coefficient * *inner;
                     for &(inner, term) in terms {
                         let scaled = (coefficient * inner, term);
@@ -137,6 +151,20 @@ fn collect_like(terms: &mut Vec<Term>) {
         kept -= 1;
     }
     terms.truncate(kept);
+}
+
+/// Adds a term to collected ones, as [`collect_like`] would.
+fn collect(terms: &mut Vec<Term>, (coefficient, term): Term) {
+    match terms.binary_search_by_key(&term, |known| known.1) {
+        Ok(at) => {
+            terms[at].0 = terms[at].0 + coefficient;
+            if terms[at].0.is_zero() {
+                terms.remove(at);
+            }
+        }
+        Err(_) if coefficient.is_zero() => {}
+        Err(at) => terms.insert(at, (coefficient, term)),
+    }
 }
 
 /// Insertion sort for the short lists that sums are, mostly ascending already.

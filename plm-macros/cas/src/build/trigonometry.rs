@@ -69,9 +69,14 @@ impl Graph {
         Some((self.linear(Number::ZERO, &terms), angle))
     }
 
-    /// Takes a pair of terms `c*r*sin(u)^2 + c*r*cos(u)^2` out of a sorted list of terms and returns `(c, r)`.
-    pub(super) fn take_pythagoras(&mut self, terms: &mut Vec<(Number, Expr)>) -> Option<(Number, Expr)> {
-        for i in 0..terms.len() {
+    /// Takes a pair of terms `c*r*sin(u)^2 + c*r*cos(u)^2`, the first of them not before `from`, out of a sorted list of terms
+    /// and returns `(c, r)` and where it stood.
+    pub(super) fn take_pythagoras(
+        &mut self,
+        terms: &mut Vec<(Number, Expr)>,
+        from: usize,
+    ) -> Option<(Number, Expr, usize)> {
+        for i in from..terms.len() {
             let (coefficient, term) = terms[i];
             let Node::Product(factors) = self.node(term) else { continue };
             for k in 0..factors.len() {
@@ -79,12 +84,14 @@ impl Graph {
                     continue;
                 }
                 let Some(partner) = self.cosine_partner(factors, k) else { continue };
-                let Some(j) = terms.iter().position(|&t| t == (coefficient, partner)) else { continue };
+                let found = terms.binary_search_by_key(&partner, |known| known.1);
+                let Some(j) = found.ok().filter(|&j| terms[j].0 == coefficient) else { continue };
                 let mut rest = factors.to_vec();
                 rest[k].1 -= 2;
                 terms.remove(i.max(j));
                 terms.remove(i.min(j));
-                return Some((coefficient, self.monomial(Number::ONE, &rest)));
+                let rest = self.monomial(Number::ONE, &rest);
+                return Some((coefficient, rest, i - usize::from(j < i)));
             }
         }
         None

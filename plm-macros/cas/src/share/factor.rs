@@ -1,5 +1,8 @@
 //! Common factors leave the terms of a sum: `a*b + a*c` is `a*(b + c)`.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use super::rows::{Item, Kind, Numbers, Rows, UNIT, base, divides, literal};
 
 /// A factor that terms can have in common.
@@ -17,62 +20,112 @@ pub(super) fn factor_sums(rows: &mut Rows) {
     let mut row = 0;
     while row < rows.len() {
         if rows.kind(row) == Kind::Sum && rows.items(row).len() > 1 {
-            let mut savings = Savings::of(rows, row, &uses);
-            while let Some(factor) = savings.best().filter(|_| rows.items(row).len() > 1) {
-                take_out(rows, row, factor, &uses, &mut savings);
-            }
+            factor_sum(rows, row, &uses);
         }
         row += 1;
     }
 }
 
-/// How many operations each factor of the terms of a sum would save, in the order of the factors. It is kept while terms
-/// leave: to list all of them for every factor that is taken out would take the square of their number.
-struct Savings(Vec<(Factor, u32)>);
+fn factor_sum(rows: &mut Rows, row: usize, uses: &[u32]) {
+    let mut terms = Terms::of(rows, row, uses);
+    let mut is_changed = false;
+    while let Some(factor) = terms.best().filter(|_| terms.count > 1) {
+        take_out(rows, factor, uses, &mut terms);
+        is_changed = true;
+    }
+    if is_changed {
+        let left: Vec<Item> = terms.items.into_iter().flatten().collect();
+        rows.shrink(row, &left);
+    }
+}
 
-impl Savings {
-    fn of(rows: &mut Rows, row: usize, uses: &[u32]) -> Savings {
+/// The terms of a sum while factors are taken out. What each factor would save is kept while terms leave, and where it stands:
+/// to look through all terms for every factor that is taken out would take the square of their number.
+struct Terms {
+    /// In order; none where a term has left.
+    items: Vec<Option<Item>>,
+    count: usize,
+    /// In order of the factors.
+    factors: Vec<Saving>,
+    /// Savings above 1, the largest first, of equals the first factor; some are out of date.
+    largest: BinaryHeap<(u32, Reverse<Factor>)>,
+}
+
+/// What taking out a factor would save, operations.
+struct Saving {
+    factor: Factor,
+    saves: u32,
+    /// The terms that have it, ascending; some may have left.
+    places: Vec<u32>,
+}
+
+impl Terms {
+    fn of(rows: &mut Rows, row: usize, uses: &[u32]) -> Terms {
+        let items: Vec<Item> = rows.items(row).to_vec();
         let mut found = Vec::new();
-        for i in 0..rows.items(row).len() {
-            let item = rows.items(row)[i];
-            list_factors(rows, item, uses, &mut found);
+        for (place, &item) in items.iter().enumerate() {
+            list_factors(rows, item, uses, |factor, saves| found.push((factor, place as u32, saves)));
         }
         found.sort_unstable();
-        found.dedup_by(|next, kept| {
-            let same = next.0 == kept.0;
-            kept.1 += if same { next.1 } else { 0 };
-            same
-        });
-        Savings(found)
+        let mut factors: Vec<Saving> = Vec::new();
+        for (factor, place, saves) in found {
+            match factors.last_mut().filter(|last| last.factor == factor) {
+                Some(last) => {
+                    last.saves += saves;
+                    last.places.push(place);
+                }
+                None => factors.push(Saving { factor, saves, places: vec![place] }),
+            }
+        }
+        let saving = factors.iter().filter(|of| of.saves > 1);
+        let largest = saving.map(|of| (of.saves, Reverse(of.factor))).collect();
+        Terms { count: items.len(), items: items.into_iter().map(Some).collect(), factors, largest }
     }
 
     /// The factor with the largest saving, the first of equals; it must save more than it costs afterwards.
-    fn best(&self) -> Option<Factor> {
-        let (mut best, mut most) = (None, 1);
-        for &(factor, saving) in &self.0 {
-            if saving > most {
-                (best, most) = (Some(factor), saving);
+    fn best(&mut self) -> Option<Factor> {
+        while let Some(&(saves, Reverse(factor))) = self.largest.peek() {
+            let is_so = self.find(factor).is_ok_and(|at| self.factors[at].saves == saves);
+            if is_so {
+                return Some(factor);
             }
+            self.largest.pop();
         }
-        best
+        None
     }
 
-    /// Terms with these factors have left.
-    fn take(&mut self, factors: &[(Factor, u32)]) {
-        for (factor, saving) in factors {
-            if let Ok(at) = self.0.binary_search_by_key(factor, |known| known.0) {
-                self.0[at].1 -= saving;
-            }
+    fn find(&self, factor: Factor) -> Result<usize, usize> {
+        self.factors.binary_search_by_key(&factor, |known| known.factor)
+    }
+
+    /// The terms that have a factor.
+    fn places(&mut self, factor: Factor) -> Vec<u32> {
+        self.find(factor).map_or(Vec::new(), |at| std::mem::take(&mut self.factors[at].places))
+    }
+
+    /// A factor saves so much less, since a term has left.
+    fn lose(&mut self, factor: Factor, saves: u32) {
+        if let Ok(at) = self.find(factor) {
+            self.factors[at].saves -= saves;
+            self.rank(at);
         }
     }
 
-    /// Terms with these factors have come.
-    fn add(&mut self, factors: &[(Factor, u32)]) {
-        for &(factor, saving) in factors {
-            match self.0.binary_search_by_key(&factor, |known| known.0) {
-                Ok(at) => self.0[at].1 += saving,
-                Err(at) => self.0.insert(at, (factor, saving)),
-            }
+    /// A factor saves so much more, since a term has come.
+    fn gain(&mut self, factor: Factor, saves: u32, place: u32) {
+        let at = self.find(factor).unwrap_or_else(|at| {
+            self.factors.insert(at, Saving { factor, saves: 0, places: Vec::new() });
+            at
+        });
+        self.factors[at].saves += saves;
+        self.factors[at].places.push(place);
+        self.rank(at);
+    }
+
+    fn rank(&mut self, at: usize) {
+        let Saving { factor, saves, .. } = self.factors[at];
+        if saves > 1 {
+            self.largest.push((saves, Reverse(factor)));
         }
     }
 }
@@ -82,17 +135,17 @@ fn is_free_product(rows: &Rows, row: usize, uses: &[u32]) -> bool {
     rows.kind(row) == Kind::Product && !rows.named(row) && uses.get(row).is_none_or(|&uses| uses == 1)
 }
 
-/// Appends the factors of one term, each with the operations that the term saves without it.
-fn list_factors(rows: &mut Rows, item: Item, uses: &[u32], found: &mut Vec<(Factor, u32)>) {
+/// Gives the factors of one term, each with the operations that the term saves without it.
+fn list_factors(rows: &mut Rows, item: Item, uses: &[u32], mut found: impl FnMut(Factor, u32)) {
     if item.id as usize == UNIT {
         return;
     }
     let magnitude = magnitude(&mut rows.numbers, item.coefficient);
     if magnitude != Numbers::ONE {
-        found.push((Factor::Magnitude(magnitude), 1));
+        found(Factor::Magnitude(magnitude), 1);
     }
     if !is_free_product(rows, item.id as usize, uses) {
-        found.push((Factor::Literal(literal(item.id, false)), u32::from(magnitude != Numbers::ONE)));
+        found(Factor::Literal(literal(item.id, false)), u32::from(magnitude != Numbers::ONE));
         return;
     }
     let factors = rows.items(item.id as usize);
@@ -102,7 +155,7 @@ fn list_factors(rows: &mut Rows, item: Item, uses: &[u32], found: &mut Vec<(Fact
             continue;
         }
         let alone = factors.len() == 1 && magnitude == Numbers::ONE;
-        found.push((Factor::Literal(id), u32::from(divides(id) || !alone)));
+        found(Factor::Literal(id), u32::from(divides(id) || !alone));
     }
 }
 
@@ -111,22 +164,20 @@ fn magnitude(numbers: &mut Numbers, coefficient: u32) -> u32 {
 }
 
 /// Replaces the terms with the factor by one: factor times the sum of what they leave.
-fn take_out(rows: &mut Rows, row: usize, factor: Factor, uses: &[u32], savings: &mut Savings) {
-    let (mut inner, mut factors) = (Vec::new(), Vec::new());
-    let mut i = 0;
-    while i < rows.items(row).len() {
-        let item = rows.items(row)[i];
-        let of_others = factors.len();
-        list_factors(rows, item, uses, &mut factors);
-        if let Some(rest) = without(rows, item, factor, uses) {
-            inner.push(rest);
-            rows.remove(row, i);
-        } else {
-            factors.truncate(of_others);
-            i += 1;
+fn take_out(rows: &mut Rows, factor: Factor, uses: &[u32], terms: &mut Terms) {
+    let mut inner = Vec::new();
+    for place in terms.places(factor) {
+        let Some(item) = terms.items[place as usize] else { continue };
+        let mut factors = Vec::new();
+        list_factors(rows, item, uses, |factor, saves| factors.push((factor, saves)));
+        let Some(rest) = without(rows, item, factor, uses) else { continue };
+        inner.push(rest);
+        terms.items[place as usize] = None;
+        for (factor, saves) in factors {
+            terms.lose(factor, saves);
         }
     }
-    savings.take(&factors);
+    terms.count -= inner.len();
     let sign =
         if rows.numbers.get(inner[0].coefficient).is_negative() { Numbers::MINUS_ONE } else { Numbers::ONE };
     for item in &mut inner {
@@ -143,10 +194,10 @@ fn take_out(rows: &mut Rows, row: usize, factor: Factor, uses: &[u32], savings: 
             Item { id: rows.push(Kind::Product, &product) as u32, coefficient: sign }
         }
     };
-    rows.put_back(row, term);
-    factors.clear();
-    list_factors(rows, term, uses, &mut factors);
-    savings.add(&factors);
+    let place = terms.items.len() as u32;
+    list_factors(rows, term, uses, |factor, saves| terms.gain(factor, saves, place));
+    terms.items.push(Some(term));
+    terms.count += 1;
 }
 
 /// The term without the factor, or `None` if it does not have it.

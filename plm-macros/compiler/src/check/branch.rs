@@ -27,11 +27,15 @@ pub(super) fn not_found(scene: &Scene, found: &Assembly, diagnostics: &mut Diagn
     let Some((turn, span)) = joint.branch else { return };
     let [first, second] = wrong.bodies.map_each(|body| &scene.model.bodies[body].name.text);
     let (asked, found) = (turn.name(), turn.other().name());
+    let pin = &joint.name.text;
     let message = format!(
-        "at `{}`, `{second}` turns {found} from `{first}`; no pose was found where it turns {asked}",
-        joint.name.text
+        "at `{pin}`, `{second}` turns {found} from `{first}`; no pose was found where it turns {asked}"
     );
-    diagnostics.error(Code::OtherBranch, span, message).help(
+    let which = format!(
+        "which image is which: on the way along `{first}` to `{pin}` and on along `{second}` one turns to the {found} here; a \
+         picture is in the book (Assembly, Branches)"
+    );
+    diagnostics.error(Code::OtherBranch, span, message).note(which).help(
         "put the start angles of the loop near to the pose that is meant, or take away locks that forbid it",
     );
 }

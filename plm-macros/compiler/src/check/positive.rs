@@ -19,7 +19,9 @@ pub(super) fn check_masses(scene: &Scene, diagnostics: &mut Diagnostics) {
                     format!("the {what} of `{name}` must be positive and finite, found {found} {unit}");
                 let diagnostic = diagnostics.error(Code::NotPositive, span, message);
                 if expr.as_number().is_none() {
-                    diagnostic.note("this is its value with the defaults of the parameters");
+                    diagnostic.note("this is its value with the defaults of the parameters").help(
+                        "give them others: at the start those that are set then are looked at (the book, E0402)",
+                    );
                 }
             }
         }
@@ -41,7 +43,8 @@ pub(super) fn check_limits(scene: &Scene, diagnostics: &mut Diagnostics) -> bool
         let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
         diagnostics
             .error(Code::NotPositive, limit.span, message)
-            .note("this is its value with the defaults of the parameters");
+            .note("this is its value with the defaults of the parameters")
+            .help("give them others: at the start those that are set then are looked at (the book, E0402)");
     }
     are_kept
 }

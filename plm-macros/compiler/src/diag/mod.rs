@@ -9,8 +9,8 @@ mod near;
 mod render;
 
 use crate::collect::CollectVec;
-use crate::sorted::SortedSet;
 use crate::sorted::sort_by_key;
+use crate::sorted::{SortedMap, SortedSet};
 
 pub use code::Code;
 pub use near::{help_similar, list, nearest};
@@ -105,13 +105,19 @@ impl Diagnostic {
     }
 }
 
+/// Of one code so many are shown; of the others their number. Nobody reads more, and rustc takes a tenth of a millisecond for
+/// each.
+const MOST_OF_A_CODE: usize = 100;
+
 /// The sink that every pass reports to.
 #[derive(Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
     seen: SortedSet<(Code, Span, String)>,
-    /// Where repetitions go: a mistake in a part that is used 64 times is reported once.
-    repeated: Option<Diagnostic>,
+    /// How often each code was reported, at different places.
+    counts: SortedMap<Code, usize>,
+    /// Where repetitions go, and what is not shown: a mistake in a part that is used 64 times is reported once.
+    unshown: Option<Diagnostic>,
 }
 
 impl Diagnostics {
@@ -133,12 +139,34 @@ impl Diagnostics {
     fn report(&mut self, code: Code, severity: Severity, span: Span, message: String) -> &mut Diagnostic {
         let is_new = self.seen.insert((code, span, message.clone()));
         let diagnostic = Diagnostic { code, severity, span, message, notes: Vec::new(), uses: Vec::new() };
-        if is_new {
-            self.list.push(diagnostic);
-            let last = self.list.len() - 1;
-            &mut self.list[last]
-        } else {
-            self.repeated.insert(diagnostic)
+        if !is_new {
+            return self.unshown.insert(diagnostic);
+        }
+        let count = self.counts.or_insert(code, 0);
+        *count += 1;
+        if *count > MOST_OF_A_CODE {
+            return self.unshown.insert(diagnostic);
+        }
+        self.list.push(diagnostic);
+        let last = self.list.len() - 1;
+        &mut self.list[last]
+    }
+
+    /// Are more of a code shown? Else nobody reads the help, which may take long to find.
+    pub fn shows(&self, code: Code) -> bool {
+        self.counts.get(&code).is_none_or(|count| *count < MOST_OF_A_CODE)
+    }
+
+    /// Says, at the last that is shown of each code, how many there are beyond: when all are reported.
+    pub fn count_unshown(&mut self) {
+        for (code, count) in std::mem::take(&mut self.counts) {
+            let last = self.list.iter_mut().rfind(|diagnostic| diagnostic.code == code);
+            if let Some(last) = last.filter(|_| count > MOST_OF_A_CODE) {
+                last.note(format!(
+                    "{code} stands for {} places more, which are not shown",
+                    count - MOST_OF_A_CODE
+                ));
+            }
         }
     }
 

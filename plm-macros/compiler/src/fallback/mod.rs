@@ -6,7 +6,7 @@
 mod observe;
 mod shape;
 
-use crate::collect::{CollectVec, MapEach, PushAll};
+use crate::collect::{CollectVec, MapEach};
 use crate::sorted::SortedSet;
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Graph};
@@ -130,9 +130,10 @@ impl<'a> Names<'a> {
             match &item.kind {
                 ItemKind::Body(of) => {
                     if let Some(name) = self.name(prefix, &of.name) {
-                        let ports = of.ports.iter().map(|port| &port.name.ident.text);
-                        let ports = ports.map(|port| (format!("{}.{port}", name.text), Thing::Port));
-                        self.things.push_all(ports);
+                        let ports = of.ports.iter().filter_map(|port| self.key(&port.name));
+                        let ports =
+                            ports.map(|port| (format!("{}.{port}", name.text), Thing::Port)).collect_vec();
+                        self.things.extend(ports);
                         self.things.push((name.text.clone(), Thing::Body(of)));
                         self.found.bodies.push(body(name));
                     }

@@ -4,7 +4,8 @@ use std::cell::Cell;
 
 use crate::library::Library;
 use crate::resolve::{CallShape, Function, Member};
-use crate::syntax::ast::{Expr, ExprKind, IndexedName, Item, ItemKind, Operator};
+use crate::sorted::SortedMap;
+use crate::syntax::ast::{Expr, ExprKind, IndexedName, Instance, Item, ItemKind, Operator};
 
 /// Definitions that are followed for one answer, in all and one inside the other: they may form circles.
 const MAX_STEPS: u32 = 1000;
@@ -14,13 +15,20 @@ const MAX_DEPTH: u32 = 8;
 pub(super) struct Shapes<'a> {
     library: &'a Library,
     items: &'a [Item],
+    /// Of the mechanism; those of parts are looked for.
+    named: Named<'a>,
     steps: Cell<u32>,
     depth: Cell<u32>,
 }
 
 impl<'a> Shapes<'a> {
     pub(super) fn new(library: &'a Library, items: &'a [Item]) -> Shapes<'a> {
-        Shapes { library, items, steps: Cell::new(0), depth: Cell::new(0) }
+        Shapes { library, items, named: Named::of(items), steps: Cell::new(0), depth: Cell::new(0) }
+    }
+
+    /// What is declared by a name among items.
+    fn declared(&self, items: &'a [Item], name: &str) -> (Option<&'a Expr>, Option<&'a Instance>) {
+        if std::ptr::eq(items, self.items) { self.named.get(name) } else { Named::of(items).get(name) }
     }
 
     /// Is it a vector? What cannot be told is a number.
@@ -63,11 +71,8 @@ impl<'a> Shapes<'a> {
                 declared.next().is_some_and(|value| self.follow(self.items, value))
             }
             ExprKind::Name(name) => {
-                let mut lets = all(items).filter_map(|item| match &item.kind {
-                    ItemKind::Let(of, value) if of.ident.text == name.ident.text => Some(value),
-                    _ => None,
-                });
-                lets.next().is_some_and(|value| self.follow(items, value))
+                let (value, _) = self.declared(items, &name.ident.text);
+                value.is_some_and(|value| self.follow(items, value))
             }
             ExprKind::Path(base, members) => self.path(items, base, members),
             ExprKind::Unknown | ExprKind::Number(_) | ExprKind::Not(_) | ExprKind::Power(..) => false,
@@ -78,10 +83,7 @@ impl<'a> Shapes<'a> {
     fn path(&self, items: &'a [Item], base: &Expr, members: &[IndexedName]) -> bool {
         let Some((first, rest)) = members.split_first() else { return false };
         let ExprKind::Name(base) = &base.kind else { return false };
-        let instance = all(items).find_map(|item| match &item.kind {
-            ItemKind::Instance(instance) if instance.name.ident.text == base.ident.text => Some(instance),
-            _ => None,
-        });
+        let (_, instance) = self.declared(items, &base.ident.text);
         let last = members.last().map_or("", |member| member.ident.text.as_str());
         let Some(definition) = instance.and_then(|instance| self.library.get(&instance.kind.text)) else {
             // Of a part that is not known, a force is taken for a vector.
@@ -110,6 +112,40 @@ impl<'a> Shapes<'a> {
         self.depth.set(depth - 1);
         found
     }
+}
+
+/// Of each name the first `let` and the first part in use.
+struct Named<'a> {
+    lets: SortedMap<&'a str, &'a Expr>,
+    instances: SortedMap<&'a str, &'a Instance>,
+}
+
+impl<'a> Named<'a> {
+    fn of(items: &'a [Item]) -> Named<'a> {
+        let lets = all(items).filter_map(|item| match &item.kind {
+            ItemKind::Let(name, value) => Some((name.ident.text.as_str(), value)),
+            _ => None,
+        });
+        let instances = all(items).filter_map(|item| match &item.kind {
+            ItemKind::Instance(instance) => Some((instance.name.ident.text.as_str(), instance)),
+            _ => None,
+        });
+        Named { lets: first_of_each(lets), instances: first_of_each(instances) }
+    }
+
+    fn get(&self, name: &str) -> (Option<&'a Expr>, Option<&'a Instance>) {
+        (self.lets.get(name).copied(), self.instances.get(name).copied())
+    }
+}
+
+fn first_of_each<'a, V>(entries: impl Iterator<Item = (&'a str, V)>) -> SortedMap<&'a str, V> {
+    let mut first = SortedMap::new();
+    for (name, value) in entries {
+        if !first.contains_key(name) {
+            first.insert(name, value);
+        }
+    }
+    first
 }
 
 /// Items and those in repetitions.

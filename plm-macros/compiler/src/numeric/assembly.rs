@@ -15,6 +15,8 @@ use crate::model::{Body, Model};
 
 /// Largest `phi` of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
 const CLOSED: f64 = 1e-10;
+/// A joint of two bars whose angles are rounded is open by so many units in the last place of the angles, times the lengths.
+const ROUNDINGS: f64 = 4.0;
 
 /// What assembly found.
 pub(crate) struct Assembly {
@@ -94,10 +96,13 @@ pub(crate) fn assemble(scene: &Scene) -> Assembly {
     }
 }
 
-/// What `phi` of each row may be in a scene of a size that reaches as far as the bodies stand.
+/// What `phi` of each row may be in a scene of a size that reaches as far as the bodies stand, and as far as the rounding of angles
+/// moves the ends of its bars.
 fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
-    let places = q.iter().enumerate().filter(|(k, _)| k % 3 != 2);
-    let reach = places.fold(length, |reach, (_, place)| reach.max(place.abs()));
+    let rounding = ROUNDINGS * f64::EPSILON / CLOSED * length;
+    let reach = q.iter().enumerate().fold(length, |reach, (k, value)| {
+        reach.max(if k % 3 == 2 { rounding * value.abs() } else { value.abs() })
+    });
     model.rows.iter().map(|row| CLOSED * if row.is_angular() { 1.0 } else { reach }).collect_vec()
 }
 

@@ -64,8 +64,11 @@ pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
 
 /// Adds the sides of the switches at a state whose other symbols have values.
 pub(crate) fn add_switches(model: &Model, values: &mut Vec<(Expr, f64)>) {
-    for switch in &model.switches {
-        let difference = value(switch.difference, values);
+    let differences: Vec<Expr> = model.switches.iter().map(|switch| switch.difference).collect_vec();
+    // All by one tape, unless one reads the side of another.
+    let together = algebra::tape(&differences).eval(values).ok();
+    for (k, switch) in model.switches.iter().enumerate() {
+        let difference = together.as_ref().map_or_else(|| value(switch.difference, values), |all| all[k]);
         values.push((switch.symbol, if difference < 0.0 { -1.0 } else { 1.0 }));
     }
 }

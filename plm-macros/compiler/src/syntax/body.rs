@@ -39,7 +39,7 @@ pub enum Contour {
 /// `port name: (x, y) m, angle: expr;`
 #[derive(Clone, Debug)]
 pub struct Port {
-    /// Its name; on the ground it may have indices.
+    /// Its name.
     pub name: IndexedName,
     /// Where it is.
     pub at: Expr,
@@ -194,11 +194,7 @@ impl Port {
     /// `port name: expr, angle: expr;`; on the ground with a depth.
     fn parse(input: Input, on_ground: bool) -> Result<Port> {
         input.advance();
-        let name = if on_ground {
-            IndexedName::parse(input, "the name of the port")?
-        } else {
-            IndexedName { ident: Ident::parse(input, "the name of the port")?, indices: Vec::new() }
-        };
+        let name = IndexedName::parse(input, "the name of the port")?;
         input.colon_of(&format!("port {}", name.ident.text))?;
         let at = Expr::value(input);
         let (mut angle, mut depth) = (None, None);

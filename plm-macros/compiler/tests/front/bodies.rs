@@ -140,3 +140,31 @@ fn bodies_know_their_motion() {
     assert_near(normal[0], angle.cos(), "normal x");
     assert_near(normal[1], angle.sin(), "normal y");
 }
+
+#[test]
+fn ports_of_bodies_have_indices() {
+    let model = resolve(
+        "pub P {
+            ground { port o: (0, 0) m; }
+            repeat i in 0..2 {
+                body b[i] {
+                    mass: 1 kg; inertia: 1 kg*m^2;
+                    port p[0]: (-1, 0) m; port p[1 + 0]: (i + 1, 0)*1 m; port q[i]: (0, 1) m; port q: (0, 2) m;
+                }
+            }
+            revolute foot(ground.o, b[0].p[0]);
+            revolute pin(b[0].p[1], b[1].p[0]);
+            repeat i in 0..2 { output b[i].p[1].position, b[i].q[i].y; }
+            output b[1].q.y;
+        }",
+    );
+    let names: Vec<&str> = model.bodies[1].ports.iter().map(|port| port.name.text.as_str()).collect();
+    assert_eq!(names, ["p[0]", "p[1]", "q[1]", "q"]);
+    let mut values = Values::of(&model);
+    values.pose(&model, "b[0]", [0.0, 0.0, 0.0]);
+    values.pose(&model, "b[1]", [3.0, 0.0, 0.0]);
+    assert_near(output(&model, &values, "b[0].p[1].position")[0], 1.0, "of the first");
+    assert_near(output(&model, &values, "b[1].p[1].position")[0], 5.0, "of the second");
+    assert_near(output(&model, &values, "b[1].q[1].y")[0], 1.0, "by its own index");
+    assert_near(output(&model, &values, "b[1].q.y")[0], 2.0, "without an index");
+}

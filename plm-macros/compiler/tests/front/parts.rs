@@ -367,3 +367,19 @@ fn the_force_sensor_measures_what_flows() {
         assert_near(signal, 3.0 * (measured - 10.0), direction);
     }
 }
+
+/// The torque that a row of the mechanism holds, as a row of a part would.
+#[test]
+fn reactions_are_read_outside_of_parts() {
+    let bodies = "ground { port o: (0, 0) m; port p: (1, 0) m; }
+        body a { mass: 1 kg; inertia: 1 kg*m^2; port c: (0, 0) m; }
+        body b { mass: 1 kg; inertia: 1 kg*m^2; port c: (0, 0) m; start x: 1 m; }
+        revolute first(ground.o, a.c);
+        revolute second(ground.p, b.c);";
+    let model = resolve(&format!(
+        "pub P {{ {bodies} constraint mesh: b.angle + 2*a.angle = 0; output torque = reaction(mesh); }}"
+    ));
+    let row = model.rows.iter().find(|row| row.name == "mesh").unwrap();
+    let torque = model.outputs.iter().find(|output| output.name.text == "torque").unwrap();
+    assert_eq!((torque.components.as_slice(), torque.unit.text.as_str()), (&[row.lambda][..], "N*m"));
+}

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::super::lower::names::Names;
-use super::super::{Emission, Form, Sizes, docs};
+use super::super::{Emission, Form, Sizes, docs, number};
 use super::{implicit, rk4};
 use crate::model::Step;
 
@@ -58,6 +58,8 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
     let names = locals(emission);
     let n = second_order / 2;
+    // The type is written out: nothing else tells that of no numbers at all.
+    let count = number(names.len() - n);
     let moved = |(i, x): (usize, &Ident)| format!("h.mul_add(k[{i}], {x})");
     let rest = emission.lines(names.iter().enumerate().skip(n).map(moved));
     let velocities = &names[n..2 * n];
@@ -74,7 +76,7 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
                 let [#(#names),*] = *x;
                 let mut k = [S::lit(0.0); #length];
                 let health = self.rate(t, u, x, &mut k);
-                let [#(#behind),*] = [#rest];
+                let [#(#behind),*]: [S; #count] = [#rest];
                 *x = [#positions #(#behind),*];
                 health
             }

@@ -114,7 +114,8 @@ impl<'a> Resolver<'a> {
         if let Some((row, _)) = self.names.scopes[home].rows.get(key.as_ref()) {
             return Ok(*row);
         }
-        let rows: Vec<String> = self.names.scopes[home].rows.keys().map(ToString::to_string).collect_vec();
+        let shown = self.names.scopes[home].rows.keys().filter(|_| self.sink.shows(Code::UnknownRow));
+        let rows: Vec<String> = shown.map(ToString::to_string).collect_vec();
         let rows: Vec<&str> = rows.iter().map(String::as_str).collect_vec();
         let diagnostic =
             self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));

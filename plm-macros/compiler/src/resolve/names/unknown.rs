@@ -37,7 +37,9 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
 impl Resolver<'_> {
     pub(crate) fn unknown_name(&mut self, scope: ScopeId, name: &IndexedName, key: &str) -> Failed {
         let (text, span) = (&name.ident.text, name.ident.span);
-        let names = self.names.visible(scope);
+        let is_shown =
+            [Code::UnknownName, Code::NeedsIndex, Code::BadIndex].iter().all(|of| self.sink.shows(*of));
+        let names = if is_shown { self.names.visible(scope) } else { Vec::new() };
         let stem = format!("{text}[");
         let elements: Vec<&str> =
             names.iter().map(String::as_str).filter(|name| name.starts_with(&stem)).collect_vec();

@@ -43,6 +43,16 @@ const COORDINATES: [(&str, Dimension); 6] = [
     ("omega", Dimension::ANGULAR_VELOCITY),
 ];
 
+/// What to write instead of a mass or an inertia that is not positive.
+pub(crate) fn positive_help(name: &str, dimension: Dimension) -> String {
+    let small = if name == "mass" { "1e-3" } else { "1e-6" };
+    format!(
+        "the equations of motion divide by it: write a small one, `{name}: {small} {};`. A parameter may be 0 where \
+         other masses carry the body (the book, E0402)",
+        dimension.si_unit()
+    )
+}
+
 impl<'a> Resolver<'a> {
     pub(crate) fn declare_ground(&mut self, scope: ScopeId, ports: &'a [ast::Port]) {
         for port in ports {
@@ -117,12 +127,13 @@ impl<'a> Resolver<'a> {
     fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<PortDraft<'a>> {
         let mut ports: Vec<PortDraft<'a>> = Vec::with_capacity(ast.ports.len());
         for port in &ast.ports {
-            if let Some(first) = ports.iter().find(|of| of.ast.name.ident.text == port.name.ident.text) {
+            let Ok(key) = self.key(scope, &port.name) else { continue };
+            if let Some(first) = ports.iter().find(|of| of.name == key) {
                 let first = first.ast.name.ident.span;
-                self.duplicate(scope, &port.name.ident.text, port.name.ident.span, first);
+                self.duplicate(scope, &key, port.name.ident.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                let name = port.name.ident.text.clone();
+                let name = key.into_owned();
                 ports.push(PortDraft { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }
@@ -161,7 +172,8 @@ impl<'a> Resolver<'a> {
             let found = crate::resolve::values::expect::literal_text(expr)
                 .unwrap_or_else(|| Number::to_f64(number).to_string());
             let message = format!("the {name} of `{}` must be positive, found {found}", declared.text);
-            self.error(scope, Code::NotPositive, expr.span, message);
+            let diagnostic = self.error(scope, Code::NotPositive, expr.span, message);
+            diagnostic.help(positive_help(name, dimension));
             return Err(Failed);
         }
         Ok((value, expr.span))

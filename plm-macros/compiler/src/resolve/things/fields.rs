@@ -92,11 +92,15 @@ impl<'a> Resolver<'a> {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
             let meant = ELSEWHERE.iter().find(|(word, here)| *word == text && known.contains(here));
-            match meant {
-                Some((_, here)) => {
+            let instead = INSTEAD.iter().find(|(words, _)| definition.is_joint && words.contains(&text));
+            match (meant, instead) {
+                (Some((_, here)), _) => {
                     diagnostic.help(format!("write `{here}: …`"));
                 }
-                None => help_similar(diagnostic, text, "parameter", "parameters", &known),
+                (None, Some((_, how))) => {
+                    diagnostic.help(*how);
+                }
+                (None, None) => help_similar(diagnostic, text, "parameter", "parameters", &known),
             }
         } else if let Some(span) = field.locked.filter(|_| !is_state(&definition.items, text)) {
             self.error(
@@ -122,6 +126,22 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("fy", "y"),
     ("moment", "torque"),
     ("tau", "torque"),
+];
+
+/// What joints of other programs have, and how it is said here.
+const INSTEAD: &[(&[&str], &str)] = &[
+    (
+        &["limits", "limit", "stop", "stops", "range", "min", "max", "lower", "upper"],
+        "a joint has no stops of its own: they are a stiff spring in its `drive` (the book, Recipes: mechanics, Stops)",
+    ),
+    (
+        &["friction", "coulomb", "mu", "dry_friction"],
+        "friction is a law in the joint's `drive` that reads its `speed` (the book, Recipes: mechanics, Friction)",
+    ),
+    (
+        &["motor", "speed", "velocity", "omega", "angle", "position", "displacement"],
+        "a motion that is prescribed is a row, `constraint name: body.angle = 2 rad/s*t;`, and where a body begins is its `start`",
+    ),
 ];
 
 /// The kind of the part of a name among items.

@@ -42,14 +42,15 @@ impl<'a> Resolver<'a> {
         let name = member.ident.text.as_str();
         let found = match value {
             Value::Instance(instance) => self.output_of(scope, *instance, member)?,
-            Value::Body(None) => {
-                let name = format!("{}{}", self.names.prefix(scope), self.key(scope, member)?);
-                self.body_member(None, &name)
+            Value::Body(body) => {
+                let key = self.key(scope, member)?;
+                // Ports of the ground of a part have its path.
+                let prefix = if body.is_none() { self.names.prefix(scope) } else { String::new() };
+                self.body_member(*body, &format!("{prefix}{key}"))
             }
             _ if !member.indices.is_empty() => None,
             Value::Frame(frame) => self.frame_member(*frame, name)?,
             Value::Node(node) => self.node_member(*node, name),
-            Value::Body(body) => self.body_member(*body, name),
             Value::Vector(vector) => match name {
                 "x" => Some(vector.map(|v| v.x).into()),
                 "y" => Some(vector.map(|v| v.y).into()),
@@ -120,9 +121,10 @@ impl<'a> Resolver<'a> {
         let span = member.ident.span;
         let Ok(name) = self.key(scope, member) else { return Failed };
         let name = name.as_ref();
+        let is_shown = [Code::UnknownPort, Code::UnknownMember].iter().all(|of| self.sink.shows(*of));
         match value {
             Value::Body(body) => {
-                let ports = self.draft.port_names(*body);
+                let ports = if is_shown { self.draft.port_names(*body) } else { Vec::new() };
                 let of = body.map_or("ground".to_string(), |body| self.draft.bodies[body].name.text.clone());
                 let names: Vec<&str> = ports.iter().map(String::as_str).collect_vec();
                 let message = format!("unknown port `{name}` of `{of}`");
@@ -148,8 +150,8 @@ impl<'a> Resolver<'a> {
             }
             Value::Instance(instance) => {
                 let inside = self.names.instances[*instance].scope;
-                let names: Vec<String> =
-                    self.names.scopes[inside].outputs.keys().map(ToString::to_string).collect_vec();
+                let outputs = self.names.scopes[inside].outputs.keys().filter(|_| is_shown);
+                let names: Vec<String> = outputs.map(ToString::to_string).collect_vec();
                 let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
                 let of = self.names.instances[*instance].name.clone();
                 let message = format!("the part `{of}` has no output `{name}`");
