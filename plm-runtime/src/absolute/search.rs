@@ -16,8 +16,6 @@ use crate::vector::Vector;
 
 /// Starts beside the declared one.
 const STARTS: u32 = 64;
-/// So many are enough where one has closed.
-const ENOUGH: u32 = 16;
 /// Damped steps from one start, and the part of the violation that each takes away.
 const STEPS: (u32, f64) = (60, 1e-3);
 /// Evaluations of `phi_q` after which there is no damping any more.
@@ -47,7 +45,7 @@ pub(super) fn search<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     let mut others = Others::new();
     let (mut best, mut least) = (None::<(usize, S, Pose<S, NQ, NC>)>, (S::INFINITY, start));
     let (mut starts, mut closed, mut steps) = (0, 0, 0);
-    while starts <= STARTS && !(closed > 0 && starts > ENOUGH) {
+    while starts <= STARTS {
         let mut q = if starts == 0 { start } else { others.next(&start, free, m.length()) };
         starts += 1;
         if measure.work < MOST_WORK {

@@ -9,8 +9,6 @@ use super::damped::Measure;
 
 /// Starts beside the declared one.
 const STARTS: usize = 64;
-/// So many are enough where one has closed.
-const ENOUGH: usize = 16;
 /// Damped steps from one start, and the part of the violation that each takes away.
 const STEPS: (usize, f64) = (60, 1e-3);
 /// Products with the matrix after which there is no damping any more.
@@ -48,7 +46,7 @@ pub(super) fn search(
     let mut best: Option<(usize, f64, Closed)> = None;
     let mut least = (f64::INFINITY, start.values.clone());
     let (mut tried, mut steps) = (Searched { starts: 0, closed: 0 }, 0);
-    while tried.starts <= STARTS && !(tried.closed > 0 && tried.starts > ENOUGH) {
+    while tried.starts <= STARTS {
         let mut q = if tried.starts == 0 {
             start.values.clone()
         } else {
